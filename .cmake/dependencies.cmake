@@ -1,0 +1,26 @@
+# What the program is built from. Debian 12 and upstream names agree unless a comment says otherwise.
+find_package(glm REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(utf8proc REQUIRED IMPORTED_TARGET libutf8proc)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+pkg_check_modules(cairo QUIET IMPORTED_TARGET cairo)
+if(NOT cairo_FOUND)
+  message(STATUS "cairo is missing: pictures can be written as SVG only")
+endif()
+
+find_package(mujoco 2.2.2 REQUIRED)
+# Debian's target names a qhull include folder that only libqhull-dev brings and no public header
+# needs: without this CMake stops.
+get_target_property(mujoco_includes mujoco::mujoco INTERFACE_INCLUDE_DIRECTORIES)
+set(existing_includes "")
+foreach(folder IN LISTS mujoco_includes)
+  if(folder MATCHES "[$]<" OR EXISTS "${folder}")
+    list(APPEND existing_includes "${folder}")
+  endif()
+endforeach()
+set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing_includes}")
+message(STATUS "MuJoCo ${mujoco_VERSION}")

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace moontrace {
+
+/// The simulated hand: a mass pulled along a timed path by a spring and a damper, with tremor and a
+/// sideways drift that it does not see. Values from `devices/hand.toml` (ours, the same for every
+/// size).
+struct HandModel {
+  double mass = 0;         ///< [kg]
+  double stiffness = 0;    ///< [N/m]
+  double damping = 0;      ///< [N s/m]
+  double press = 0;        ///< force into a grooved page [N]
+  double light_press = 0;  ///< force onto a ridged page [N]
+  double tremor_rms = 0;   ///< per axis [m]
+  double tremor_low = 0;   ///< band [Hz]
+  double tremor_high = 0;
+  double drift = 0;  ///< sideways, as a share of the length travelled since the last approach [m/m]
+  double drift_wavelength = 0;  ///< over which the drift slowly varies [m]
+  int late_ticks = 0;           ///< ticks by which a force arrives late
+};
+
+/// Reads a hand from TOML. Throws InputError.
+HandModel LoadHand(const std::string& path);
+/// The shipped hand, from the installed or source `devices` folder.
+HandModel DefaultHand();
+
+/// One point of the path a hand means to follow, between points it moves evenly in time.
+struct HandPoint {
+  double time = 0;          ///< [s], ascending
+  glm::dvec3 p_D{0, 0, 0};  ///< aim of the tip [m]
+  double press =
+      0;  ///< force along the path's press direction [N]; 0: the hand holds the height itself
+};
+struct HandPath {
+  std::vector<HandPoint> points;
+  glm::dvec3 press_direction_D{0, 0, -1};  ///< unit, into the page
+};
+
+}  // namespace moontrace

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "devices/hand.h"
+#include "lessons/scoring.h"
+#include "sim/scene/pose.h"
+
+namespace moontrace {
+
+/// How the oracle moves. It knows the strokes; what it cannot know is where drift and tremor take
+/// the hand.
+struct PlanOptions {
+  double speed = 0.040;      ///< along a stroke, greatest [m/s]
+  double air_speed = 0.200;  ///< between strokes [m/s]
+  double clearance = 0.004;  ///< height of the approach above the paper [m]
+  double press = 1.0;        ///< [N]
+  double settle = 0.10;      ///< rest after landing, before moving on [s]
+  double dot_rest = 0.15;    ///< rest on a dot [s]
+};
+
+/// A plan and what the hand is doing at each moment of it.
+struct Plan {
+  HandPath path_W;
+  struct Span {
+    double begin = 0, end = 0;  ///< [s]
+    TracePhase phase = TracePhase::kAir;
+    std::size_t stroke = 0;
+  };
+  std::vector<Span> spans;  ///< ascending, without gaps
+  double duration = 0;      ///< [s]
+};
+
+/// Approach, press, follow each stroke (slowing at corners), lift between. `X_WP` says where the
+/// page lies.
+Plan MakeOraclePlan(const std::vector<IntendedStroke>& strokes, const PlanOptions& options,
+                    const Pose& X_WP);
+
+}  // namespace moontrace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+namespace moontrace {
+
+/// Text on a geom, from `<custom><text name="moontrace:GEOM[:n]" data="{text='MUG', size_mm=10,
+/// at_mm=[0,0]}"/>`: one TOML inline table with the command line's keys. Absent keys are left to
+/// the command line's defaults.
+struct Label {
+  std::string geom;
+  int number = 0;
+  std::string text;     ///< may be empty: the program's text goes there
+  glm::dvec2 at{0, 0};  ///< the page's lower left corner in the geom's frame [m]
+  std::optional<double> size, width, depth, rounding;  ///< [m]
+  std::optional<bool> embossed;
+  std::optional<std::string> script, h_form;
+  std::optional<double> grade;
+};
+
+/// Reads one label. `where` stands in messages. Throws InputError naming unknown keys with the
+/// nearest valid one.
+Label ParseLabel(const std::string& name, const std::string& data, const std::string& where);
+
+}  // namespace moontrace

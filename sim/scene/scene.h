@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "devices/device.h"
+#include "sim/scene/label.h"
+#include "sim/scene/pose.h"
+#include "sim/scene/scene_options.h"
+#include "textures/field.h"
+
+struct mjModel_;
+struct mjData_;
+
+namespace moontrace {
+
+/// A MuJoCo model that carries Moon: owns model and data, knows the textured plane geom, the proxy
+/// and the handle. One thread at a time; two scenes share nothing.
+class Scene {
+ public:
+  /// Loads an MJCF file; an empty path means the shipped `models/page.xml`. A model without a body
+  /// named `moontrace_proxy` gets `models/proxy.xml` inserted. Throws InputError: the file does not
+  /// load, a label names no geom or one that is not a plane, no label at all, a proxy that is not
+  /// three slides, friction too high for `greatest_slope` (mu * s_max >= 0.9), h^2 k_eff / m >= 1
+  /// even with 16 sub-steps.
+  static Scene Load(const std::string& model_path, const SceneOptions& options);
+  /// The same from MJCF text (a record's model.xml); `name` stands in messages.
+  static Scene FromXml(const std::string& xml, const std::string& name,
+                       const SceneOptions& options);
+
+  /// Sets what is felt from now on. Checks the bounds of Load against this field (so call it
+  /// outside the tick); `field` must outlive its use here.
+  void SetField(const TextureField* field);
+
+  /// One tick: coupling and page force into qfrc_applied between mj_step1 and mj_step2, removed
+  /// again. The device's frame D is the world's. Fails to zero force. No allocation, lock or
+  /// exception.
+  TickResult Tick(const DeviceState& input) noexcept;
+
+  /// Puts everything at rest with the proxy at the tip, friction and observer cleared.
+  void Reset(glm::dvec3 tip_P);
+
+  const std::vector<Label>& labels() const;  ///< of the model's <custom>, in order
+  Pose X_WP() const;                         ///< where the page lies now
+  const SceneOptions& options() const;
+  /// The model as MuJoCo saved it after compiling, proxy included: what a record keeps.
+  const std::string& model_xml() const;
+  /// One-line remarks for the user (RK4 integrated by Euler, proxy inserted, sub-steps).
+  const std::vector<std::string>& remarks() const;
+  int substeps() const;
+
+  /// Everything a replay must start from: MuJoCo's integration state, coupling, friction, observer.
+  std::vector<double> State() const;
+  void SetState(const std::vector<double>& state);
+
+  const mjModel_* model() const;
+  mjData_* data();
+
+  Scene(Scene&&) noexcept;
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+
+ private:
+  struct Impl;
+  explicit Scene(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace moontrace

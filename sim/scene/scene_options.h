@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "textures/surface.h"
+
+namespace moontrace {
+
+/// What the tip feels through. `kProxy`: the proxy meets the page and a virtual coupling ties it to
+/// the handle. `kDirect` (the paper): the force at the device's position.
+enum class Rendering { kProxy, kDirect };
+
+/// Everything that decides a tick beside the model, the field and the input.
+struct SceneOptions {
+  Surface surface;
+  Rendering rendering = Rendering::kProxy;
+  double coupling_stiffness = 1000;    ///< [N/m]
+  double coupling_damping = 10;        ///< [N s/m]
+  double friction = 0;                 ///< Coulomb mu, mu * s_max < 0.9
+  double presliding_stiffness = 2000;  ///< of elastic friction [N/m]
+  double tick = 0.001;                 ///< [s]
+  double tilt = 0;                     ///< raises the page's far edge [rad]
+};
+
+/// What one tick gave. P: the page's frame.
+struct TickResult {
+  glm::dvec3 tip_P{0, 0, 0};    ///< [m]
+  glm::dvec3 proxy_P{0, 0, 0};  ///< after the step [m]; the tip itself when direct
+  glm::dvec3 force_P{0, 0, 0};  ///< to the device [N]
+  glm::dvec3 force_W{0, 0, 0};  ///< the same in the world's frame, what Device::Write receives
+  glm::dvec3 page_force_P{0, 0,
+                          0};  ///< the page's on the proxy (tip when direct), friction included [N]
+  double depth = 0;            ///< of the proxy (tip) in the page [m], > 0 in contact
+  double energy_out =
+      0;               ///< energy created so far by sampling, as the passivity observer sees it [J]
+  bool fault = false;  ///< MuJoCo warned or a value was not finite: the force is zero
+};
+
+}  // namespace moontrace
