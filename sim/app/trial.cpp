@@ -1,0 +1,185 @@
+#include "sim/app/trial.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "devices/simulated_stylus.h"
+#include "sim/app/metrics_json.h"
+#include "sim/scene/record.h"
+#include "sim/scene/scene.h"
+
+namespace moontrace {
+
+namespace {
+
+/// What the hand is doing at a time, walking forward through the plan's spans.
+class PhaseClock {
+ public:
+  explicit PhaseClock(const std::vector<Plan::Span>& spans) : spans_(spans) {}
+  const Plan::Span& At(double time) {
+    while (next_ + 1 < spans_.size() && time >= spans_[next_].end) ++next_;
+    return spans_[next_];
+  }
+
+ private:
+  const std::vector<Plan::Span>& spans_;
+  std::size_t next_ = 0;
+};
+
+/// Keeps the tip's way at a spacing, and every change of phase or contact.
+void Keep(std::vector<PathPoint>& path, const PathPoint& point, double spacing) {
+  if (spacing <= 0) return;
+  if (!path.empty()) {
+    const PathPoint& last = path.back();
+    const bool same = last.phase == point.phase && last.in_contact == point.in_contact;
+    if (same && glm::distance(last.tip_P, point.tip_P) < spacing) return;
+  }
+  path.push_back(point);
+}
+
+double LengthOf(const IntendedStroke& stroke) {
+  if (stroke.kind == StrokeKind::kDot) return stroke.width;
+  double length = 0;
+  for (const Piece& piece : stroke.spine_P) length += Length(piece);
+  return length;
+}
+
+std::unique_ptr<Recorder> StartRecorder(const RecordRequest* request, const TrialSetup& setup,
+                                        const TextureField& field, const Scene& scene) {
+  if (request == nullptr) return nullptr;
+  RecordHead head;
+  head.parameters_json = request->parameters_json;
+  head.field_hash = field.Hash();
+  head.seed = setup.seed;
+  return std::make_unique<Recorder>(request->folder, head, scene);
+}
+
+/// The loop: device, scene, device, score. Everything it needs exists before it starts.
+void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& stylus,
+              TraceScorer& scorer, Recorder* recorder, TrialResult& result) {
+  PhaseClock clock(plan.spans);
+  const auto ticks = static_cast<std::size_t>(std::ceil(plan.duration / setup.scene.tick));
+  const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
+  for (std::size_t n = 0; n < ticks; ++n) {
+    if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
+    DeviceState input;
+    stylus.Read(input);
+    const TickResult output = scene.Tick(input);
+    stylus.Write(output.force_W);
+
+    const Plan::Span& span = clock.At(input.time);
+    TraceSample sample;
+    sample.time = input.time;
+    sample.tip_P = output.tip_P;
+    sample.force_P = output.force_P;
+    sample.in_contact = output.depth > 0;
+    sample.phase = span.phase;
+    sample.stroke = span.stroke;
+    scorer.Add(sample);
+    Keep(result.path, {output.tip_P, span.phase, sample.in_contact}, setup.path_spacing);
+    result.energy_out = std::max(result.energy_out, output.energy_out);
+    if (output.fault) ++result.faults;
+    if (recorder != nullptr) {
+      const bool air = span.phase == TracePhase::kAir;
+      recorder->Add({input, output, static_cast<double>(span.phase),
+                     air ? -1.0 : static_cast<double>(span.stroke)});
+    }
+    if (setup.alive && n % ticks_a_second == 0) {
+      setup.alive(static_cast<double>(n) / static_cast<double>(ticks));
+    }
+  }
+  result.ticks = ticks;
+  result.duration = static_cast<double>(ticks) * setup.scene.tick;
+}
+
+}  // namespace
+
+TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
+                       bool blank) {
+  return blank ? TextureField() : TextureField(BuildTexture(page, script, style));
+}
+
+TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
+  const TextureField field = PageField(*setup.page, *setup.script, setup.style, setup.blank);
+  Scene scene = Scene::Load(setup.model_path, setup.scene);
+  scene.SetField(&field);
+  std::vector<IntendedStroke> strokes = IntendedStrokes(*setup.page, *setup.script, setup.style);
+  const Pose X_WP = scene.X_WP();
+  const Plan plan = MakeOraclePlan(strokes, setup.plan, X_WP);
+  const std::unique_ptr<Device> stylus =
+      MakeSimulatedStylus(setup.hand, plan.path_W, setup.scene.tick, setup.seed);
+  if (!plan.path_W.points.empty()) {
+    scene.Reset(FromWorld(X_WP, plan.path_W.points.front().p_D));
+  }
+
+  TrialResult result;
+  for (const IntendedStroke& stroke : strokes) result.stroke_length += LengthOf(stroke);
+  result.remarks = scene.remarks();
+  TraceScorer scorer(std::move(strokes), setup.page->glyphs.size());
+  const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
+  const auto start = std::chrono::steady_clock::now();
+  RunTicks(setup, plan, scene, *stylus, scorer, recorder.get(), result);
+  result.score = scorer.Finish();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  result.real_time_factor = result.duration / std::max(elapsed.count(), 1e-9);
+  if (recorder != nullptr) {
+    for (const Excursion& left : result.score.left_at) {
+      recorder->AddEvent(left.time, "excursion", "stroke " + std::to_string(left.stroke));
+    }
+    // Without the real-time factor, so that the same seed gives the same bytes.
+    recorder->Finish(TotalJson(result, false).dump(), record->also_csv);
+  }
+  return result;
+}
+
+TrialResult Merged(const std::vector<TrialResult>& pages) {
+  TrialResult all;
+  TraceMetrics& total = all.score.total;
+  double elapsed = 0;
+  double squares = 0;
+  double coverage = 0;
+  for (const TrialResult& page : pages) {
+    const TraceMetrics& m = page.score.total;
+    all.stroke_length += page.stroke_length;
+    all.duration += page.duration;
+    all.ticks += page.ticks;
+    all.faults += page.faults;
+    all.energy_out = std::max(all.energy_out, page.energy_out);
+    elapsed += page.duration / page.real_time_factor;
+    coverage += m.coverage * page.stroke_length;
+    total.mean_error += m.mean_error * page.stroke_length;
+    squares += m.rms_error * m.rms_error * page.stroke_length;
+    total.max_error = std::max(total.max_error, m.max_error);
+    total.excursions += m.excursions;
+    total.duration += m.duration;
+    total.mean_force += m.mean_force * m.duration;
+    total.peak_force = std::max(total.peak_force, m.peak_force);
+    total.entries += m.entries;
+    total.lifts += m.lifts;
+    total.entry_error = std::max(total.entry_error, m.entry_error);
+  }
+  const double length = std::max(all.stroke_length, 1e-300);
+  total.coverage = coverage / length;
+  total.mean_error /= length;
+  total.rms_error = std::sqrt(squares / length);
+  total.mean_force /= std::max(total.duration, 1e-300);
+  all.real_time_factor = all.duration / std::max(elapsed, 1e-9);
+  return all;
+}
+
+DirectBound BoundOfDirect(const TextureField& field, const Surface& surface, double press,
+                          const DeviceLimits& limits, double tick) {
+  const double s = field.greatest_slope();
+  DirectBound bound;
+  bound.felt = surface.stiffness * s * s + press * field.greatest_curvature();
+  const double acts_after = tick * (1.0 + 2.0 * limits.late_ticks);
+  bound.held = 2.0 * limits.damping / acts_after;
+  return bound;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "devices/device.h"
+#include "devices/hand.h"
+#include "lessons/scoring.h"
+#include "sim/plan/plan.h"
+#include "sim/scene/scene_options.h"
+#include "textures/field.h"
+#include "textures/script.h"
+#include "textures/typeset.h"
+
+namespace moontrace {
+
+/// Someone asked the program to stop (Ctrl-C). Programs end with exit code 130.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Everything that decides one simulated trial: one page, traced once. Same setup, same bytes.
+struct TrialSetup {
+  const Script* script = nullptr;  ///< must outlive the trial
+  const TextPage* page = nullptr;  ///< must outlive the trial
+  TypeStyle style;
+  bool blank = false;      ///< the same plan on paper without grooves
+  std::string model_path;  ///< MJCF; empty = the shipped page
+  SceneOptions scene;
+  HandModel hand;
+  PlanOptions plan;  ///< `plan.press` counts, not the hand's
+  std::uint64_t seed = 1;
+  double path_spacing = 0;  ///< keep the tip's way at this spacing for a picture [m]; 0 = keep none
+  const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
+  std::function<void(double done)> alive;   ///< told each simulated second the share done, 0..1
+};
+
+/// Asks for the trial to be recorded (sim/scene/record.h).
+struct RecordRequest {
+  std::string folder;
+  std::string parameters_json;  ///< enough to build page and field again
+  bool also_csv = false;
+};
+
+/// One point of the tip's way.
+struct PathPoint {
+  glm::dvec3 tip_P{0, 0, 0};  ///< [m]
+  TracePhase phase = TracePhase::kAir;
+  bool in_contact = false;
+};
+
+struct TrialResult {
+  TraceScore score;
+  double energy_out = 0;        ///< put out by sampling, greatest seen [J]
+  double duration = 0;          ///< simulated [s]
+  double real_time_factor = 0;  ///< simulated over elapsed time; the only value that is not exact
+  double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
+  std::size_t ticks = 0;
+  std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there
+  std::vector<PathPoint> path;
+  std::vector<std::string> remarks;  ///< the scene's, one line each
+};
+
+/// Page -> field -> scene -> plan -> hand -> ticks -> score, and the record if asked for. Throws
+/// InputError (model, friction, sizes), LackError (record folder), Interrupted.
+TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record = nullptr);
+
+/// The field of one page as a trial builds it.
+TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
+                       bool blank);
+
+/// Totals of several pages traced one after the other: errors and coverage weighted by stroke
+/// length, mean force by duration, greatest values and counts over all. `letters` and `left_at` are
+/// left empty. `real_time_factor` is of the whole.
+TrialResult Merged(const std::vector<TrialResult>& pages);
+
+/// Whether direct rendering stays quiet (design section 4, point 4): the sideways stiffness felt,
+/// k s^2 + F s/r, against what damping b holds when forces act T_eff later, 2 b / T_eff; T_eff is
+/// one period, and two more for each tick the device answers late.
+struct DirectBound {
+  double felt = 0;  ///< [N/m]
+  double held = 0;  ///< [N/m]
+  bool Holds() const { return felt <= held; }
+};
+DirectBound BoundOfDirect(const TextureField& field, const Surface& surface, double press,
+                          const DeviceLimits& limits, double tick);
+
+}  // namespace moontrace
