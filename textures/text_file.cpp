@@ -1,0 +1,68 @@
+#include "textures/text_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "textures/error.h"
+
+namespace moontrace {
+
+TextPlace PlaceOf(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  TextPlace place;
+  place.line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t newline = before.rfind('\n');
+  place.column = newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
+  return place;
+}
+
+std::string OneLine(std::string_view text, std::size_t limit) {
+  std::string line(text.substr(0, limit));
+  if (text.size() > limit) {
+    // The cut must not leave half a UTF-8 character behind.
+    std::size_t cut = limit;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) --cut;
+    line.resize(cut);
+    line += "...";
+  }
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < 0x20U || c == '\x7f') c = '?';
+  }
+  return line;
+}
+
+std::string ReadTextFile(const std::string& path, std::size_t max_bytes) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(path + ": is a folder; name a file in it");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (file == nullptr) {
+    throw InputError(path + ": cannot be opened (" + std::strerror(errno) +
+                     "); check the path and the permissions");
+  }
+  std::string text;
+  char block[65536];
+  for (;;) {
+    const std::size_t count = std::fread(block, 1, sizeof block, file.get());
+    text.append(block, count);
+    if (text.size() > max_bytes) {
+      throw InputError(path + ": holds more than " + std::to_string(max_bytes) +
+                       " bytes; split it or name another file");
+    }
+    if (count < sizeof block) break;
+  }
+  if (std::ferror(file.get()) != 0) {
+    throw InputError(path + ": cannot be read (" + std::strerror(errno) +
+                     "); check the file and the permissions");
+  }
+  return text;
+}
+
+}  // namespace moontrace

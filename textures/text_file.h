@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace moontrace {
+
+/// A place in a text: line and column, both from 1; columns count bytes.
+struct TextPlace {
+  std::size_t line = 1;
+  std::size_t column = 1;
+};
+
+/// Place of a byte offset (held to the text's end).
+TextPlace PlaceOf(std::string_view text, std::size_t offset);
+
+/// Control characters made visible ("?"), long texts cut to `limit` bytes between characters, so
+/// that foreign text can stand in a one-line message.
+std::string OneLine(std::string_view text, std::size_t limit = 60);
+
+/// Reads a whole file. Throws InputError (path, cause, cure): missing, a folder, unreadable, more
+/// than `max_bytes`.
+std::string ReadTextFile(const std::string& path, std::size_t max_bytes);
+
+}  // namespace moontrace
