@@ -11,6 +11,8 @@ namespace moontrace {
 /// The compiled texture: flat, immutable, made for the tick. A query does not grow with the page.
 class TextureField {
  public:
+  struct CompiledLayer;  ///< see field_layer.h
+
   /// An empty field: flat everywhere.
   TextureField();
   /// Compiles a tree. Throws InputError for a broken profile or more than 2^24 placements.
@@ -31,8 +33,6 @@ class TextureField {
   std::size_t memory_bytes() const noexcept;
   /// A digest of everything that decides a sample: equal fields, equal digests.
   std::uint64_t Hash() const noexcept;
-
-  struct CompiledLayer;  ///< in field.cpp's private header
 
  private:
   std::vector<CompiledLayer> layers_;

@@ -1,0 +1,106 @@
+#include "textures/field.h"
+
+#include <cmath>
+
+#include "textures/field_layer.h"
+
+namespace moontrace {
+
+namespace {
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): guards against accident, not malice.
+class Digest {
+ public:
+  void Add(std::uint64_t word) {
+    for (int byte = 0; byte < 8; ++byte) {
+      hash_ = (hash_ ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3ull;
+    }
+  }
+  void Add(double value) {
+    std::uint64_t bits = 0;
+    static_assert(sizeof bits == sizeof value);
+    __builtin_memcpy(&bits, &value, sizeof bits);
+    Add(bits);
+  }
+  void Add(glm::dvec2 v) {
+    Add(v.x);
+    Add(v.y);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325ull;
+};
+
+void Add(Digest& digest, const FlatElement& element) {
+  digest.Add(element.anchor);
+  digest.Add(element.direction);
+  digest.Add(element.length);
+  digest.Add(element.cos_half);
+  digest.Add(static_cast<std::uint64_t>(element.kind));
+  digest.Add(static_cast<std::uint64_t>(element.profile));
+}
+
+template <class T>
+std::size_t Bytes(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+TextureField::TextureField() = default;
+TextureField::~TextureField() = default;
+TextureField::TextureField(TextureField&&) noexcept = default;
+TextureField& TextureField::operator=(TextureField&&) noexcept = default;
+
+TextureField::TextureField(const Texture& texture) {
+  for (const Layer& layer : texture.layers) {
+    if (layer.group == nullptr || layer.group->bounds.min.x > layer.group->bounds.max.x) continue;
+    layers_.push_back(CompileLayer(layer));
+    double slope = 0, curvature = 0, depth = 0;
+    for (const FlatProfile& profile : layers_.back().profiles) {
+      slope = std::fmax(slope, profile.slope);
+      curvature = std::fmax(curvature, profile.curvature);
+      depth = std::fmax(depth, profile.depth);
+    }
+    greatest_slope_ += slope;
+    greatest_curvature_ += curvature;
+    greatest_displacement_ += depth;
+  }
+}
+
+std::size_t TextureField::memory_bytes() const noexcept {
+  std::size_t bytes = sizeof *this + Bytes(layers_);
+  for (const CompiledLayer& layer : layers_) {
+    bytes += Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaf_x) + Bytes(layer.leaf_y) +
+             Bytes(layer.leaf_block) + Bytes(layer.leaf_order) + Bytes(layer.blocks) +
+             Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.elements) + Bytes(layer.edges) +
+             Bytes(layer.rising) + Bytes(layer.profiles);
+  }
+  return bytes;
+}
+
+std::uint64_t TextureField::Hash() const noexcept {
+  Digest digest;
+  for (const CompiledLayer& layer : layers_) {
+    digest.Add(layer.sign);
+    for (const Band& band : layer.bands) {
+      digest.Add(static_cast<std::uint64_t>(band.first));
+      digest.Add(band.y);
+    }
+    for (const double x : layer.leaf_x) digest.Add(x);
+    for (const double y : layer.leaf_y) digest.Add(y);
+    for (const std::uint16_t block : layer.leaf_block) digest.Add(std::uint64_t{block});
+    for (const Block& block : layer.blocks) digest.Add(block.blend_radius);
+    for (const FlatElement& element : layer.elements) Add(digest, element);
+    for (const FlatEdge& edge : layer.edges) Add(digest, edge.spine);
+    for (const FlatProfile& profile : layer.profiles) {
+      digest.Add(profile.half);
+      digest.Add(profile.rounding);
+      digest.Add(profile.depth);
+    }
+  }
+  return digest.value();
+}
+
+}  // namespace moontrace
