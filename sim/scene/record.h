@@ -57,16 +57,21 @@ struct Record {
   std::vector<double> state;  ///< Scene::State at the first tick
   std::vector<RecordRow> rows;
   std::string result_json;
+  std::string made_by;  ///< program, compiler, MuJoCo, processor, one line
+  /// With `tolerant`: the line about altered samples that would have been thrown, else empty.
+  std::string altered;
 };
 /// With `tolerant` an altered samples file is let through, so that a check can name the tick.
+/// Replay compares what Scene::Tick computed; only `altered` tells of other changes.
 Record ReadRecord(const std::string& folder, bool tolerant = false);
 
 /// Runs the recorded inputs through a scene again. `first_difference` is the first tick whose
-/// outputs are not equal to the bit, or rows.size().
+/// outputs are not equal to the bit, or rows.size(). Throws InputError: `field` is not the recorded
+/// one (hash), the model does not load, the state is another program's.
 struct ReplayResult {
   std::size_t ticks = 0;
   std::size_t first_difference = 0;
-  std::string column;  ///< first that differs
+  std::string column;  ///< first that differs, by its name in samples.f64
 };
 ReplayResult Replay(const Record& record, const TextureField& field);
 

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "sim/scene/digest.h"
+#include "sim/scene/record.h"
+#include "sim/scene/record_columns.h"
+#include "textures/error.h"
+
+namespace moontrace {
+namespace {
+
+/// The first output column whose bits differ, or kAfterOutputs. Bits, not values: minus zero is not
+/// zero, and a NaN equals itself.
+std::size_t FirstDifference(const RecordColumns& a, const RecordColumns& b) noexcept {
+  for (std::size_t i = kFirstOutput; i < kAfterOutputs; ++i) {
+    if (std::memcmp(&a[i], &b[i], sizeof(double)) != 0) return i;
+  }
+  return kAfterOutputs;
+}
+
+}  // namespace
+
+ReplayResult Replay(const Record& record, const TextureField& field) {
+  if (field.Hash() != record.head.field_hash) {
+    throw InputError(
+        fmt::format("record: the page built here has the digest {}, the recorded one "
+                    "{}; use the recorded script and program",
+                    ToHex(field.Hash()), ToHex(record.head.field_hash)));
+  }
+  Scene scene = Scene::FromXml(record.model_xml, "the record's model.xml", record.options);
+  scene.SetField(&field);
+  const std::size_t state_size = scene.State().size();
+  if (record.state.size() != state_size) {
+    throw InputError(
+        fmt::format("record: the initial state has {} numbers, this program's {}; "
+                    "replay it with {}",
+                    record.state.size(), state_size, record.made_by));
+  }
+  scene.SetState(record.state);
+
+  ReplayResult result;
+  result.ticks = record.rows.size();
+  result.first_difference = record.rows.size();
+  for (std::size_t tick = 0; tick < record.rows.size(); ++tick) {
+    RecordRow again = record.rows[tick];
+    again.output = scene.Tick(again.input);
+    const std::size_t column = FirstDifference(ToColumns(again), ToColumns(record.rows[tick]));
+    if (column == kAfterOutputs) continue;
+    result.first_difference = tick;
+    result.column = kRecordColumns[column];
+    break;
+  }
+  return result;
+}
+
+}  // namespace moontrace
