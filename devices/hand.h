@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace moontrace {
@@ -20,22 +19,24 @@ struct HandModel {
   double tremor_rms = 0;   ///< per axis [m]
   double tremor_low = 0;   ///< band [Hz]
   double tremor_high = 0;
-  double drift = 0;  ///< sideways, as a share of the length travelled since the last approach [m/m]
-  double drift_wavelength = 0;  ///< over which the drift slowly varies [m]
+  double drift = 0;  ///< sideways, greatest share of the length travelled while pressing [m/m]
+  double drift_wavelength = 0;  ///< travelled length over which drift swings left and right [m]
   int late_ticks = 0;           ///< ticks by which a force arrives late
 };
 
-/// Reads a hand from TOML. Throws InputError.
+/// Reads a hand from a TOML file. Throws std::runtime_error with one line: what, file:line:column,
+/// how to mend it.
 HandModel LoadHand(const std::string& path);
-/// The shipped hand, from the installed or source `devices` folder.
-HandModel DefaultHand();
+/// The same from memory; `name` stands in messages.
+HandModel ParseHand(std::string_view text, const std::string& name);
 
-/// One point of the path a hand means to follow, between points it moves evenly in time.
+/// One point of the path a hand means to follow; between points aim and press change evenly in
+/// time.
 struct HandPoint {
   double time = 0;          ///< [s], ascending
   glm::dvec3 p_D{0, 0, 0};  ///< aim of the tip [m]
-  double press =
-      0;  ///< force along the path's press direction [N]; 0: the hand holds the height itself
+  /// Force along the path's press direction [N], >= 0; where it is 0 the hand holds the height.
+  double press = 0;
 };
 struct HandPath {
   std::vector<HandPoint> points;
