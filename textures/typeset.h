@@ -10,7 +10,7 @@
 
 namespace moontrace {
 
-/// How text becomes a page. Lengths in metres. `Defaults` fills what follows from the size.
+/// How text becomes a page. Lengths in metres. `DefaultStyle` fills what follows from the size.
 struct TypeStyle {
   double size = 0.012;      ///< base line to top line on stroke centre lines [m]
   double width = 0;         ///< groove width w [m]
@@ -18,8 +18,8 @@ struct TypeStyle {
   double rounding = 0;      ///< r [m]
   double blend_radius = 0;  ///< [m]
   Relief relief = Relief::kEngraved;
-  double letter_gap = 0;  ///< added to every advance [m]
-  double word_gap = 0;    ///< added to the space's advance [m]
+  double letter_gap = 0;  ///< added to every glyph's advance, may be below zero [m]
+  double word_gap = 0;    ///< added to the space's advance, may be below zero [m]
   double line_pitch = 0;  ///< base line to base line [m]
   double grade = 1;       ///< 0.5, 1
   std::string h_form;     ///< "crescent", "arc", "pocket", "reverse-n"; empty = the script's own
@@ -29,6 +29,12 @@ struct TypeStyle {
 /// widens towards 0.2 em and D to w/3; embossed: D = w/4 and blended creases; line pitch 1.8 em.
 TypeStyle DefaultStyle(double size, Relief relief, const Script& script);
 
+/// Throws InputError when a length is not finite or not positive, the letters are below 1 mm, the
+/// groove is wider than half a letter, r is not within 0 < r <= w/4, the flank is steeper than 5,
+/// letters would run backwards or lines into each other. Grade and form of h are the script's
+/// matter: SetText checks them.
+void CheckStyle(const TypeStyle& style, const Script& script);
+
 /// A sheet. Frame P: origin at its lower left corner, x along the text, y up.
 struct PageSpec {
   std::string name;       ///< "a4", "a5", "workspace", "custom"
@@ -37,7 +43,13 @@ struct PageSpec {
   double margin = 0.015;  ///< on all sides [m]
 };
 
-/// A glyph on a page, and the bytes of the source text that it stands for.
+/// "a4", "a5" (margin 15 mm), "workspace" (160 x 120 mm, a desk-top device's reach, margin 10 mm),
+/// or a custom page in mm as "120x90" (margin 10 mm). Throws InputError for other names and for
+/// pages that are not larger than their margins or above 5 m.
+PageSpec FindPage(const std::string& name);
+
+/// A glyph on a page, and the bytes of the source text that it stands for. The numeral sign stands
+/// for none: its range is empty, at the first digit.
 struct PlacedGlyph {
   std::size_t glyph = 0;         ///< index into Script::glyphs
   glm::dvec2 origin_P{0, 0};     ///< of the glyph's em box: left edge on the base line [m]
@@ -54,31 +66,39 @@ struct TextPage {
 
 /// Something the script has no sign for, or wrote otherwise.
 struct Replacement {
-  std::string was;         ///< the character(s) as in the text
+  std::string was;         ///< the character(s) as in the text; a control character as "U+001B"
   std::string became;      ///< empty: left out
   std::size_t line = 0;    ///< of the source text, from 1
-  std::size_t column = 0;  ///< in characters, from 1
+  std::size_t column = 0;  ///< in characters (code points), from 1
 };
 
 struct Typeset {
   TypeStyle style;
   PageSpec page;
   std::vector<TextPage> pages;
-  std::vector<Replacement> folded;   ///< written by another sign of the same meaning (é -> e)
-  std::vector<Replacement> missing;  ///< no form: reported, counted, left out
+  /// Written by another sign of the same meaning (é -> e), and those with no form: left out. The
+  /// lists keep the first 1000, the counts are of all.
+  std::vector<Replacement> folded, missing;
+  std::size_t folded_count = 0, missing_count = 0;
 };
 
-/// Sets UTF-8 text. Throws InputError: invalid UTF-8 (byte offset), empty text, text over 16 MB,
-/// sizes that are not positive and finite, a groove wider than a letter, a line that holds no
-/// letter, nothing left to set.
+/// Sets UTF-8 text, by the rules of fold.h and signs.h. The first base line is one em below the top
+/// margin. Lines break as in the text, at spaces and behind hyphens; a word that no line holds is
+/// broken between letters. A letter must fit with its strokes' centre lines, its gap may hang over.
+/// One or several blank lines become one empty line, none at the top of a page. Linear in the text.
+/// Throws InputError: invalid UTF-8 (byte offset), empty text, text over 16 MB or more than 16
+/// million signs, a style that fails CheckStyle, an unknown grade or form of h, a page that holds
+/// no line or not a letter of the text, nothing left to set.
 Typeset SetText(std::string_view text, const Script& script, const TypeStyle& style,
                 const PageSpec& page);
 
-/// The tree of one page: page > line > glyph, glyph groups shared through `cache` order; one layer.
+/// The tree of one page: page > line > glyph, in one layer. A glyph's group is shared by all its
+/// places; lines stand at the page's origin.
 Texture BuildTexture(const TextPage& page, const Script& script, const TypeStyle& style);
 
-/// Elements of one glyph at a size, in the glyph's frame [m]: pieces, a dot at every end and joint,
-/// fills.
+/// Elements of one glyph at a size, in the glyph's frame [m]: the pieces of strokes, then a dot at
+/// each of their ends and joints (none for a full circle), then fills. A dot of the script becomes
+/// a disc of at least the groove's width, so that it has the full depth.
 Group BuildGlyph(const Glyph& glyph, const TypeStyle& style);
 
 }  // namespace moontrace

@@ -1,0 +1,171 @@
+#include "textures/signs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "textures/error.h"
+
+namespace moontrace {
+namespace {
+
+// Entries kept of each list in Typeset; the counts go on.
+constexpr std::size_t kMostReplacements = 1000;
+
+void CheckGrade(const Script& script, double grade) {
+  std::string known;
+  for (const double other : script.grades) {
+    if (other == grade) return;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", other);
+  }
+  throw InputError(
+      fmt::format("script {} has no grade {}: choose from {}", script.name, grade, known));
+}
+
+std::string FindForm(const Script& script, const std::string& h_form) {
+  if (h_form.empty()) return "h";
+  const auto forms = script.forms.find("h");
+  if (forms == script.forms.end()) {
+    throw InputError(fmt::format("script {} has one form of h only, no '{}': leave the form out",
+                                 script.name, Shown(h_form)));
+  }
+  const auto found = forms->second.find(h_form);
+  if (found != forms->second.end()) return found->second;
+  std::string known;
+  for (const auto& form : forms->second) known += (known.empty() ? "" : ", ") + form.first;
+  throw InputError(fmt::format("script {} has no form '{}' of h: choose from {}", script.name,
+                               Shown(h_form), known));
+}
+
+void Note(std::vector<Replacement>& list, std::size_t& count, std::string_view text,
+          std::size_t line_number, const FoldedChar& c, std::string became) {
+  ++count;
+  if (list.size() >= kMostReplacements) return;
+  list.push_back(
+      {Shown(text.substr(c.begin, c.end - c.begin)), std::move(became), line_number, c.column});
+}
+
+// What one character of the text, at `at` in the line, was written as.
+std::string Became(const std::vector<FoldedChar>& line, std::size_t at) {
+  if (line[at].kind == FoldedChar::Kind::kNothing) return {};
+  std::string became = ToUtf8(line[at].code);
+  for (std::size_t i = at + 1; i < line.size() && line[i].begin == line[i].end; ++i) {
+    became += ToUtf8(line[i].code);
+  }
+  return became;
+}
+
+bool IsLetterAt(const std::vector<FoldedChar>& line, std::size_t at) {
+  return at < line.size() && line[at].letter;
+}
+
+}  // namespace
+
+SignWriter::SignWriter(const Script& script, double grade, const std::string& h_form)
+    : script_(script), h_glyph_(FindForm(script, h_form)) {
+  CheckGrade(script, grade);
+  for (const auto& sign : script.signs) signs_.emplace(sign.first, Glyph(sign.second));
+  for (const auto& digit : script.digits) digits_.emplace(digit.first, Glyph(digit.second));
+  if (!digits_.empty()) numeral_ = Glyph(script.numeral_sign);
+  for (const Contraction& contraction : script.contractions) {
+    Group group;
+    group.print = ToCodePoints(contraction.print);
+    for (const std::string& name : contraction.signs) group.glyphs.push_back(Glyph(name));
+    group.where = contraction.where;
+    group.active = contraction.grade <= grade;
+    if (!group.print.empty() && !group.glyphs.empty()) groups_.push_back(std::move(group));
+  }
+  std::stable_sort(groups_.begin(), groups_.end(),
+                   [](const Group& a, const Group& b) { return a.print.size() > b.print.size(); });
+}
+
+std::uint32_t SignWriter::Glyph(const std::string& name) const {
+  const std::string& drawn = name == "h" ? h_glyph_ : name;
+  const std::size_t index = script_.Find(drawn);
+  if (index == Script::npos) {
+    throw InputError(
+        fmt::format("script {}: its rules name the glyph '{}', which its font lacks: "
+                    "draw it or take the rule out",
+                    script_.name, drawn));
+  }
+  return static_cast<std::uint32_t>(index);
+}
+
+const SignWriter::Group* SignWriter::Match(const std::vector<FoldedChar>& line, std::size_t at,
+                                           bool active_only) const {
+  for (const Group& group : groups_) {
+    if (active_only && !group.active) continue;
+    const std::size_t end = at + group.print.size();
+    if (end > line.size()) continue;
+    bool same = true;
+    for (std::size_t i = at; i < end && same; ++i) {
+      same = line[i].kind == FoldedChar::Kind::kSign && line[i].code == group.print[i - at];
+    }
+    if (!same) continue;
+    const bool letter_before = at > 0 && IsLetterAt(line, at - 1);
+    const bool letter_behind = IsLetterAt(line, end);
+    const bool stands =
+        group.where == Contraction::Where::kAnywhere ||
+        (group.where == Contraction::Where::kWholeWord && !letter_before && !letter_behind) ||
+        (group.where == Contraction::Where::kWordEnd && letter_before && !letter_behind);
+    if (stands || !active_only) return &group;
+  }
+  return nullptr;
+}
+
+void SignWriter::WriteGroup(const Group& group, const std::vector<FoldedChar>& line, std::size_t at,
+                            std::vector<Sign>& signs) const {
+  Sign sign;
+  sign.begin = line[at].begin;
+  sign.end = line[at + group.print.size() - 1].end;
+  for (const std::uint32_t glyph : group.glyphs) {
+    sign.glyph = glyph;
+    signs.push_back(sign);
+    sign.begin = sign.end;
+  }
+}
+
+void SignWriter::Write(std::string_view text, std::size_t line_number,
+                       const std::vector<FoldedChar>& line, std::vector<Sign>& signs,
+                       Typeset& typeset) const {
+  using Kind = FoldedChar::Kind;
+  bool in_number = false, in_word = false;  // in_word: a sign other than a hyphen since the space
+  std::size_t spelled = line.size();        // where the protect mark forbids a group
+  for (std::size_t at = 0; at < line.size();) {
+    const FoldedChar& c = line[at];
+    if (script_.protect_mark != 0 && c.code == script_.protect_mark && Match(line, at + 1, false)) {
+      spelled = ++at;
+      continue;
+    }
+    const Group* group = at == spelled ? nullptr : Match(line, at, true);
+    const std::size_t length = group ? group->print.size() : 1;
+    for (std::size_t i = at; i < at + length; ++i) {
+      if (line[i].changed && line[i].kind != Kind::kMissing) {
+        Note(typeset.folded, typeset.folded_count, text, line_number, line[i], Became(line, i));
+      }
+    }
+    const auto digit = digits_.find(c.code);
+    const bool is_digit = !group && c.kind == Kind::kSign && digit != digits_.end();
+    if (group) {
+      WriteGroup(*group, line, at, signs);
+    } else if (is_digit) {
+      if (!in_number || c.apart != line[at - 1].apart) {
+        signs.push_back({numeral_, c.begin, c.begin, false, false, true});
+      }
+      signs.push_back({digit->second, c.begin, c.end});
+    } else if (c.kind == Kind::kSign) {
+      signs.push_back({signs_.at(c.code), c.begin, c.end});
+      const bool hyphen_behind = at + 1 < line.size() && line[at + 1].code == U'-';
+      signs.back().break_after = c.code == U'-' && in_word && !hyphen_behind;
+    } else if (c.kind == Kind::kSpace) {
+      signs.push_back({0, c.begin, c.end, true});
+    } else if (c.kind == Kind::kMissing) {
+      Note(typeset.missing, typeset.missing_count, text, line_number, c, {});
+    }
+    in_number = is_digit;
+    in_word = c.kind != Kind::kSpace && (in_word || (c.kind == Kind::kSign && c.code != U'-'));
+    at += length;
+  }
+}
+
+}  // namespace moontrace
