@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace moontrace {
 
@@ -19,6 +20,10 @@ struct Label {
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
 };
+
+/// What the name of a text begins with when the text is a label.
+inline constexpr std::string_view kLabelPrefix = "moontrace:";
+bool IsLabelName(const std::string& name);
 
 /// Reads one label. `where` stands in messages. Throws InputError naming unknown keys with the
 /// nearest valid one.

@@ -44,11 +44,14 @@ class Scene {
   const std::vector<Label>& labels() const;  ///< of the model's <custom>, in order
   Pose X_WP() const;                         ///< where the page lies now
   const SceneOptions& options() const;
-  /// The model as MuJoCo saved it after compiling, proxy included: what a record keeps.
+  /// The MJCF that MuJoCo was given, number for number: includes expanded, proxy inserted, folders
+  /// of meshes and textures absolute. What a record keeps. (MuJoCo's own saving rounds to six
+  /// digits, which would end bit-equal replay.)
   const std::string& model_xml() const;
   /// One-line remarks for the user (RK4 integrated by Euler, proxy inserted, sub-steps).
   const std::vector<std::string>& remarks() const;
   int substeps() const;
+  double proxy_mass() const;  ///< that the coupling moves [kg], see ForceBound
 
   /// Everything a replay must start from: MuJoCo's integration state, coupling, friction, observer.
   std::vector<double> State() const;

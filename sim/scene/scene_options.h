@@ -22,6 +22,9 @@ struct SceneOptions {
   double tilt = 0;                     ///< raises the page's far edge [rad]
 };
 
+/// Throws InputError naming the first value that is not finite or out of its range.
+void Check(const SceneOptions& options);
+
 /// What one tick gave. P: the page's frame.
 struct TickResult {
   glm::dvec3 tip_P{0, 0, 0};    ///< [m]

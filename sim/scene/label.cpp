@@ -1,0 +1,78 @@
+#include "sim/scene/label.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "textures/error.h"
+#include "textures/text_file.h"
+#include "textures/toml_reader.h"
+
+namespace moontrace {
+namespace {
+
+constexpr double kMillimetre = 0.001;  ///< [m]
+constexpr double kGreatestAt = 1e5;    ///< [mm], keeps a typing slip from leaving the model
+
+std::optional<double> Length(const TomlTable& table, const std::string& key) {
+  if (!table.Has(key)) return std::nullopt;
+  const double millimetres = table.Number(key);
+  if (!(millimetres > 0)) table.Fail(key, "not above zero; write a length in millimetres");
+  return millimetres * kMillimetre;
+}
+
+std::optional<std::string> Word(const TomlTable& table, const std::string& key) {
+  if (!table.Has(key)) return std::nullopt;
+  return table.String(key);
+}
+
+glm::dvec2 Position(const TomlTable& table, const std::string& key) {
+  if (!table.Has(key)) return {0, 0};
+  const std::vector<double> at = table.Numbers(key);
+  if (at.size() != 2) table.Fail(key, "not two numbers; write [x, y] in millimetres");
+  if (std::max(std::abs(at[0]), std::abs(at[1])) > kGreatestAt) {
+    table.Fail(key, "more than 100 m away; write [x, y] in millimetres");
+  }
+  return glm::dvec2(at[0], at[1]) * kMillimetre;
+}
+
+/// Splits "GEOM[:n]"; what follows the last colon is a number only if it is all digits.
+void SplitGeom(const std::string& rest, Label& label) {
+  label.geom = rest;
+  const std::size_t colon = rest.rfind(':');
+  if (colon == std::string::npos || colon == 0) return;
+  int number = 0;
+  const char* end = rest.data() + rest.size();
+  const auto [stop, error] = std::from_chars(rest.data() + colon + 1, end, number);
+  if (error != std::errc() || stop != end || number < 0) return;
+  label.geom = rest.substr(0, colon);
+  label.number = number;
+}
+
+}  // namespace
+
+bool IsLabelName(const std::string& name) { return name.rfind(kLabelPrefix, 0) == 0; }
+
+Label ParseLabel(const std::string& name, const std::string& data, const std::string& where) {
+  const std::string place = where + ": text '" + OneLine(name) + "'";
+  Label label;
+  if (IsLabelName(name)) SplitGeom(name.substr(kLabelPrefix.size()), label);
+  if (label.geom.empty()) {
+    throw InputError(place + ": names no geom; write moontrace:GEOM or moontrace:GEOM:1");
+  }
+  const TomlTable table = TomlTable::ParseInline(data, place);
+  label.text = table.String("text", "");
+  label.at = Position(table, "at_mm");
+  label.size = Length(table, "size_mm");
+  label.width = Length(table, "width_mm");
+  label.depth = Length(table, "depth_mm");
+  label.rounding = Length(table, "rounding_mm");
+  if (table.Has("embossed")) label.embossed = table.Bool("embossed");
+  label.script = Word(table, "script");
+  label.h_form = Word(table, "h_form");
+  if (table.Has("grade")) label.grade = table.Number("grade");
+  table.FailUnknown();
+  return label;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,184 @@
+#include "sim/scene/model_loader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "sim/scene/mjcf.h"
+#include "textures/error.h"
+#include "textures/nearest_word.h"
+#include "textures/resources.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::size_t kGreatestFile = std::size_t{64} << 20;  ///< [bytes]
+
+/// Compiles, with MuJoCo's own line numbers in the message if it fails: the prepared text has
+/// others.
+ModelPtr Compile(const Mjcf& mjcf, const std::string& original, const std::string& folder,
+                 const std::string& name, std::vector<std::string>& remarks) {
+  const std::string path = (std::filesystem::path(folder) / "moontrace-model.xml").string();
+  std::string warning;
+  ModelPtr m;
+  try {
+    m = CompileMjcf(mjcf.xml, path, name, warning);
+  } catch (const InputError&) {
+    CompileMjcf(original, path, name, warning);
+    throw;
+  }
+  if (!warning.empty()) remarks.push_back("MuJoCo warns: " + warning);
+  return m;
+}
+
+std::vector<Label> ReadLabels(const mjModel& m, const std::string& name) {
+  std::vector<Label> labels;
+  for (int i = 0; i < static_cast<int>(m.ntext); ++i) {
+    const char* text_name = mj_id2name(&m, mjOBJ_TEXT, i);
+    if (text_name == nullptr || !IsLabelName(text_name)) continue;
+    labels.push_back(ParseLabel(text_name, m.text_data + m.text_adr[i], name));
+  }
+  if (labels.empty()) {
+    throw InputError(name + ": no label: add <custom><text name=\"moontrace:GEOM\" data=\"{}\"/>" +
+                     "</custom> with the name of a plane");
+  }
+  return labels;
+}
+
+std::vector<std::string> GeomNames(const mjModel& m) {
+  std::vector<std::string> names;
+  for (int i = 0; i < static_cast<int>(m.ngeom); ++i) {
+    if (const char* geom = mj_id2name(&m, mjOBJ_GEOM, i)) names.emplace_back(geom);
+  }
+  return names;
+}
+
+/// The geom a label names, checked: it exists and has a flat page.
+int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
+  const int geom = mj_name2id(&m, mjOBJ_GEOM, label.geom.c_str());
+  const std::string place = fmt::format("{}: label on '{}'", name, OneLine(label.geom));
+  if (geom < 0) {
+    const std::string nearest = NearestWord(label.geom, GeomNames(m));
+    throw InputError(place + ": no such geom; " +
+                     (nearest.empty() ? "name one of the model's geoms"
+                                      : "did you mean '" + OneLine(nearest) + "'?"));
+  }
+  const int type = m.geom_type[geom];
+  if (type != mjGEOM_PLANE && type != mjGEOM_BOX) {
+    throw InputError(place + ": labels on round geoms come later; use a plane or a box");
+  }
+  return geom;
+}
+
+PagePlace FindPage(const mjModel& m, const Label& label, const std::string& name) {
+  PagePlace page;
+  page.geom = GeomOf(m, label, name);
+  page.body = m.geom_bodyid[page.geom];
+  page.moves = m.body_weldid[page.body] != 0;
+  const bool box = m.geom_type[page.geom] == mjGEOM_BOX;
+  page.origin_G = {label.at.x, label.at.y, box ? m.geom_size[3 * page.geom + 2] : 0.0};
+  return page;
+}
+
+/// Turns the geom about its own x axis through the page's origin, the far edge (+y) up.
+void Tilt(mjModel& m, const PagePlace& page, double tilt) {
+  if (tilt == 0) return;
+  mjtNum* pos = m.geom_pos + 3 * page.geom;
+  mjtNum* quat = m.geom_quat + 4 * page.geom;
+  const mjtNum turn[4] = {std::cos(tilt / 2), std::sin(tilt / 2), 0, 0};
+  const mjtNum origin_G[3] = {page.origin_G.x, page.origin_G.y, page.origin_G.z};
+  mjtNum tilted_G[3], before_B[3], after_B[3], tilted_quat[4];
+  mju_rotVecQuat(before_B, origin_G, quat);
+  mju_rotVecQuat(tilted_G, origin_G, turn);
+  mju_rotVecQuat(after_B, tilted_G, quat);
+  for (int i = 0; i < 3; ++i) pos[i] += before_B[i] - after_B[i];
+  mju_mulQuat(tilted_quat, quat, turn);
+  mju_copy4(quat, tilted_quat);
+  m.geom_sameframe[page.geom] = 0;  // no longer its body's own frame
+}
+
+/// True if joint `j` slides freely along the world's axis `axis`.
+bool IsFreeSlide(const mjModel& m, int j, int axis) {
+  const int dof = m.jnt_dofadr[j];
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(m.jnt_axis[3 * j + i] - (i == axis ? 1.0 : 0.0)) > 1e-9) return false;
+  }
+  return m.jnt_type[j] == mjJNT_SLIDE && m.jnt_limited[j] == 0 && m.jnt_stiffness[j] == 0 &&
+         m.dof_damping[dof] == 0 && m.dof_frictionloss[dof] == 0;
+}
+
+/// The force bound holds only for a proxy that nothing but coupling and page can hold back.
+ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
+  const std::string place = name + ": moontrace_proxy: ";
+  ProxyPlace proxy;
+  proxy.body = mj_name2id(&m, mjOBJ_BODY, "moontrace_proxy");
+  if (proxy.body < 0) throw InputError(place + "is not a body; take the name away");
+  const int b = proxy.body;
+  const int joint = m.body_jntadr[b];
+  bool free = m.body_parentid[b] == 0 && m.body_jntnum[b] == 3 && m.body_quat[4 * b] == 1;
+  for (int i = 0; free && i < 3; ++i) free = IsFreeSlide(m, joint + i, i);
+  if (!free) {
+    throw InputError(place + "not free to slide; give it, in the world, three slide joints x, y, " +
+                     "z without limit, stiffness, damping or friction, or leave it out");
+  }
+  for (int i = 0; i < m.body_geomnum[b]; ++i) {
+    const int geom = m.body_geomadr[b] + i;
+    if ((m.geom_contype[geom] | m.geom_conaffinity[geom]) == 0) continue;
+    throw InputError(place + "its geom would collide; set contype and conaffinity to 0");
+  }
+  proxy.qpos = m.jnt_qposadr[joint];
+  proxy.dof = m.jnt_dofadr[joint];
+  proxy.mass = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    proxy.offset_W[i] = m.body_pos[3 * b + i] - m.qpos0[proxy.qpos + i];
+    proxy.mass = std::min(proxy.mass, static_cast<double>(m.dof_M0[proxy.dof + i]));
+  }
+  proxy.weight_mass = m.body_subtreemass[b];
+  const int handle = mj_name2id(&m, mjOBJ_BODY, "moontrace_handle");
+  if (handle >= 0) proxy.handle_mocap = m.body_mocapid[handle];
+  return proxy;
+}
+
+}  // namespace
+
+LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
+                      double tilt) {
+  LoadedModel loaded;
+  const std::string proxy_xml = ReadTextFile(ResourcePath("models/proxy.xml"), kGreatestFile);
+  const Mjcf mjcf = PrepareMjcf(xml, folder, name, proxy_xml);
+  if (mjcf.proxy_inserted) {
+    loaded.remarks.push_back("no moontrace_proxy in the model: models/proxy.xml was inserted");
+  }
+  loaded.m = Compile(mjcf, xml, folder, name, loaded.remarks);
+  loaded.xml = mjcf.xml;
+  mjModel& m = *loaded.m;
+  loaded.labels = ReadLabels(m, name);
+  for (const Label& label : loaded.labels) GeomOf(m, label, name);
+  if (loaded.labels.size() > 1) {
+    loaded.remarks.push_back(fmt::format("{} labels in the model: the first is felt, on '{}'",
+                                         loaded.labels.size(), loaded.labels.front().geom));
+  }
+  loaded.page = FindPage(m, loaded.labels.front(), name);
+  Tilt(m, loaded.page, tilt);
+  loaded.proxy = FindProxy(m, name);
+  if (KeepAwake(m)) {
+    loaded.remarks.push_back("sleeping is turned off: forces on a sleeping body are lost");
+  }
+  if (m.opt.integrator == mjINT_RK4) {
+    loaded.remarks.push_back("the model asks for RK4: here it is integrated by Euler");
+  }
+  return loaded;
+}
+
+Pose PoseOfPage(const mjData& d, const PagePlace& page) noexcept {
+  const mjtNum* p = d.geom_xpos + 3 * page.geom;
+  const mjtNum* R = d.geom_xmat + 9 * page.geom;  // row by row; glm goes column by column
+  const Pose X_WG{glm::dmat3(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]),
+                  glm::dvec3(p[0], p[1], p[2])};
+  return {X_WG.R, ToWorld(X_WG, page.origin_G)};
+}
+
+}  // namespace moontrace

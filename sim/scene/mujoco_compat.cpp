@@ -1,0 +1,133 @@
+#include "sim/scene/mujoco_compat.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+
+#include "textures/error.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+namespace {
+
+/// The model this thread is loading, for the error handler.
+thread_local const char* loading = nullptr;
+
+class Loading {
+ public:
+  explicit Loading(const std::string& name) { loading = name.c_str(); }
+  ~Loading() { loading = nullptr; }
+  Loading(const Loading&) = delete;
+  Loading& operator=(const Loading&) = delete;
+};
+
+extern "C" void MoontraceMujocoError(const char* message) {
+  const char* name = loading;
+  const std::string text = OneLine(message, 300);
+  if (name != nullptr) {
+    std::fprintf(stderr, "%s: MuJoCo cannot load it: %s; make the model smaller or mend it\n", name,
+                 text.c_str());
+  } else {
+    std::fprintf(stderr, "MuJoCo stopped: %s\n", text.c_str());
+  }
+  std::fflush(stderr);
+  std::_Exit(name != nullptr ? 3 : 4);
+}
+
+extern "C" void MoontraceMujocoWarning(const char* /*message*/) {}
+
+/// MuJoCo's message on one line: its lines joined by "; ".
+std::string Joined(const char* message) {
+  std::string joined;
+  for (const char* c = message; *c != '\0'; ++c) {
+    if (*c != '\n') {
+      joined += *c;
+    } else if (!joined.empty() && joined.back() != ' ') {
+      joined += "; ";
+    }
+  }
+  while (!joined.empty() && (joined.back() == ' ' || joined.back() == ';')) joined.pop_back();
+  return OneLine(joined, 400);
+}
+
+struct DeleteVfs {
+  void operator()(mjVFS* vfs) const noexcept {
+    mj_deleteVFS(vfs);
+    delete vfs;
+  }
+};
+
+/// A virtual file system holding one file. On the heap: 2.2.2's mjVFS takes 2 MB.
+std::unique_ptr<mjVFS, DeleteVfs> MakeVfs(const std::string& path, const std::string& xml) {
+  auto bare = std::make_unique<mjVFS>();
+  mj_defaultVFS(bare.get());
+  std::unique_ptr<mjVFS, DeleteVfs> vfs(bare.release());
+  const int size = static_cast<int>(xml.size());
+#if mjVERSION_HEADER >= 313  // mj_addBufferVFS appeared in 3.1.3, the older way went in 3.2.0
+  const bool added = mj_addBufferVFS(vfs.get(), path.c_str(), xml.data(), size) == 0;
+#else
+  const bool added = mj_makeEmptyFileVFS(vfs.get(), path.c_str(), size) == 0;
+  const int index = added ? mj_findFileVFS(vfs.get(), path.c_str()) : -1;
+  if (index >= 0) std::memcpy(vfs->filedata[index], xml.data(), xml.size());
+#endif
+  if (!added) vfs.reset();
+  return vfs;
+}
+
+}  // namespace
+
+void QuietMujoco() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    if (mju_user_error == nullptr) mju_user_error = MoontraceMujocoError;
+    if (mju_user_warning == nullptr) mju_user_warning = MoontraceMujocoWarning;
+  });
+}
+
+ModelPtr CompileMjcf(const std::string& xml, const std::string& path, const std::string& name,
+                     std::string& warning) {
+  // MuJoCo keeps the last model it read in a global
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
+  QuietMujoco();
+  const Loading mark(name);
+  const auto vfs = MakeVfs(path, xml);
+  if (!vfs) throw InputError(name + ": MuJoCo does not take the file; give it a shorter name");
+  std::array<char, 1000> message{};
+  ModelPtr model(
+      mj_loadXML(path.c_str(), vfs.get(), message.data(), static_cast<int>(message.size())));
+  const std::string said = Joined(message.data());
+  if (!model) {
+    throw InputError(name + ": MuJoCo cannot load it: " + said + "; mend the model there");
+  }
+  warning = said;
+  return model;
+}
+
+DataPtr MakeData(const mjModel& m, const std::string& name) {
+  const Loading mark(name);
+  DataPtr data(mj_makeData(&m));
+  if (!data) throw InputError(name + ": too large for this machine's memory; make it smaller");
+  return data;
+}
+
+bool KeepAwake([[maybe_unused]] mjModel& m) noexcept {
+#if mjVERSION_HEADER >= 340
+  if ((m.opt.enableflags & mjENBL_SLEEP) != 0) {
+    m.opt.enableflags &= ~mjENBL_SLEEP;
+    return true;
+  }
+#endif
+  return false;
+}
+
+int BadStateCount(const mjData& d) noexcept {
+  return d.warning[mjWARN_BADQPOS].number + d.warning[mjWARN_BADQVEL].number +
+         d.warning[mjWARN_BADQACC].number;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <memory>
+#include <string>
+
+namespace moontrace {
+
+/// Everything that differs between MuJoCo 2.2.2 (Debian 12) and 3.x, and MuJoCo's process-wide
+/// habits that a program for the blind cannot have: waiting for Enter after an error, and a log
+/// file in the user's folder.
+
+struct DeleteModel {
+  void operator()(mjModel* m) const noexcept { mj_deleteModel(m); }
+};
+struct DeleteData {
+  void operator()(mjData* d) const noexcept { mj_deleteData(d); }
+};
+using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
+using DataPtr = std::unique_ptr<mjData, DeleteData>;
+
+/// Sets MuJoCo's error and warning handlers unless the program already has its own: a warning is
+/// kept silent (the scene reads MuJoCo's counters), an error writes one line to stderr and ends the
+/// process at once: MuJoCo is C and must neither be thrown nor jumped through, and it promises
+/// nothing after an error. Exit code 3 while `loading` names a model, else 4.
+void QuietMujoco();
+
+/// Compiles MJCF text through MuJoCo's virtual file system. `path` stands for the text: the files
+/// it names are looked for beside it. Any thread; one at a time. Throws InputError of one line that
+/// begins with `name`. What MuJoCo warned of is put into `warning`, one line.
+ModelPtr CompileMjcf(const std::string& xml, const std::string& path, const std::string& name,
+                     std::string& warning);
+
+/// New data for a model. Throws InputError if there is no memory for it.
+DataPtr MakeData(const mjModel& m, const std::string& name);
+
+/// Turns sleeping off (MuJoCo 3.4 on): forces on a sleeping body are lost. True if it was on.
+bool KeepAwake(mjModel& m) noexcept;
+
+/// How often MuJoCo found a number in the state that is not finite or absurd, and (by default)
+/// reset itself without a word.
+int BadStateCount(const mjData& d) noexcept;
+
+}  // namespace moontrace

@@ -1,0 +1,179 @@
+#include "sim/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "sim/scene/scene_impl.h"
+#include "textures/error.h"
+#include "textures/resources.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::size_t kGreatestModel = std::size_t{64} << 20;  ///< [bytes]
+constexpr int kMostSubsteps = 16;
+constexpr double kGreatestFriction = 0.9;  ///< times the greatest slope
+
+/// Friction holds a tip on a flank of slope s when mu * s reaches one: it would stick in every
+/// groove.
+void CheckFriction(const SceneOptions& options, double slope) {
+  if (options.friction * slope < kGreatestFriction) return;
+  const double most = std::floor(100 * kGreatestFriction / slope) / 100;
+  throw InputError(fmt::format("friction {:.2f} is too high for the slope {:.2f}: at most {:.2f}",
+                               options.friction, slope, most));
+}
+
+/// Integration steps a tick so that h^2 k / m < 1 and h b / m < 1: well inside the semi-implicit
+/// integrator's stability, h^2 k / m + 2 h b / m < 4.
+int StepsFor(const SceneOptions& options, const TextureField& field, double mass) {
+  if (options.rendering == Rendering::kDirect) return 1;
+  const double stiffness = GreatestStiffness(options.surface, field, options.surface.force_cap) +
+                           options.coupling_stiffness +
+                           (options.friction > 0 ? options.presliding_stiffness : 0);
+  for (int steps = 1; steps <= kMostSubsteps; ++steps) {
+    const double h = options.tick / steps;
+    if (h * h * stiffness / mass < 1 && h * options.coupling_damping / mass < 1) return steps;
+  }
+  throw InputError(fmt::format(
+      "the page is too stiff for the proxy: {:.0f} N/m and {:.0f} N s/m on {:.0f} g need more "
+      "than {} steps in {:g} ms; take a softer page, rounder grooves or a shorter tick",
+      stiffness, options.coupling_damping, 1000 * mass, kMostSubsteps, 1000 * options.tick));
+}
+
+/// Calls `visit(values, count)` for every array that a step starts from.
+template <typename Data, typename Visit>
+void VisitState(const mjModel& m, Data& d, const Visit& visit) {
+  const auto count = [](auto n) { return static_cast<std::size_t>(n); };
+  visit(&d.time, 1);
+  visit(d.qpos, count(m.nq));
+  visit(d.qvel, count(m.nv));
+  visit(d.act, count(m.na));
+  visit(d.qacc_warmstart, count(m.nv));
+  visit(d.ctrl, count(m.nu));
+  visit(d.qfrc_applied, count(m.nv));
+  visit(d.xfrc_applied, 6 * count(m.nbody));
+  visit(d.mocap_pos, 3 * count(m.nmocap));
+  visit(d.mocap_quat, 4 * count(m.nmocap));
+  visit(d.userdata, count(m.nuserdata));
+}
+
+constexpr std::size_t kMemoryDoubles = sizeof(TickMemory) / sizeof(double);
+
+}  // namespace
+
+Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
+                  const std::string& name)
+    : loaded(std::move(loaded_model)),
+      options(scene_options),
+      coupling{scene_options.coupling_stiffness, scene_options.coupling_damping},
+      d(MakeData(*loaded.m, name)),
+      caller_qfrc(static_cast<std::size_t>(loaded.m->nv), 0.0) {
+  mjModel& m = *loaded.m;
+  if (std::abs(m.opt.timestep - options.tick) > 1e-12) {
+    loaded.remarks.push_back(fmt::format("time step: {:g} ms instead of the model's {:g} ms",
+                                         1000 * options.tick, 1000 * m.opt.timestep));
+  }
+  if ((m.opt.disableflags & mjDSBL_GRAVITY) == 0) {
+    lift_W = -loaded.proxy.weight_mass *
+             glm::dvec3(m.opt.gravity[0], m.opt.gravity[1], m.opt.gravity[2]);
+  }
+  SetField(nullptr);
+  Reset({0, 0, 0.02});
+}
+
+void Scene::Impl::SetField(const TextureField* new_field) {
+  const TextureField& next = new_field != nullptr ? *new_field : flat;
+  CheckFriction(options, next.greatest_slope());
+  const int steps = StepsFor(options, next, loaded.proxy.mass);
+  field = &next;
+  substeps = steps;
+  loaded.m->opt.timestep = options.tick / substeps;
+  memory.stored_jumped = 1;
+  remarks = loaded.remarks;
+  if (substeps > 1) {
+    remarks.push_back(fmt::format("{} sub-steps a tick: the page is stiff", substeps));
+  }
+}
+
+void Scene::Impl::Reset(glm::dvec3 tip_P) {
+  mj_resetData(loaded.m.get(), d.get());
+  mj_kinematics(loaded.m.get(), d.get());
+  memory = TickMemory();
+  memory.tip_W = ToWorld(PoseOfPage(*d, loaded.page), tip_P);
+  PlaceProxy(memory.tip_W, {0, 0, 0});
+  if (loaded.proxy.handle_mocap >= 0) {
+    for (int i = 0; i < 3; ++i) {
+      d->mocap_pos[3 * loaded.proxy.handle_mocap + i] = memory.tip_W[i];
+    }
+  }
+  mj_forward(loaded.m.get(), d.get());
+}
+
+Scene::Scene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+
+Scene Scene::Load(const std::string& model_path, const SceneOptions& options) {
+  Check(options);
+  const bool shipped = model_path.empty();
+  const std::string path = shipped ? ResourcePath("models/page.xml") : model_path;
+  const std::string folder = std::filesystem::absolute(path).parent_path().string();
+  LoadedModel loaded = LoadModel(ReadTextFile(path, kGreatestModel), folder, path, options.tilt);
+  if (shipped) loaded.remarks.clear();  // what it lacks, it lacks on purpose
+  return Scene(std::make_unique<Impl>(std::move(loaded), options, path));
+}
+
+Scene Scene::FromXml(const std::string& xml, const std::string& name, const SceneOptions& options) {
+  Check(options);
+  return Scene(std::make_unique<Impl>(LoadModel(xml, "", name, options.tilt), options, name));
+}
+
+void Scene::SetField(const TextureField* field) { impl_->SetField(field); }
+TickResult Scene::Tick(const DeviceState& input) noexcept { return impl_->Tick(input); }
+void Scene::Reset(glm::dvec3 tip_P) { impl_->Reset(tip_P); }
+
+const std::vector<Label>& Scene::labels() const { return impl_->loaded.labels; }
+Pose Scene::X_WP() const { return PoseOfPage(*impl_->d, impl_->loaded.page); }
+const SceneOptions& Scene::options() const { return impl_->options; }
+const std::string& Scene::model_xml() const { return impl_->loaded.xml; }
+const std::vector<std::string>& Scene::remarks() const { return impl_->remarks; }
+int Scene::substeps() const { return impl_->substeps; }
+double Scene::proxy_mass() const { return impl_->loaded.proxy.mass; }
+const mjModel_* Scene::model() const { return impl_->loaded.m.get(); }
+mjData_* Scene::data() { return impl_->d.get(); }
+
+std::vector<double> Scene::State() const {
+  std::vector<double> state;
+  VisitState(*impl_->loaded.m, *impl_->d, [&state](const mjtNum* values, std::size_t count) {
+    state.insert(state.end(), values, values + count);
+  });
+  state.resize(state.size() + kMemoryDoubles);
+  std::memcpy(state.data() + state.size() - kMemoryDoubles, &impl_->memory, sizeof(TickMemory));
+  return state;
+}
+
+void Scene::SetState(const std::vector<double>& state) {
+  std::size_t expected = kMemoryDoubles;
+  VisitState(*impl_->loaded.m, *impl_->d,
+             [&expected](const mjtNum*, std::size_t count) { expected += count; });
+  if (state.size() != expected) {
+    throw InputError(fmt::format("state: {} numbers, this model has {}; use the record's own model",
+                                 state.size(), expected));
+  }
+  const double* next = state.data();
+  VisitState(*impl_->loaded.m, *impl_->d, [&next](mjtNum* values, std::size_t count) {
+    std::copy_n(next, count, values);
+    next += count;
+  });
+  std::memcpy(static_cast<void*>(&impl_->memory), next, sizeof(TickMemory));
+  mj_kinematics(impl_->loaded.m.get(), impl_->d.get());
+}
+
+}  // namespace moontrace

@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/scene/scene_impl.h"
+
+namespace moontrace {
+namespace {
+
+constexpr double kFarthest = 1000;  ///< a tip further off than this is a fault [m]
+
+bool IsSane(glm::dvec3 v, double greatest) noexcept {
+  // comparisons with NaN are false
+  return std::abs(v.x) <= greatest && std::abs(v.y) <= greatest && std::abs(v.z) <= greatest;
+}
+
+bool IsSane(const DeviceState& input) noexcept {
+  constexpr double kFastest = 1e6;  // [m/s]
+  return IsSane(input.p_D, kFarthest) && (!input.velocity_known || IsSane(input.v_D, kFastest));
+}
+
+/// Notices that MuJoCo met a bad number and reset itself within a tick. A reset sets its counters
+/// back too, but never its time to what was expected.
+class ResetWatch {
+ public:
+  ResetWatch(const mjModel& m, const mjData& d, int steps) noexcept
+      : d_(d),
+        count_(BadStateCount(d)),
+        expected_(d.time + steps * m.opt.timestep),
+        margin_(0.5 * m.opt.timestep) {}
+  bool Sees() const noexcept {
+    return BadStateCount(d_) != count_ || !(std::abs(d_.time - expected_) <= margin_);
+  }
+
+ private:
+  const mjData& d_;
+  int count_;
+  double expected_;
+  double margin_;
+};
+
+void ApplyForce(const mjModel& m, mjData& d, int body, glm::dvec3 point_W,
+                glm::dvec3 f_W) noexcept {
+  const mjtNum force[3] = {f_W.x, f_W.y, f_W.z};
+  const mjtNum point[3] = {point_W.x, point_W.y, point_W.z};
+  const mjtNum torque[3] = {0, 0, 0};
+  mj_applyFT(&m, &d, force, torque, point, body, d.qfrc_applied);
+}
+
+}  // namespace
+
+glm::dvec3 Scene::Impl::ProxyPosition() const noexcept {
+  const mjtNum* q = d->qpos + loaded.proxy.qpos;
+  return loaded.proxy.offset_W + glm::dvec3(q[0], q[1], q[2]);
+}
+
+glm::dvec3 Scene::Impl::ProxyVelocity() const noexcept {
+  const mjtNum* v = d->qvel + loaded.proxy.dof;
+  return {v[0], v[1], v[2]};
+}
+
+void Scene::Impl::PlaceProxy(glm::dvec3 p_W, glm::dvec3 v_W) noexcept {
+  const glm::dvec3 q = p_W - loaded.proxy.offset_W;
+  for (int i = 0; i < 3; ++i) {
+    d->qpos[loaded.proxy.qpos + i] = q[i];
+    d->qvel[loaded.proxy.dof + i] = v_W[i];
+  }
+}
+
+/// Runs MuJoCo up to its forces and computes ours from the same moment: positions and velocities at
+/// the start of the step. The semi-implicit integrator that follows turns the springs' forces into
+/// velocity before it moves, which keeps their energy (it is symplectic); the device feels the
+/// pull of that same moment, so that what it is given is what the proxy gets.
+StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
+  const mjModel& m = *loaded.m;
+  if (direct()) PlaceProxy(tip_W, v_W);
+  if (loaded.proxy.handle_mocap >= 0) {
+    mjtNum* handle = d->mocap_pos + 3 * loaded.proxy.handle_mocap;
+    for (int i = 0; i < 3; ++i) handle[i] = tip_W[i];
+  }
+  mj_step1(&m, d.get());
+
+  StepForces step;
+  step.X_WP = PoseOfPage(*d, loaded.page);
+  step.point_W = direct() ? tip_W : ProxyPosition();
+  step.velocity_W = ProxyVelocity();
+  step.point_P = FromWorld(step.X_WP, step.point_W);
+  const Contact contact = Touch(options.surface, *field, step.point_P);
+  step.depth = contact.depth;
+  step.page_P = contact.force_P + memory.friction.Advance(
+                                      options.friction, options.presliding_stiffness, step.point_P,
+                                      contact.normal_P, glm::length(contact.force_P));
+  step.page_W = TurnToWorld(step.X_WP, step.page_P);
+  if (!direct()) step.pull_W = coupling.Pull(tip_W - step.point_W, v_W - step.velocity_W);
+  return step;
+}
+
+void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
+  double stored = Potential(options.surface, *field, step.depth) +
+                  memory.friction.Energy(options.presliding_stiffness);
+  if (!direct()) {
+    stored += coupling.Energy(tip_W - step.point_W) +
+              0.5 * loaded.proxy.mass * glm::dot(step.velocity_W, step.velocity_W);
+  }
+  if (memory.started == 0 || memory.stored_jumped != 0) {
+    memory.observer.Rebase(stored);
+  } else {
+    const glm::dvec3 page_way = ToWorld(step.X_WP, memory.touch_P) - memory.touch_W;
+    const double work = glm::dot(memory.device_force_W, tip_W - memory.tip_W) -
+                        glm::dot(memory.page_force_W, page_way);
+    memory.observer.Add(work, stored);
+  }
+  memory.stored_jumped = 0;
+  memory.touch_P = step.point_P;
+  memory.touch_W = step.point_W;
+}
+
+/// Lets our forces act for one step, beside whatever the caller has in qfrc_applied, whose bits are
+/// put back.
+void Scene::Impl::Integrate(const StepForces& step) noexcept {
+  const mjModel& m = *loaded.m;
+  std::copy_n(d->qfrc_applied, caller_qfrc.size(), caller_qfrc.begin());
+  const glm::dvec3 on_proxy = direct() ? lift_W : lift_W + step.page_W + step.pull_W;
+  ApplyForce(m, *d, loaded.proxy.body, step.point_W, on_proxy);
+  if (loaded.page.moves) ApplyForce(m, *d, loaded.page.body, step.point_W, -step.page_W);
+  mj_step2(&m, d.get());
+  std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
+}
+
+/// The rest of the world goes on while the device gives nothing usable.
+void Scene::Impl::Idle() noexcept {
+  StepForces none;
+  for (int i = 0; i < substeps; ++i) {
+    PlaceProxy(memory.tip_W, {0, 0, 0});
+    mj_step1(loaded.m.get(), d.get());
+    none.point_W = memory.tip_W;
+    Integrate(none);
+  }
+}
+
+/// Zero force, the proxy at rest at the tip; the next good tick starts afresh.
+TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
+  PlaceProxy(tip_W, {0, 0, 0});
+  const PassivityObserver observer = memory.observer;
+  memory = TickMemory();
+  memory.observer = observer;
+  memory.tip_W = tip_W;
+  TickResult result;
+  result.fault = true;
+  const glm::dvec3 tip_P = FromWorld(PoseOfPage(*d, loaded.page), tip_W);
+  if (IsSane(tip_P, 1e300)) result.tip_P = result.proxy_P = tip_P;
+  result.energy_out = observer.energy_out();
+  return result;
+}
+
+TickResult Scene::Impl::Tick(const DeviceState& input) noexcept {
+  if (!IsSane(input)) {
+    Idle();
+    return Fail(memory.tip_W);
+  }
+  const glm::dvec3 tip_W = input.p_D;
+  const glm::dvec3 from_W = memory.started != 0 ? memory.tip_W : tip_W;
+  const glm::dvec3 v_W = input.velocity_known ? input.v_D : (tip_W - from_W) / options.tick;
+  // a proxy left where the tip was before a gap would be a wound-up spring
+  if (memory.started == 0) PlaceProxy(tip_W, v_W);
+
+  const ResetWatch watch(*loaded.m, *d, substeps);
+  glm::dvec3 pull_W{0, 0, 0};
+  glm::dvec3 page_W{0, 0, 0};
+  StepForces step;
+  for (int i = 1; i <= substeps; ++i) {
+    const double share = static_cast<double>(i) / substeps;
+    step = Compute(i == substeps ? tip_W : from_W + share * (tip_W - from_W), v_W);
+    if (i == 1) Observe(tip_W, step);
+    Integrate(step);
+    pull_W += step.pull_W;
+    page_W += step.page_W;
+  }
+  pull_W /= substeps;
+  page_W /= substeps;
+
+  TickResult result;
+  result.force_W = direct() ? page_W : -pull_W;
+  if (watch.Sees() || !IsSane(result.force_W, 1e9) || !IsSane(ProxyPosition(), 2 * kFarthest)) {
+    return Fail(tip_W);
+  }
+  if (direct()) PlaceProxy(tip_W, v_W);
+  result.tip_P = FromWorld(step.X_WP, tip_W);
+  result.proxy_P = FromWorld(step.X_WP, ProxyPosition());
+  result.force_P = TurnFromWorld(step.X_WP, result.force_W);
+  result.page_force_P = step.page_P;
+  result.depth = step.depth;
+  result.energy_out = memory.observer.energy_out();
+  memory.started = 1;
+  memory.tip_W = tip_W;
+  memory.device_force_W = result.force_W;
+  memory.page_force_W = page_W;
+  return result;
+}
+
+}  // namespace moontrace
