@@ -36,6 +36,7 @@ void Add(Digest& digest, const FlatElement& element) {
   digest.Add(element.anchor);
   digest.Add(element.direction);
   digest.Add(element.length);
+  digest.Add(element.radius);
   digest.Add(element.cos_half);
   digest.Add(static_cast<std::uint64_t>(element.kind));
   digest.Add(static_cast<std::uint64_t>(element.profile));
@@ -67,15 +68,16 @@ TextureField::TextureField(const Texture& texture) {
     greatest_curvature_ += curvature;
     greatest_displacement_ += depth;
   }
+  steepest_cosine_ = 1 / std::sqrt(1 + greatest_slope_ * greatest_slope_);
 }
 
 std::size_t TextureField::memory_bytes() const noexcept {
   std::size_t bytes = sizeof *this + Bytes(layers_);
   for (const CompiledLayer& layer : layers_) {
-    bytes += Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaf_x) + Bytes(layer.leaf_y) +
-             Bytes(layer.leaf_block) + Bytes(layer.leaf_order) + Bytes(layer.blocks) +
-             Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.elements) + Bytes(layer.edges) +
-             Bytes(layer.rising) + Bytes(layer.profiles);
+    bytes += Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.leaf_y) +
+             Bytes(layer.blocks) + Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.elements) +
+             Bytes(layer.fills) + Bytes(layer.profiles);
+    for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
   }
   return bytes;
 }
@@ -88,12 +90,16 @@ std::uint64_t TextureField::Hash() const noexcept {
       digest.Add(static_cast<std::uint64_t>(band.first));
       digest.Add(band.y);
     }
-    for (const double x : layer.leaf_x) digest.Add(x);
+    for (const Leaf& leaf : layer.leaves) {
+      digest.Add(leaf.x);
+      digest.Add(std::uint64_t{leaf.block});
+    }
     for (const double y : layer.leaf_y) digest.Add(y);
-    for (const std::uint16_t block : layer.leaf_block) digest.Add(std::uint64_t{block});
     for (const Block& block : layer.blocks) digest.Add(block.blend_radius);
     for (const FlatElement& element : layer.elements) Add(digest, element);
-    for (const FlatEdge& edge : layer.edges) Add(digest, edge.spine);
+    for (const FlatFill& fill : layer.fills) {
+      for (const FlatEdge& edge : fill.edges) Add(digest, edge.spine);
+    }
     for (const FlatProfile& profile : layer.profiles) {
       digest.Add(profile.half);
       digest.Add(profile.rounding);

@@ -25,6 +25,8 @@ class TextureField {
   /// Greatest slope and curvature over all elements: s_max [m/m], (s/r)_max [1/m]; zero when empty.
   /// Layers add.
   double greatest_slope() const noexcept { return greatest_slope_; }
+  /// Cosine of the steepest inclination, 1 / sqrt(1 + s_max^2); 1 when empty.
+  double steepest_cosine() const noexcept { return steepest_cosine_; }
   double greatest_curvature() const noexcept { return greatest_curvature_; }
   /// Deepest and highest displacement that can occur [m], both >= 0 as magnitudes, summed over
   /// layers.
@@ -37,6 +39,7 @@ class TextureField {
  private:
   std::vector<CompiledLayer> layers_;
   double greatest_slope_ = 0;
+  double steepest_cosine_ = 1;
   double greatest_curvature_ = 0;
   double greatest_displacement_ = 0;
 

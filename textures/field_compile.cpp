@@ -1,6 +1,7 @@
 // Flattens the tree: runs outside the tick, may allocate and throw.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -17,7 +18,7 @@ using CompiledLayer = TextureField::CompiledLayer;
 constexpr double kTurn = 2 * std::numbers::pi;
 
 /// A group with elements of its own, where it stands on the page.
-struct Leaf {
+struct PlacedGroup {
   const Group* group = nullptr;
   glm::dvec2 origin{0, 0};
   std::uint16_t block = 0;
@@ -25,7 +26,8 @@ struct Leaf {
   Box box;  ///< on the page
 };
 
-void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting, std::vector<Leaf>& leaves) {
+void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting,
+                   std::vector<PlacedGroup>& leaves) {
   if (nesting > 64) throw InputError("groups are nested deeper than 64: flatten them");
   if (leaves.size() >= (1u << 24)) throw InputError("more than 2^24 groups on one page: split it");
   if (!group.elements.empty()) {
@@ -58,20 +60,28 @@ std::uint16_t ProfileNumber(const Profile& profile, CompiledLayer& layer) {
   return static_cast<std::uint16_t>(layer.profiles.size() - 1);
 }
 
-FlatElement FlattenPiece(const Piece& piece) {
+FlatElement FlattenRound(glm::dvec2 center, double radius) {
   FlatElement flat;
+  flat.kind = radius > 0 ? FlatKind::kRing : FlatKind::kDot;
+  flat.anchor = center;
+  flat.radius = radius;
+  flat.cos_half = -1;
+  return flat;
+}
+
+FlatElement FlattenPiece(const Piece& piece) {
   if (const Line* line = std::get_if<Line>(&piece)) {
-    flat.kind = FlatKind::kLine;
+    FlatElement flat;
     flat.anchor = line->from;
     flat.length = glm::length(line->to - line->from);
     if (flat.length > 0) flat.direction = (line->to - line->from) / flat.length;
     return flat;
   }
   const Arc& arc = std::get<Arc>(piece);
+  FlatElement flat = FlattenRound(arc.center, arc.radius);
+  if (std::abs(arc.sweep) >= kTurn) return flat;
   const double middle = arc.start + 0.5 * arc.sweep;
-  flat.kind = std::abs(arc.sweep) >= kTurn ? FlatKind::kRing : FlatKind::kArc;
-  flat.anchor = arc.center;
-  flat.length = arc.radius;
+  flat.kind = FlatKind::kArc;
   flat.direction = {std::cos(middle), std::sin(middle)};
   flat.cos_half = std::cos(0.5 * arc.sweep);
   return flat;
@@ -79,24 +89,21 @@ FlatElement FlattenPiece(const Piece& piece) {
 
 FlatElement FlattenFill(const Fill& fill, CompiledLayer& layer) {
   if (fill.outline.size() == 1) {
-    const FlatElement ring = FlattenPiece(fill.outline.front());
-    if (ring.kind == FlatKind::kRing) {
-      FlatElement disc = ring;
+    FlatElement disc = FlattenPiece(fill.outline.front());
+    if (disc.kind == FlatKind::kRing) {
       disc.kind = FlatKind::kDisc;
       return disc;
     }
   }
-  if (fill.outline.size() > 65535) throw InputError("a filled outline of more than 65535 pieces");
+  if (layer.fills.size() >= 65535) throw InputError("more than 65535 filled outlines on a page");
   FlatElement flat;
   flat.kind = FlatKind::kFill;
-  flat.edge_begin = static_cast<std::uint32_t>(layer.edges.size());
-  flat.edge_count = static_cast<std::uint16_t>(fill.outline.size());
+  flat.fill = static_cast<std::uint16_t>(layer.fills.size());
+  FlatFill& outline = layer.fills.emplace_back();
   for (const Piece& piece : fill.outline) {
-    layer.edges.push_back({FlattenPiece(piece), StartOf(piece), EndOf(piece)});
+    outline.edges.push_back({FlattenPiece(piece), StartOf(piece), EndOf(piece)});
   }
-  flat.rising_begin = static_cast<std::uint32_t>(layer.rising.size());
-  for (const RisingEdge& edge : RisingEdges(fill.outline)) layer.rising.push_back(edge);
-  flat.rising_end = static_cast<std::uint32_t>(layer.rising.size());
+  outline.rising = RisingEdges(fill.outline);
   return flat;
 }
 
@@ -105,8 +112,7 @@ FlatElement Flatten(const Element& element, CompiledLayer& layer) {
   if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
     flat = FlattenFill(*fill, layer);
   } else if (const Dot* dot = std::get_if<Dot>(&element.shape)) {
-    flat.kind = FlatKind::kDot;
-    flat.anchor = dot->center;
+    flat = FlattenRound(dot->center, 0);
   } else if (const Line* line = std::get_if<Line>(&element.shape)) {
     flat = FlattenPiece(Piece(*line));
   } else {
@@ -134,6 +140,25 @@ bool CanMatter(const Element& element, glm::dvec2 middle, double reach) {
   return DistanceTo(piece, middle) <= reach;
 }
 
+/// The elements that can matter within `reach` of a cell's middle, in the group's order.
+Cell MakeCell(const Group& group, glm::dvec2 middle, double reach, CompiledLayer& layer) {
+  std::vector<std::uint16_t> items;
+  for (std::size_t i = 0; i < group.elements.size(); ++i) {
+    if (CanMatter(group.elements[i], middle, reach)) items.push_back(static_cast<std::uint16_t>(i));
+  }
+  Cell cell;
+  cell.count = static_cast<std::uint16_t>(items.size());
+  if (items.size() <= Cell::kInPlace) {
+    std::copy(items.begin(), items.end(), cell.items.begin());
+    return cell;
+  }
+  const auto first = static_cast<std::uint32_t>(layer.items.size());
+  cell.items = {static_cast<std::uint16_t>(first & 0xffff), static_cast<std::uint16_t>(first >> 16),
+                0};
+  layer.items.insert(layer.items.end(), items.begin(), items.end());
+  return cell;
+}
+
 /// Fills a block's grid: for each cell the elements that can matter there, in the group's order.
 void AddCells(const Group& group, double blend_reach, Block& block, CompiledLayer& layer) {
   // cells of about half the finest groove; few enough that all glyphs of a script stay in the cache
@@ -157,19 +182,13 @@ void AddCells(const Group& group, double blend_reach, Block& block, CompiledLaye
   for (std::uint32_t row = 0; row < block.rows; ++row) {
     for (std::uint32_t column = 0; column < block.columns; ++column) {
       const glm::dvec2 middle = block.box.min + cell * (glm::dvec2(column, row) + 0.5);
-      layer.cells.push_back(static_cast<std::uint32_t>(layer.items.size()));
-      for (std::size_t i = 0; i < group.elements.size(); ++i) {
-        if (CanMatter(group.elements[i], middle, reach)) {
-          layer.items.push_back(static_cast<std::uint16_t>(i));
-        }
-      }
+      layer.cells.push_back(MakeCell(group, middle, reach, layer));
     }
   }
-  layer.cells.push_back(static_cast<std::uint32_t>(layer.items.size()));
 }
 
 Block MakeBlock(const Group& group, CompiledLayer& layer) {
-  if (group.elements.size() > 65535) throw InputError("a group of more than 65535 elements");
+  if (group.elements.size() > 65534) throw InputError("a group of more than 65534 elements");
   Block block;
   block.first_element = static_cast<std::uint32_t>(layer.elements.size());
   block.blend_radius = group.blend_radius;
@@ -193,9 +212,9 @@ Block MakeBlock(const Group& group, CompiledLayer& layer) {
   return block;
 }
 
-void AddBlocks(std::vector<Leaf>& leaves, CompiledLayer& layer) {
+void AddBlocks(std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
   std::map<const Group*, std::uint16_t> numbers;
-  for (Leaf& leaf : leaves) {
+  for (PlacedGroup& leaf : leaves) {
     const auto [at, is_new] =
         numbers.try_emplace(leaf.group, static_cast<std::uint16_t>(layer.blocks.size()));
     if (is_new) {
@@ -209,95 +228,100 @@ void AddBlocks(std::vector<Leaf>& leaves, CompiledLayer& layer) {
 
 /// Chooses bands: one for each line of text where lines are evenly spaced, else of a typical
 /// height.
-void ChooseBands(const std::vector<Leaf>& leaves, CompiledLayer& layer) {
-  Box all;
+void ChooseBands(const std::vector<PlacedGroup>& leaves, const Box& all, CompiledLayer& layer) {
   std::vector<double> lines, heights;
-  for (const Leaf& leaf : leaves) {
-    Include(all, leaf.box);
+  double above = 0, below = 0;
+  for (const PlacedGroup& leaf : leaves) {
     lines.push_back(leaf.origin.y);
     heights.push_back(leaf.box.max.y - leaf.box.min.y);
+    above = std::max(above, leaf.box.max.y - leaf.origin.y);
+    below = std::max(below, leaf.origin.y - leaf.box.min.y);
   }
   std::nth_element(heights.begin(),
                    heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2),
                    heights.end());
+  const double typical = heights[heights.size() / 2];
   std::sort(lines.begin(), lines.end());
-  double pitch = all.max.y - all.min.y;
+  const double whole = all.max.y - all.min.y;
+  double pitch = whole;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (lines[i] - lines[i - 1] > 1e-9 * pitch) pitch = std::min(pitch, lines[i] - lines[i - 1]);
+    if (lines[i] - lines[i - 1] > 1e-9 * whole) pitch = std::min(pitch, lines[i] - lines[i - 1]);
   }
-  double above = 0, below = 0;
-  for (const Leaf& leaf : leaves) {
-    above = std::max(above, leaf.box.max.y - leaf.origin.y);
-    below = std::max(below, leaf.origin.y - leaf.box.min.y);
-  }
-  const double most_bands = 4.0 * static_cast<double>(leaves.size()) + 16;
-  double height = std::max(pitch, (all.max.y - all.min.y) / most_bands);
-  // letters hang around their base line: share what is left of the pitch above and below
-  layer.y0 = lines.front() - below - 0.5 * std::max(height - above - below, 0.0);
-  if (height < 0.5 * heights[heights.size() / 2]) {
-    height = std::max(heights[heights.size() / 2], (all.max.y - all.min.y) / most_bands);
-    layer.y0 = all.min.y;
-  }
-  layer.y0 = std::min(layer.y0, all.min.y);
+  const double least = whole / (4.0 * static_cast<double>(leaves.size()) + 16);
+  // letters hang around their base line: what is left of the pitch is shared above and below
+  const bool even = pitch >= 0.5 * typical;
+  const double height = std::max(even ? pitch : typical, least);
+  const double slack = 0.5 * std::max(height - above - below, 0.0);
+  layer.origin.y = even ? std::min(lines.front() - below - slack, all.min.y) : all.min.y;
   layer.bands_per_m = 1 / height;
-  layer.bands.resize(2 + static_cast<std::size_t>((all.max.y - layer.y0) * layer.bands_per_m));
+  layer.band_count = std::floor((all.max.y - layer.origin.y) * layer.bands_per_m) + 1;
+}
+
+/// Chooses buckets of about half a letter; few where leaves are scattered over many bands.
+void ChooseBuckets(std::size_t leaf_count, std::size_t longest_band, const Box& all,
+                   CompiledLayer& layer) {
+  const double wanted = 2.0 * static_cast<double>(longest_band);
+  const double most = std::floor((8.0 * static_cast<double>(leaf_count) + 64) / layer.band_count);
+  layer.origin.x = all.min.x;
+  layer.buckets_per_m = std::clamp(most, 1.0, wanted) / (all.max.x - all.min.x);
+  layer.bucket_count = std::floor((all.max.x - layer.origin.x) * layer.buckets_per_m) + 1;
+  while ((longest_band >> layer.bucket_shift) > 65535) ++layer.bucket_shift;
 }
 
 /// Writes one band's leaves, already sorted by their left edges, and the buckets that find them.
-void AddBand(const std::vector<const Leaf*>& leaves, CompiledLayer& layer, Band& band) {
-  band.first = static_cast<std::uint32_t>(layer.leaf_x.size());
-  band.first_bucket = static_cast<std::uint32_t>(layer.buckets.size());
-  if (leaves.empty()) return;
-  double right = leaves.front()->box.max.x;
-  for (const Leaf* leaf : leaves) {
-    right = std::max(right, leaf->box.max.x);
-    layer.leaf_x.push_back(leaf->origin.x);
-    layer.leaf_y.push_back(leaf->origin.y);
-    layer.leaf_block.push_back(leaf->block);
-    layer.leaf_order.push_back(leaf->order);
-    layer.one_y_per_band &= leaf->origin.y == leaves.front()->origin.y;
-  }
-  band.y = leaves.front()->origin.y;
-  band.x0 = leaves.front()->box.min.x;
-  const double buckets = 2.0 * static_cast<double>(leaves.size());
-  band.buckets_per_m = buckets / (right - band.x0);
-  // computed as a query computes it, so that rounding cannot part them
-  const auto bucket_of = [&band](double x) {
-    return static_cast<std::uint32_t>((x - band.x0) * band.buckets_per_m);
-  };
-  band.bucket_count = bucket_of(right) + 1;
-  std::uint32_t filled = 0;
-  for (std::uint32_t i = 0; i < leaves.size(); ++i) {
-    for (const std::uint32_t last = bucket_of(leaves[i]->box.max.x); filled <= last; ++filled) {
-      layer.buckets.push_back(band.first + i);
+void AddBand(const std::vector<const PlacedGroup*>& leaves, CompiledLayer& layer) {
+  Band& band = layer.bands.emplace_back();
+  band.first = static_cast<std::uint32_t>(layer.leaves.size());
+  if (!leaves.empty()) band.y = leaves.front()->origin.y;
+  std::size_t filled = 0;
+  const auto buckets = static_cast<std::size_t>(layer.bucket_count);
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const PlacedGroup& leaf = *leaves[i];
+    layer.leaves.push_back({leaf.origin.x, leaf.order, leaf.block});
+    layer.leaf_y.push_back(leaf.origin.y);
+    layer.one_y_per_band &= leaf.origin.y == band.y;
+    // computed as a query computes it, so that rounding cannot part them
+    const auto last =
+        static_cast<std::size_t>((leaf.box.max.x - layer.origin.x) * layer.buckets_per_m);
+    for (; filled <= last && filled < buckets; ++filled) {
+      layer.buckets.push_back(static_cast<std::uint16_t>(i >> layer.bucket_shift));
     }
   }
+  for (; filled < buckets; ++filled) {
+    layer.buckets.push_back(static_cast<std::uint16_t>(leaves.size() >> layer.bucket_shift));
+  }
+  layer.leaves.push_back({std::numeric_limits<double>::infinity(), 0, 0});
+  layer.leaf_y.push_back(0);
 }
 
-void AddLeaves(const std::vector<Leaf>& leaves, CompiledLayer& layer) {
-  std::vector<std::vector<const Leaf*>> by_band(layer.bands.size() - 1);
+void AddLeaves(const std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
+  Box all;
+  for (const PlacedGroup& leaf : leaves) Include(all, leaf.box);
+  ChooseBands(leaves, all, layer);
+  std::vector<std::vector<const PlacedGroup*>> by_band(static_cast<std::size_t>(layer.band_count));
   const auto band_of = [&layer](double y) {
-    return static_cast<std::size_t>((y - layer.y0) * layer.bands_per_m);
+    return static_cast<std::size_t>((y - layer.origin.y) * layer.bands_per_m);
   };
-  for (const Leaf& leaf : leaves) {
+  std::size_t longest = 1;
+  for (const PlacedGroup& leaf : leaves) {
     for (std::size_t i = band_of(leaf.box.min.y); i <= band_of(leaf.box.max.y); ++i) {
       by_band[i].push_back(&leaf);
+      longest = std::max(longest, by_band[i].size());
     }
   }
-  for (std::size_t i = 0; i < by_band.size(); ++i) {
-    std::stable_sort(by_band[i].begin(), by_band[i].end(),
-                     [](const Leaf* a, const Leaf* b) { return a->box.min.x < b->box.min.x; });
-    AddBand(by_band[i], layer, layer.bands[i]);
+  ChooseBuckets(leaves.size(), longest, all, layer);
+  for (std::vector<const PlacedGroup*>& band : by_band) {
+    std::stable_sort(band.begin(), band.end(), [](const PlacedGroup* a, const PlacedGroup* b) {
+      return a->box.min.x < b->box.min.x;
+    });
+    AddBand(band, layer);
   }
-  layer.bands.back().first = static_cast<std::uint32_t>(layer.leaf_x.size());
   if (layer.one_y_per_band) layer.leaf_y = {};
 }
 
 void Shrink(CompiledLayer& layer) {
   layer.buckets.shrink_to_fit();
-  layer.leaf_x.shrink_to_fit();
-  layer.leaf_block.shrink_to_fit();
-  layer.leaf_order.shrink_to_fit();
+  layer.leaves.shrink_to_fit();
 }
 
 }  // namespace
@@ -305,15 +329,14 @@ void Shrink(CompiledLayer& layer) {
 CompiledLayer CompileLayer(const Layer& layer) {
   CompiledLayer compiled;
   compiled.sign = layer.relief == Relief::kEngraved ? -1 : 1;
-  std::vector<Leaf> leaves;
+  std::vector<PlacedGroup> leaves;
   CollectLeaves(*layer.group, {0, 0}, 0, leaves);
-  for (const Leaf& leaf : leaves) {
+  for (const PlacedGroup& leaf : leaves) {
     if (!std::isfinite(leaf.origin.x) || !std::isfinite(leaf.origin.y)) {
       throw InputError("a group stands at a place that is not a number: check its origin");
     }
   }
   AddBlocks(leaves, compiled);
-  ChooseBands(leaves, compiled);
   AddLeaves(leaves, compiled);
   Shrink(compiled);
   return compiled;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,23 +22,40 @@ struct FlatProfile {
 
 enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill };
 
-/// An element ready for the query; a cache line.
+/// An element ready for the query; a cache line. Lines, arcs, rings and dots share one formula
+/// without branches, since at random points a branch on the kind would be mispredicted every second
+/// time: a dot is a ring of radius zero, a ring an arc without ends.
 struct FlatElement {
-  glm::dvec2 anchor{0, 0};     ///< a line's start, else the centre [m]
-  glm::dvec2 direction{0, 0};  ///< unit: along a line, to the middle of an arc
-  double length = 0;           ///< of a line; radius of an arc, ring, disc [m]
-  double cos_half = 0;         ///< cosine of half an arc's sweep
+  glm::dvec2 anchor{0, 0};  ///< a line's start, else the centre [m]
+  glm::dvec2 direction{
+      0, 0};            ///< unit: along a line, to the middle of an arc; zero for rings and dots
+  double radius = 0;    ///< of arc, ring, disc [m]; 0 for lines and dots
+  double cos_half = 0;  ///< of half an arc's sweep; -1 for rings and dots, 0 for lines
+  double length = 0;    ///< of a line [m]; else infinite
   FlatKind kind = FlatKind::kLine;
   std::uint16_t profile = 0;
-  std::uint16_t edge_count = 0;  ///< a fill's outline: `edges` from edge_begin
-  std::uint32_t edge_begin = 0;
-  std::uint32_t rising_begin = 0, rising_end = 0;  ///< and its crossings
+  std::uint16_t fill = 0;  ///< number of the outline, if any
 };
 
 /// A piece of a fill's outline with its ends, which its neighbours share.
 struct FlatEdge {
   FlatElement spine;
   glm::dvec2 first{0, 0}, last{0, 0};  ///< [m]
+};
+
+/// A filled outline: its edges and what counts a ray's crossings.
+struct FlatFill {
+  std::vector<FlatEdge> edges;
+  std::vector<RisingEdge> rising;
+};
+
+/// The elements that can matter in one cell of a block: up to three of them in place, else a list.
+struct Cell {
+  std::uint16_t count = 0;
+  std::array<std::uint16_t, 3> items{};  ///< element, counted from the block's first; ascending
+  static constexpr std::uint16_t kInPlace = 3;
+  /// Where a longer list starts in `items`.
+  std::uint32_t list() const noexcept { return items[0] | (std::uint32_t{items[1]} << 16); }
 };
 
 /// The elements of one group, shared by all its placements, behind a small grid that says which of
@@ -53,36 +71,40 @@ struct Block {
   bool plain = true;  ///< strokes of one profile, nothing blended: the nearest spine decides
 };
 
+/// A placed block. Each band's leaves end with one that stands infinitely far to the right.
+struct Leaf {
+  double x = 0;             ///< origin [m]
+  std::uint32_t order = 0;  ///< in the tree, decides ties
+  std::uint16_t block = 0;
+};
+
 /// A band of equal height across the layer; the leaves in it stand from left to right.
 struct Band {
-  std::uint32_t first = 0;  ///< leaf; the next band's first ends it
-  std::uint32_t first_bucket = 0;
-  std::uint32_t bucket_count = 0;
-  double x0 = 0;             ///< [m]
-  double buckets_per_m = 0;  ///< [1/m]
-  double y = 0;              ///< origin of its leaves, if they share one [m]
+  double y = 0;             ///< origin of its leaves, if they share one [m]
+  std::uint32_t first = 0;  ///< leaf
 };
 
 /// One layer of the tree, flattened: nested groups of a layer are one group, since "the greatest
-/// magnitude" does not care how its members are bracketed.
+/// magnitude" does not care how its members are bracketed. Bands are cut into buckets; a bucket
+/// knows the first leaf that reaches into it, so that lines and letters are found by arithmetic.
 struct TextureField::CompiledLayer {
   double sign = -1;
-  double y0 = 0, bands_per_m = 0;
+  glm::dvec2 origin{0, 0};   ///< of the first band's first bucket [m]
+  double bands_per_m = 0;    ///< [1/m]
+  double buckets_per_m = 0;  ///< [1/m]
+  double band_count = 0,
+         bucket_count = 0;         ///< buckets in a band; whole numbers, compared as doubles
+  std::uint32_t bucket_shift = 0;  ///< a bucket holds offset / 2^shift from the band's first leaf
   bool one_y_per_band = true;
-  std::vector<Band> bands;             ///< one more than there are, to end the last
-  std::vector<std::uint32_t> buckets;  ///< first leaf that reaches into the bucket or beyond
-  // leaves: placed blocks, by band, from left to right
-  std::vector<double> leaf_x;  ///< origin [m]
-  std::vector<double> leaf_y;  ///< empty if one_y_per_band
-  std::vector<std::uint16_t> leaf_block;
-  std::vector<std::uint32_t> leaf_order;  ///< in the tree, decides ties
-  // blocks
+  std::vector<Band> bands;
+  std::vector<std::uint16_t> buckets;
+  std::vector<Leaf> leaves;
+  std::vector<double> leaf_y;  ///< [m]; empty if one_y_per_band
   std::vector<Block> blocks;
-  std::vector<std::uint32_t> cells;  ///< first item of each cell, and one to end the last
-  std::vector<std::uint16_t> items;  ///< element, counted from the block's first
+  std::vector<Cell> cells;
+  std::vector<std::uint16_t> items;
   std::vector<FlatElement> elements;
-  std::vector<FlatEdge> edges;
-  std::vector<RisingEdge> rising;
+  std::vector<FlatFill> fills;
   std::vector<FlatProfile> profiles;
 };
 

@@ -1,4 +1,5 @@
 // The query of the compiled field: everything here runs in the tick.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,53 +13,45 @@ namespace {
 using CompiledLayer = TextureField::CompiledLayer;
 
 constexpr double kFar = 1e300;
+constexpr std::size_t kMostFeet = 32;
 
-/// Vector from the spine to p and its square; the square is kFar where a butt end stops the
-/// element.
+// std::fmax is a library call, since it must treat NaN; this is one instruction
+inline double Greater(double a, double b) noexcept { return a > b ? a : b; }
+
+/// Where a point lies relative to an element's spine: the distance, and the unit direction in which
+/// it grows.
 struct Near {
-  double distance2 = kFar;
-  glm::dvec2 from_spine{0.0, 0.0};
+  double distance = kFar;  ///< kFar where a butt end stops the element
+  glm::dvec2 away{0.0, 0.0};
 };
 
 inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
   const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
-  switch (element.kind) {
-    case FlatKind::kLine: {
-      const double ux = element.direction.x, uy = element.direction.y;
-      const double t = vx * ux + vy * uy;
-      if (!(t >= 0 && t <= element.length)) return {};
-      const double cross = vy * ux - vx * uy;
-      return {cross * cross, {-cross * uy, cross * ux}};
-    }
-    case FlatKind::kArc:
-    case FlatKind::kRing: {
-      const double distance = std::sqrt(vx * vx + vy * vy);
-      if (element.kind == FlatKind::kArc &&
-          !(vx * element.direction.x + vy * element.direction.y >= distance * element.cos_half)) {
-        return {};
-      }
-      const double d = distance - element.length;
-      const double share = distance > 0 ? d / distance : 0;
-      return {d * d, {share * vx, share * vy}};
-    }
-    default:
-      return {vx * vx + vy * vy, {vx, vy}};
+  const double ux = element.direction.x, uy = element.direction.y;
+  const double along = vx * ux + vy * uy;
+  if (element.kind == FlatKind::kLine) {
+    const double across = vy * ux - vx * uy;
+    if (!(along >= 0 && along <= element.length)) return {};
+    return across < 0 ? Near{-across, {uy, -ux}} : Near{across, {-uy, ux}};
   }
+  const double distance = std::sqrt(vx * vx + vy * vy);
+  if (!(along >= distance * element.cos_half)) return {};
+  // at the centre no direction is nearest: none is chosen
+  const double d = distance - element.radius;
+  const double scale = (d < 0 ? -1.0 : 1.0) / Greater(distance, 1e-300);
+  return {d < 0 ? -d : d, {scale * vx, scale * vy}};
 }
 
-/// Height and gradient from the vector to the nearest spine. The rounded spine needs no division.
-inline Magnitude FromSpine(const FlatProfile& profile, double distance2,
-                           glm::dvec2 from_spine) noexcept {
-  const double d = std::sqrt(distance2);
-  if (d <= profile.rounding) {
-    return {profile.depth - 0.5 * profile.curvature * distance2, -profile.curvature * from_spine};
-  }
-  if (d <= profile.half - profile.rounding) {
-    return {profile.flank - profile.slope * d, -profile.slope / d * from_spine};
-  }
-  const double to_rim = profile.half - d;
-  if (!(to_rim > 0)) return {};
-  return {0.5 * profile.curvature * to_rim * to_rim, -profile.curvature * to_rim / d * from_spine};
+/// Magnitude and its gradient at a distance below w/2. The derivative is a trapezoid in d, written
+/// with maxima so that no branch depends on the point.
+inline Magnitude FromSpine(const FlatProfile& profile, double d, glm::dvec2 away) noexcept {
+  const double k = profile.curvature;
+  const double in_spine = Greater(profile.rounding - d, 0.0);
+  const double in_rim = Greater(d - (profile.half - profile.rounding), 0.0);
+  const double height =
+      profile.flank - profile.slope * d + 0.5 * k * (in_rim * in_rim - in_spine * in_spine);
+  const double slope = k * (in_spine + in_rim) - profile.slope;
+  return {height, {slope * away.x, slope * away.y}};
 }
 
 inline Magnitude FromRim(const FlatProfile& profile, double inside, glm::dvec2 from_edge) noexcept {
@@ -75,18 +68,20 @@ inline Magnitude FromRim(const FlatProfile& profile, double inside, glm::dvec2 f
   return {0.5 * profile.curvature * inside * inside, profile.curvature * from_edge};
 }
 
-/// Distance from an outline to p within it; the edges' own ends are reached, neighbours share them.
-inline Near NearestOfOutline(const CompiledLayer& layer, const FlatElement& fill,
-                             glm::dvec2 p) noexcept {
-  Near nearest;
+/// Vector from the nearest point of an outline to p, and its square.
+struct FromOutline {
+  double distance2 = kFar;
+  glm::dvec2 v{0.0, 0.0};
+};
+inline FromOutline NearestOfOutline(const FlatFill& fill, glm::dvec2 p) noexcept {
+  FromOutline nearest;
   const auto take = [&nearest](glm::dvec2 v) {
     const double d2 = v.x * v.x + v.y * v.y;
     if (d2 < nearest.distance2) nearest = {d2, v};
   };
-  for (std::uint32_t i = 0; i < fill.edge_count; ++i) {
-    const FlatEdge& edge = layer.edges[fill.edge_begin + i];
+  for (const FlatEdge& edge : fill.edges) {
     const Near near = NearestOf(edge.spine, p);
-    if (near.distance2 < nearest.distance2) nearest = near;
+    if (near.distance < kFar) take(near.distance * near.away);
     take(p - edge.first);
     take(p - edge.last);
   }
@@ -99,133 +94,133 @@ inline Magnitude OfFill(const CompiledLayer& layer, const FlatElement& fill,
   if (fill.kind == FlatKind::kDisc) {
     const glm::dvec2 v = p - fill.anchor;
     const double distance = std::sqrt(v.x * v.x + v.y * v.y);
-    const double inside = fill.length - distance;
+    const double inside = fill.radius - distance;
     const double share = distance > 0 ? -inside / distance : 0;
     return FromRim(profile, inside, share * v);
   }
+  const FlatFill& outline = layer.fills[fill.fill];
   bool in = false;
-  for (std::uint32_t i = fill.rising_begin; i < fill.rising_end; ++i) {
-    in ^= Crosses(layer.rising[i], p);
-  }
+  for (const RisingEdge& edge : outline.rising) in ^= Crosses(edge, p);
   if (!in) return {};
-  const Near near = NearestOfOutline(layer, fill, p);
-  return FromRim(profile, std::sqrt(near.distance2), near.from_spine);
+  const FromOutline nearest = NearestOfOutline(outline, p);
+  return FromRim(profile, std::sqrt(nearest.distance2), nearest.v);
 }
 
 /// All strokes of one profile: the nearest spine has the greatest magnitude.
-inline Magnitude SamplePlain(const CompiledLayer& layer, const Block& block, std::uint32_t begin,
-                             std::uint32_t end, glm::dvec2 p) noexcept {
-  Near nearest;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const Near near = NearestOf(layer.elements[block.first_element + layer.items[i]], p);
-    if (near.distance2 < nearest.distance2) nearest = near;
-  }
+inline Magnitude SamplePlain(const CompiledLayer& layer, const Block& block, const Cell& cell,
+                             glm::dvec2 p) noexcept {
+  const FlatElement* elements = &layer.elements[block.first_element];
   const FlatProfile& profile = layer.profiles[block.profile];
-  if (nearest.distance2 >= profile.half * profile.half) return {};
-  return FromSpine(profile, nearest.distance2, nearest.from_spine);
+  const std::uint16_t* items =
+      cell.count <= Cell::kInPlace ? cell.items.data() : &layer.items[cell.list()];
+  Near nearest = NearestOf(elements[items[0]], p);
+  for (std::uint32_t i = 1; i < cell.count; ++i) {
+    const Near near = NearestOf(elements[items[i]], p);
+    if (near.distance < nearest.distance) nearest = near;
+  }
+  if (!(nearest.distance < profile.half)) return {};
+  return FromSpine(profile, nearest.distance, nearest.away);
 }
 
 Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
   Foot foot{.distance = -1, .profile = element.profile};
   if (element.kind > FlatKind::kRing) return foot;
   const Near near = NearestOf(element, p);
-  if (near.distance2 == kFar) return foot;
-  foot.distance = std::sqrt(near.distance2);
-  if (foot.distance > 0) foot.gradient = near.from_spine / foot.distance;
+  if (near.distance == kFar) return foot;
+  foot.distance = near.distance;
+  foot.gradient = near.away;
   foot.inset = kFar;
   const glm::dvec2 v = p - element.anchor;
   const glm::dvec2 u = element.direction;
   if (element.kind == FlatKind::kLine) {
     const double t = v.x * u.x + v.y * u.y;
-    foot.inset = std::fmin(t, element.length - t);
+    foot.inset = std::min(t, element.length - t);
     foot.inset_gradient = t <= element.length - t ? u : -u;
   } else if (element.kind == FlatKind::kArc) {
     // counted from the arc's middle, so that both ends are alike
     const double turned = std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
-    foot.inset = element.length * (std::acos(element.cos_half) - std::abs(turned));
-    const double inward = (turned < 0 ? 1 : -1) * element.length / (v.x * v.x + v.y * v.y);
+    foot.inset = element.radius * (std::acos(element.cos_half) - std::abs(turned));
+    const double inward = (turned < 0 ? 1 : -1) * element.radius / (v.x * v.x + v.y * v.y);
     foot.inset_gradient = inward * glm::dvec2(-v.y, v.x);
   }
   return foot;
 }
 
 /// Mixed profiles, fills, blended creases: magnitudes are compared one by one.
-Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, std::uint32_t begin,
-                      std::uint32_t end, glm::dvec2 p) noexcept {
+Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, const Cell& cell,
+                      glm::dvec2 p) noexcept {
+  const std::uint16_t* items =
+      cell.count <= Cell::kInPlace ? cell.items.data() : &layer.items[cell.list()];
+  const auto element_of = [&](std::size_t i) -> const FlatElement& {
+    return layer.elements[block.first_element + items[i]];
+  };
   // more lines and arcs than this near one point do not blend: they crowd far below any tip's size
-  constexpr std::size_t kMostFeet = 32;
   std::array<Foot, kMostFeet> feet;
-  std::size_t foot_count = 0;
-  if (block.blend_radius > 0) {
-    for (std::uint32_t i = begin; i < end && foot_count < kMostFeet; ++i) {
-      const FlatElement& element = layer.elements[block.first_element + layer.items[i]];
-      feet[foot_count++] = FootOf(element, p);
-    }
-  }
+  const std::size_t foot_count =
+      block.blend_radius > 0 ? std::min<std::size_t>(cell.count, kMostFeet) : 0;
+  for (std::size_t i = 0; i < foot_count; ++i) feet[i] = FootOf(element_of(i), p);
+
   Magnitude greatest;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const FlatElement& element = layer.elements[block.first_element + layer.items[i]];
+  for (std::size_t i = 0; i < cell.count; ++i) {
+    const FlatElement& element = element_of(i);
     const FlatProfile& profile = layer.profiles[element.profile];
     Magnitude member;
     if (element.kind >= FlatKind::kDisc) {
       member = OfFill(layer, element, p);
-    } else if (i - begin < foot_count && element.kind <= FlatKind::kRing) {
-      const std::size_t own = i - begin;
-      if (feet[own].distance < 0) continue;
-      const BlendedDistance blended = Blend({feet.data(), foot_count}, own, block.blend_radius);
-      const double d = std::fmax(blended.distance, 0.0);
-      member = FromSpine(profile, d * d, d * blended.gradient);
+    } else if (i < foot_count && element.kind <= FlatKind::kRing) {
+      if (feet[i].distance < 0) continue;
+      const BlendedDistance blended = Blend({feet.data(), foot_count}, i, block.blend_radius);
+      const double d = Greater(blended.distance, 0.0);
+      if (d < profile.half) member = FromSpine(profile, d, blended.gradient);
     } else {
       const Near near = NearestOf(element, p);
-      if (near.distance2 < profile.half * profile.half) {
-        member = FromSpine(profile, near.distance2, near.from_spine);
-      }
+      if (near.distance < profile.half) member = FromSpine(profile, near.distance, near.away);
     }
     if (member.height > greatest.height) greatest = member;
   }
   return greatest;
 }
 
+/// `p` lies in the block's box.
 inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
                              glm::dvec2 p) noexcept {
   const auto column = static_cast<std::uint32_t>((p.x - block.box.min.x) * block.cells_per_m.x);
   const auto row = static_cast<std::uint32_t>((p.y - block.box.min.y) * block.cells_per_m.y);
-  const std::uint32_t cell = block.first_cell +
-                             (row < block.rows ? row : block.rows - 1) * block.columns +
-                             (column < block.columns ? column : block.columns - 1);
-  const std::uint32_t begin = layer.cells[cell], end = layer.cells[cell + 1];
-  if (begin == end) return {};
-  return block.plain ? SamplePlain(layer, block, begin, end, p)
-                     : SampleMixed(layer, block, begin, end, p);
+  const Cell& cell = layer.cells[block.first_cell + std::min(row, block.rows - 1) * block.columns +
+                                 std::min(column, block.columns - 1)];
+  if (cell.count == 0) return {};
+  return block.plain ? SamplePlain(layer, block, cell, p) : SampleMixed(layer, block, cell, p);
 }
 
 }  // namespace
 
 Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   // comparisons are written so that a NaN ends here
-  const double v = (p.y - layer.y0) * layer.bands_per_m;
-  if (!(v >= 0 && v < static_cast<double>(layer.bands.size() - 1))) return {};
-  const Band& band = layer.bands[static_cast<std::uint32_t>(v)];
-  const double u = (p.x - band.x0) * band.buckets_per_m;
-  if (!(u >= 0 && u < static_cast<double>(band.bucket_count))) return {};
-  const std::uint32_t end = (&band)[1].first;
+  const double v = (p.y - layer.origin.y) * layer.bands_per_m;
+  const double u = (p.x - layer.origin.x) * layer.buckets_per_m;
+  if (!(v >= 0 && u >= 0 && v < layer.band_count && u < layer.bucket_count)) return {};
+  const auto band_number = static_cast<std::uint32_t>(v);
+  const Band& band = layer.bands[band_number];
+  const std::uint32_t bucket =
+      layer.buckets[band_number * static_cast<std::uint32_t>(layer.bucket_count) +
+                    static_cast<std::uint32_t>(u)];
   Magnitude greatest;
   std::uint32_t order = 0;
-  for (std::uint32_t i = layer.buckets[band.first_bucket + static_cast<std::uint32_t>(u)]; i < end;
-       ++i) {
-    const Block& block = layer.blocks[layer.leaf_block[i]];
-    const glm::dvec2 local(p.x - layer.leaf_x[i],
-                           p.y - (layer.one_y_per_band ? band.y : layer.leaf_y[i]));
-    if (local.x < block.box.min.x) break;
-    if (!Contains(block.box, local)) continue;
+  for (std::uint32_t i = band.first + (bucket << layer.bucket_shift);; ++i) {
+    const Leaf& leaf = layer.leaves[i];
+    const Block& block = layer.blocks[leaf.block];
+    const glm::dvec2 local(p.x - leaf.x, p.y - (layer.one_y_per_band ? band.y : layer.leaf_y[i]));
+    if (local.x < block.box.min.x) return greatest;
+    if (local.x > block.box.max.x || local.y < block.box.min.y || local.y > block.box.max.y) {
+      continue;
+    }
     const Magnitude member = SampleBlock(layer, block, local);
     if (member.height > greatest.height ||
-        (member.height == greatest.height && member.height > 0 && layer.leaf_order[i] < order)) {
+        (member.height == greatest.height && member.height > 0 && leaf.order < order)) {
       greatest = member;
-      order = layer.leaf_order[i];
+      order = leaf.order;
     }
   }
-  return greatest;
 }
 
 Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {

@@ -9,8 +9,7 @@ namespace {
 
 /// Greatest derivative of the potential: with the greatest slope the force just reaches the cap.
 double SaturatedForce(const Surface& surface, const TextureField& field) noexcept {
-  const double s = field.greatest_slope();
-  return surface.force_cap / std::sqrt(1 + s * s);
+  return surface.force_cap * field.steepest_cosine();
 }
 
 }  // namespace
@@ -23,15 +22,14 @@ glm::dvec3 NormalOf(glm::dvec2 gradient) noexcept {
 Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P) noexcept {
   Contact contact;
   contact.sample = field.SampleAt({p_P.x, p_P.y});
-  contact.normal_P = NormalOf(contact.sample.gradient);
   contact.depth = contact.sample.displacement - p_P.z;
   // infinitely deep is as broken as NaN; both give no force
   if (!(contact.depth > 0) || !std::isfinite(contact.depth) || !std::isfinite(p_P.x + p_P.y)) {
     return contact;
   }
   if (surface.law == ForceLaw::kPaper) {
-    contact.force_P =
-        std::min(surface.stiffness * contact.depth, surface.force_cap) * contact.normal_P;
+    contact.force_P = std::min(surface.stiffness * contact.depth, surface.force_cap) *
+                      NormalOf(contact.sample.gradient);
     return contact;
   }
   const double slope = std::min(surface.stiffness * contact.depth, SaturatedForce(surface, field));

@@ -20,10 +20,9 @@ struct Surface {
 
 /// What a tip meets at one point of a textured plane.
 struct Contact {
-  double depth = 0;  ///< of the tip below the textured surface along z [m]; <= 0 outside
-  Sample sample;     ///< displacement and gradient of the texture there
-  glm::dvec3 normal_P{0, 0, 1};  ///< unit normal of the textured surface
-  glm::dvec3 force_P{0, 0, 0};   ///< reaction [N], zero outside and for a point that is not finite
+  double depth = 0;             ///< of the tip below the textured surface along z [m]; <= 0 outside
+  Sample sample;                ///< displacement and gradient of the texture there
+  glm::dvec3 force_P{0, 0, 0};  ///< reaction [N], zero outside and for a point that is not finite
 };
 
 /// Unit normal of a surface with this gradient. The one place where a gradient becomes a normal.
