@@ -12,6 +12,7 @@
 #include "sim/app/metrics_json.h"
 #include "sim/scene/record.h"
 #include "sim/scene/scene.h"
+#include "textures/resources.h"
 
 namespace moontrace {
 
@@ -98,6 +99,8 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
 }
 
 }  // namespace
+
+HandModel ShippedHand() { return LoadHand(ResourcePath("devices/hand.toml")); }
 
 TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
                        bool blank) {

@@ -72,6 +72,9 @@ struct TrialResult {
 /// InputError (model, friction, sizes), LackError (record folder), Interrupted.
 TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record = nullptr);
 
+/// The hand that comes with the program (devices/hand.toml).
+HandModel ShippedHand();
+
 /// The field of one page as a trial builds it.
 TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
                        bool blank);

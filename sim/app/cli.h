@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/app/console.h"
+
+namespace moontrace {
+
+/// The whole program but for the process: runs one command line (without the program's name) and
+/// returns its exit code. Throws nothing; what went wrong is one line on the console's stderr.
+int RunCli(const std::vector<std::string>& args, Console& console);
+
+}  // namespace moontrace

@@ -1,0 +1,76 @@
+#include "sim/app/console.h"
+
+#include <algorithm>
+#include <istream>
+#include <ostream>
+
+#include "sim/app/messages.h"
+
+namespace moontrace {
+
+namespace {
+
+std::size_t Characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+}  // namespace
+
+std::string Wrapped(std::string_view text, std::size_t columns) {
+  std::string lines;
+  std::size_t used = 0;
+  while (!text.empty()) {
+    const std::size_t space = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, space);
+    text.remove_prefix(std::min(space + 1, text.size()));
+    const std::size_t length = Characters(word);
+    if (used > 0 && used + 1 + length > columns) {
+      lines += '\n';
+      used = 0;
+    }
+    if (used > 0) {
+      lines += ' ';
+      ++used;
+    }
+    lines += word;
+    used += length;
+  }
+  return lines + '\n';
+}
+
+Console::Console(std::istream& in, std::ostream& out, std::ostream& err,
+                 const std::atomic<bool>* stop)
+    : in_(in), out_(out), err_(err), stop_(stop), last_spoke_(std::chrono::steady_clock::now()) {}
+
+void Console::Result(std::string_view line) {
+  if (json_) return;
+  out_ << Wrapped(line);
+  Spoke();
+}
+
+void Console::Path(std::string_view path) {
+  if (json_) return;
+  out_ << path << '\n';
+  Spoke();
+}
+
+void Console::Remark(std::string_view line) {
+  if (quiet_) return;
+  err_ << Wrapped(line);
+  Spoke();
+}
+
+void Console::Error(std::string_view line) { err_ << line << '\n'; }
+
+void Console::Json(std::string_view text) { out_ << text << '\n'; }
+
+void Console::Alive(double done) {
+  if (std::chrono::steady_clock::now() - last_spoke_ < std::chrono::seconds(30)) return;
+  out_.flush();
+  Remark(say::StillWorking(done));
+  err_.flush();
+}
+
+}  // namespace moontrace

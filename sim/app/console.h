@@ -1,0 +1,75 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <iosfwd>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace moontrace {
+
+/// Exit codes of every command (design section 8).
+namespace exit_code {
+inline constexpr int kGood = 0;
+inline constexpr int kFailed = 1;
+inline constexpr int kUsage = 2;
+inline constexpr int kInput = 3;
+inline constexpr int kLack = 4;
+inline constexpr int kInterrupted = 130;
+}  // namespace exit_code
+
+/// A command line that cannot be understood: one line; exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The work was done and did not succeed: one line; exit code 1.
+class WorkFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The text face: plain lines of at most 80 characters, results on one stream, messages on another.
+class Console {
+ public:
+  Console(std::istream& in, std::ostream& out, std::ostream& err,
+          const std::atomic<bool>* stop = nullptr);
+
+  /// `--json`: no results in words. `--quiet`: no remarks and no signs of life.
+  void Set(bool json, bool quiet) {
+    json_ = json;
+    quiet_ = quiet;
+  }
+
+  void Result(std::string_view line);  ///< on stdout, wrapped at words
+  void Path(std::string_view path);    ///< on stdout, alone on its line, never wrapped
+  void Remark(std::string_view line);  ///< on stderr, wrapped at words
+  void Error(std::string_view line);   ///< on stderr, one line however long
+  void Json(std::string_view text);    ///< on stdout, as it is, with a line's end
+
+  /// A sign of life on stderr if nothing was said for 30 s.
+  void Alive(double done);
+
+  std::istream& in() { return in_; }
+  std::ostream& out() { return out_; }
+  const std::atomic<bool>* stop() const { return stop_; }
+
+ private:
+  void Spoke() { last_spoke_ = std::chrono::steady_clock::now(); }
+
+  std::istream& in_;
+  std::ostream& out_;
+  std::ostream& err_;
+  const std::atomic<bool>* stop_;
+  bool json_ = false;
+  bool quiet_ = false;
+  std::chrono::steady_clock::time_point last_spoke_;
+};
+
+/// Breaks at spaces so that no line passes `columns` characters (not bytes); a longer word stands
+/// alone. Lines end with a newline each.
+std::string Wrapped(std::string_view text, std::size_t columns = 80);
+
+}  // namespace moontrace

@@ -1,0 +1,331 @@
+#include "sim/app/messages.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "textures/text_file.h"
+
+namespace moontrace::say {
+
+namespace {
+
+constexpr double kMillimetres = 1e3;
+
+std::string Counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// "never", "once", "3 times".
+std::string Times(std::size_t count) {
+  if (count == 0) return "never";
+  return count == 1 ? "once" : fmt::format("{} times", count);
+}
+
+/// At most `decimals`, no needless zeros.
+std::string Short(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+/// Never rounded up to a whole: 99.96 percent is not "100".
+std::string Percent(double share) {
+  return Short(std::floor(1000 * share + 1e-9) / 10, 1) + " percent";
+}
+
+std::string_view Relief(const TypeStyle& style) {
+  return style.relief == Relief::kEngraved ? "groove" : "ridge";
+}
+
+std::string Quoted(std::string_view text) { return "\"" + OneLine(text) + "\""; }
+
+std::string DidYouMean(std::string_view nearest) {
+  return nearest.empty() ? std::string() : fmt::format("did you mean {}? ", nearest);
+}
+
+std::string Where(const Replacement& replacement) {
+  return fmt::format("line {}, character {}", replacement.line, replacement.column);
+}
+
+}  // namespace
+
+std::string UnknownCommand(std::string_view given, std::string_view nearest) {
+  return fmt::format("unknown command {}: {}\"moontrace --help\" lists the commands", Quoted(given),
+                     DidYouMean(nearest));
+}
+
+std::string NoCommand() { return "no command given: \"moontrace --help\" lists the commands"; }
+
+std::string UnknownOption(std::string_view given, std::string_view command,
+                          std::string_view nearest) {
+  return fmt::format("unknown option {}: {}\"moontrace {} --help\" lists the options",
+                     OneLine(given), DidYouMean(nearest), command);
+}
+
+std::string SpareArgument(std::string_view given, std::string_view command) {
+  return fmt::format("one argument too many for {}: {}; put a text of several words in quotes",
+                     command, Quoted(given));
+}
+
+std::string ValueMissing(std::string_view option) {
+  return fmt::format("{} lacks its value: write it after the option", option);
+}
+
+std::string NotANumber(std::string_view option, std::string_view given) {
+  return fmt::format("{} is {}, which is no number: write one like 12 or 0.5", option,
+                     Quoted(given));
+}
+
+std::string NotAWholeNumber(std::string_view option, std::string_view given) {
+  return fmt::format("{} is {}: write a whole number from 0 up", option, Quoted(given));
+}
+
+std::string OutOfRange(std::string_view option, std::string_view given, double low, double high) {
+  return fmt::format("{} is {}: write a number from {:g} to {:g}", option, OneLine(given), low,
+                     high);
+}
+
+std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices) {
+  return fmt::format("{} is {}: choose {}", option, Quoted(given), choices);
+}
+
+std::string NotAPage(std::string_view given) {
+  return fmt::format("--page is {}: write a4, a5, workspace or width x height like 120x80",
+                     Quoted(given));
+}
+
+std::string NeedsOther(std::string_view option, std::string_view other) {
+  return fmt::format("{} needs {} beside it", option, other);
+}
+
+std::string NoText(std::string_view command) {
+  return fmt::format("no text: write moontrace {} \"some text\", or --file FILE, or - for input",
+                     command);
+}
+
+std::string TwoTexts() { return "two texts: give either a text or --file, not both"; }
+
+std::string NoFolder() { return "no folder: write moontrace replay FOLDER"; }
+
+std::string CannotReadInput() {
+  return "standard input: cannot be read or holds more than 16 MB; name a smaller file";
+}
+
+std::string CannotWriteOutput() {
+  return "standard output: cannot be written; check its disk and whoever reads it";
+}
+
+std::string Stopped() { return "Stopped at your request; nothing half-written is left."; }
+
+std::string Failed(std::string_view cause) { return fmt::format("failed: {}", cause); }
+
+std::string NoMemory() { return "memory: there is not enough for this; give a shorter text"; }
+
+std::string CannotMakeFolder(std::string_view folder, std::string_view cause) {
+  return fmt::format("{}: the folder cannot be made ({}); name another place", folder, cause);
+}
+
+std::string Version(std::string_view program, std::string_view mujoco) {
+  return fmt::format("moontrace {}, MuJoCo {}", program, mujoco);
+}
+
+std::string StillWorking(double done) {
+  return fmt::format("Still working: {} percent done.", static_cast<int>(std::floor(100 * done)));
+}
+
+std::string TooLong(std::size_t letters, std::size_t limit) {
+  return fmt::format("the text has {} signs, a trace takes at most {}: give a shorter text",
+                     letters, limit);
+}
+
+std::string TooManyPictures(std::size_t pages, std::size_t limit) {
+  return fmt::format("--picture would write {} files, at most {}: give a shorter text", pages,
+                     limit);
+}
+
+std::string PageOutcome(const Typeset& set, std::size_t signs, std::size_t lines) {
+  return fmt::format("{}, {}, {}.", Counted(set.pages.size(), "page", "pages"),
+                     Counted(lines, "line", "lines"), Counted(signs, "sign", "signs"));
+}
+
+std::string LetterShape(const TypeStyle& style) {
+  return fmt::format("Letters: {} mm high, {} {} mm wide, {} mm {}.",
+                     Short(kMillimetres * style.size, 2), Relief(style),
+                     Short(kMillimetres * style.width, 2), Short(kMillimetres * style.depth, 2),
+                     style.relief == Relief::kEngraved ? "deep" : "high");
+}
+
+std::string Paper(const PageSpec& page) {
+  return fmt::format("Paper: {}, {} by {} mm, margin {} mm.", page.name,
+                     Short(kMillimetres * page.width, 1), Short(kMillimetres * page.height, 1),
+                     Short(kMillimetres * page.margin, 1));
+}
+
+std::string PageLine(std::size_t page, std::size_t pages, std::size_t line,
+                     std::string_view signs) {
+  const std::string place = pages == 1 ? "" : fmt::format("Page {}, ", page + 1);
+  return fmt::format("{}{} {}: {}", place, pages == 1 ? "Line" : "line", line + 1, signs);
+}
+
+std::string LinesLeftOut(std::size_t count) {
+  return fmt::format("And {}; --json lists all.", Counted(count, "more line", "more lines"));
+}
+
+std::string Folded(const Replacement& replacement) {
+  return fmt::format("Replaced: {} by {}, {}.", Quoted(replacement.was), Quoted(replacement.became),
+                     Where(replacement));
+}
+
+std::string Missing(const Replacement& replacement) {
+  return fmt::format("Left out: {}, no sign for it, {}.", Quoted(replacement.was),
+                     Where(replacement));
+}
+
+std::string MoreReplacements(std::size_t count) {
+  return fmt::format("And {}; --json lists all.",
+                     Counted(count, "more replacement", "more replacements"));
+}
+
+std::string PictureIn() { return "Picture:"; }
+std::string RecordIn() { return "Record:"; }
+
+std::string TraceOutcome(const TrialResult& all, std::size_t letters, bool blank) {
+  return fmt::format("{}: {} covered, {}.", blank ? "Blank page" : "Traced",
+                     Percent(all.score.total.coverage), Counted(letters, "letter", "letters"));
+}
+
+std::string MeanError(const TraceMetrics& total, const TypeStyle& style) {
+  return fmt::format("Mean error: {} mm; the {} is {} mm wide.",
+                     Short(kMillimetres * total.mean_error, 3), Relief(style),
+                     Short(kMillimetres * style.width, 2));
+}
+
+std::string WorstError(const TraceMetrics& total) {
+  return fmt::format("Worst error: {} mm.", Short(kMillimetres * total.max_error, 2));
+}
+
+std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style) {
+  return fmt::format("Left the {}: {}.", Relief(style), Times(total.excursions));
+}
+
+std::string Force(const TraceMetrics& total) {
+  return fmt::format("Force: mean {} N, peak {} N.", Short(total.mean_force, 2),
+                     Short(total.peak_force, 2));
+}
+
+std::string Time(const TrialResult& all) {
+  return fmt::format("Time: {} s of hand time, computed {} times faster.", Short(all.duration, 1),
+                     Short(all.real_time_factor, 0));
+}
+
+std::string Energy(const TrialResult& all) {
+  return fmt::format("Energy put out: {} microjoules.", Short(1e6 * all.energy_out, 2));
+}
+
+std::string WeakestLetter(std::string_view text, std::size_t number, double coverage) {
+  return fmt::format("Weakest letter: {}, letter {}, {} covered.", Quoted(text), number,
+                     Percent(coverage));
+}
+
+std::string DirectWillBuzz(const DirectBound& bound) {
+  return fmt::format(
+      "Direct rendering will buzz: a stiffness of {:.0f} N/m is felt, this hand and device hold "
+      "{:.0f} N/m. The proxy (--render proxy) stays quiet.",
+      bound.felt, bound.held);
+}
+
+std::string Faults(const TrialResult& all) {
+  return fmt::format(
+      "MuJoCo reported a fault at {} of {} ticks; the force was zero there: try larger letters "
+      "or the proxy",
+      all.faults, all.ticks);
+}
+
+std::string NoPoint() { return "no point: write moontrace probe X Y Z TEXT, X Y Z in mm"; }
+
+std::string ProbeOutcome(double depth, double force) {
+  if (depth <= 0) {
+    return fmt::format("No contact: {} mm above the surface.", Short(-kMillimetres * depth, 4));
+  }
+  return fmt::format("Contact: {} mm deep, {} N.", Short(kMillimetres * depth, 4), Short(force, 4));
+}
+
+std::string NamedNumbers(std::string_view name, const double* values, std::size_t count) {
+  std::string line(name);
+  line += ':';
+  for (std::size_t i = 0; i < count; ++i) {
+    line += (i == 0 ? " " : ", ") + Short(values[i], 6);
+  }
+  return line;
+}
+
+std::string ReplayWhat(std::string_view text, double size, bool blank) {
+  return fmt::format("Recorded: {}, letters {} mm high{}.", Quoted(text),
+                     Short(kMillimetres * size, 2), blank ? ", blank page" : "");
+}
+
+std::string ReplayEqual(std::size_t ticks) {
+  return fmt::format("Replay is bit-equal over {}.", Counted(ticks, "tick", "ticks"));
+}
+
+std::string ReplayDiffers(std::size_t tick, std::size_t ticks, std::string_view column) {
+  return fmt::format("Replay differs first at tick {} of {}, in {}.", tick, ticks, column);
+}
+
+std::string NamedValue(std::string_view name, std::string_view value) {
+  return fmt::format("{}: {}", name, value);
+}
+
+std::string OtherField(std::string_view folder) {
+  return fmt::format(
+      "{}: the page built again is not the one recorded; restore the script's files of then",
+      folder);
+}
+
+std::string BadParameters(std::string_view folder, std::string_view cause) {
+  return fmt::format("{}/trial.json: parameters cannot be used ({}); record the trial again",
+                     folder, OneLine(cause));
+}
+
+std::string DemoWelcome(std::string_view word) {
+  return fmt::format("Welcome to Moontrace. A simulated stylus will trace the word {}.", word);
+}
+
+std::string DemoWhatMoonIs() {
+  return "Moon is a script of lines and curves, read by touch. Each letter is a groove here.";
+}
+
+std::string DemoHand() {
+  return "The simulated hand trembles and drifts; only the groove keeps it on the letters.";
+}
+
+std::string DemoSize(double size, const TrialResult& result) {
+  const TraceMetrics& total = result.score.total;
+  return fmt::format("{} mm letters: {} covered, mean error {} mm, left the groove {}.",
+                     Short(kMillimetres * size, 1), Percent(total.coverage),
+                     Short(kMillimetres * total.mean_error, 3), Times(total.excursions));
+}
+
+std::string DemoBlank(double size, const TrialResult& result) {
+  return fmt::format("Blank page: {} covered, mean error {} mm, same hand at {} mm.",
+                     Percent(result.score.total.coverage),
+                     Short(kMillimetres * result.score.total.mean_error, 2),
+                     Short(kMillimetres * size, 1));
+}
+
+std::string DemoWhyBlank() { return "So it is the grooves that guide the hand."; }
+
+std::string DemoPictures() { return "Pictures of all this are in the folder:"; }
+
+std::string DemoNext() { return "Next, try your own text: moontrace trace \"your name\""; }
+
+std::string DemoBelowBar(double size) {
+  return fmt::format("the demo lost the {} mm letters: below 98 percent covered",
+                     Short(kMillimetres * size, 1));
+}
+
+}  // namespace moontrace::say

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sim/app/trial.h"
+#include "textures/typeset.h"
+
+/// Every sentence of the commands stands here, so that one page shows the program's voice and a
+/// translator finds it. Plain lines: the outcome first, numbers and paths last, no columns, no
+/// escape codes. Sentences about a file's contents stand with the code that reads it (InputError).
+namespace moontrace::say {
+
+// The command line.
+std::string UnknownCommand(std::string_view given, std::string_view nearest);
+std::string NoCommand();
+std::string UnknownOption(std::string_view given, std::string_view command,
+                          std::string_view nearest);
+std::string SpareArgument(std::string_view given, std::string_view command);
+std::string ValueMissing(std::string_view option);
+std::string NotANumber(std::string_view option, std::string_view given);
+std::string NotAWholeNumber(std::string_view option, std::string_view given);
+std::string OutOfRange(std::string_view option, std::string_view given, double low, double high);
+std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices);
+std::string NotAPage(std::string_view given);
+std::string NeedsOther(std::string_view option, std::string_view other);
+std::string NoText(std::string_view command);
+std::string TwoTexts();
+std::string NoFolder();
+std::string CannotReadInput();
+std::string CannotWriteOutput();
+std::string Stopped();
+std::string Failed(std::string_view cause);
+std::string NoMemory();
+std::string CannotMakeFolder(std::string_view folder, std::string_view cause);
+std::string Version(std::string_view program, std::string_view mujoco);
+std::string StillWorking(double done);
+std::string TooLong(std::size_t letters, std::size_t limit);
+std::string TooManyPictures(std::size_t pages, std::size_t limit);
+
+// What a page holds.
+std::string PageOutcome(const Typeset& set, std::size_t signs, std::size_t lines);
+std::string LetterShape(const TypeStyle& style);
+std::string Paper(const PageSpec& page);
+std::string PageLine(std::size_t page, std::size_t pages, std::size_t line, std::string_view signs);
+std::string LinesLeftOut(std::size_t count);
+std::string Folded(const Replacement& replacement);
+std::string Missing(const Replacement& replacement);
+std::string MoreReplacements(std::size_t count);
+std::string PictureIn();
+std::string RecordIn();
+
+// A trace.
+std::string TraceOutcome(const TrialResult& all, std::size_t letters, bool blank);
+std::string MeanError(const TraceMetrics& total, const TypeStyle& style);
+std::string WorstError(const TraceMetrics& total);
+std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style);
+std::string Force(const TraceMetrics& total);
+std::string Time(const TrialResult& all);
+std::string Energy(const TrialResult& all);
+std::string WeakestLetter(std::string_view text, std::size_t number, double coverage);
+std::string DirectWillBuzz(const DirectBound& bound);
+std::string Faults(const TrialResult& all);
+
+// A probe.
+std::string NoPoint();
+std::string ProbeOutcome(double depth, double force);
+std::string NamedNumbers(std::string_view name, const double* values, std::size_t count);
+
+// A replay.
+std::string ReplayWhat(std::string_view text, double size, bool blank);
+std::string ReplayEqual(std::size_t ticks);
+std::string ReplayDiffers(std::size_t tick, std::size_t ticks, std::string_view column);
+std::string NamedValue(std::string_view name, std::string_view value);
+std::string OtherField(std::string_view folder);
+std::string BadParameters(std::string_view folder, std::string_view cause);
+
+// The demo.
+std::string DemoWelcome(std::string_view word);
+std::string DemoWhatMoonIs();
+std::string DemoHand();
+std::string DemoSize(double size, const TrialResult& result);
+std::string DemoBlank(double size, const TrialResult& result);
+std::string DemoWhyBlank();
+std::string DemoPictures();
+std::string DemoNext();
+std::string DemoBelowBar(double size);
+
+}  // namespace moontrace::say

@@ -1,0 +1,230 @@
+#include "sim/app/options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include "sim/app/help.h"
+#include "sim/app/messages.h"
+#include "textures/error.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kMillimetre = 1e-3;
+constexpr double kLongest = 1000;  // [mm], of anything on a page
+constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20U;
+
+namespace help = say::help;
+
+/// An option with one value, read by `read`; the last one given counts.
+CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& type,
+                      const std::function<void(const std::string&)>& read,
+                      const std::string& description) {
+  return app.add_option_function<std::string>(name, read, description)
+      ->type_name(type)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+/// A choice between words.
+template <typename Value>
+void AddChoice(CLI::App& app, const std::string& name, const std::string& first, Value first_value,
+               const std::string& second, Value second_value, Value& value,
+               const std::string& description) {
+  AddValue(
+      app, name, "WORD",
+      [=, &value](const std::string& given) {
+        if (given != first && given != second) {
+          throw UsageError(say::NotAChoice(name, given, first + " or " + second));
+        }
+        value = given == first ? first_value : second_value;
+      },
+      description);
+}
+
+bool ParseNumber(std::string_view text, double& value) {
+  const std::from_chars_result read =
+      std::from_chars(text.data(), text.data() + text.size(), value);
+  return !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
+}
+
+PageSpec ParsePage(const std::string& given) {
+  if (given == "a4") return {"a4", 0.210, 0.297, 0.015};
+  if (given == "a5") return {"a5", 0.148, 0.210, 0.015};
+  // What common desktop arms reach.
+  if (given == "workspace") return {"workspace", 0.160, 0.120, 0.005};
+  const std::size_t by = given.find('x');
+  double width = 0;
+  double height = 0;
+  if (by == std::string::npos || !ParseNumber(std::string_view(given).substr(0, by), width) ||
+      !ParseNumber(std::string_view(given).substr(by + 1), height)) {
+    throw UsageError(say::NotAPage(given));
+  }
+  width = ReadNumber("width of --page", given.substr(0, by), 1, kLongest);
+  height = ReadNumber("height of --page", given.substr(by + 1), 1, kLongest);
+  return {"custom", kMillimetre * width, kMillimetre * height, 0.015};
+}
+
+}  // namespace
+
+double ReadNumber(const std::string& option, const std::string& given, double low, double high) {
+  double value = 0;
+  if (!ParseNumber(given, value)) throw UsageError(say::NotANumber(option, given));
+  if (!std::isfinite(value) || value < low || value > high) {
+    throw InputError(say::OutOfRange(option, given, low, high));
+  }
+  return value;
+}
+
+void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double low,
+               double high, double scale, const std::string& description) {
+  AddValue(
+      app, name, "NUMBER",
+      [=, &value](const std::string& given) { value = scale * ReadNumber(name, given, low, high); },
+      description);
+}
+
+void AddSeed(CLI::App& app, std::uint64_t& seed) {
+  AddValue(
+      app, "--seed", "NUMBER",
+      [&seed](const std::string& given) {
+        const char* end = given.data() + given.size();
+        const std::from_chars_result read = std::from_chars(given.data(), end, seed);
+        if (given.empty() || read.ec != std::errc() || read.ptr != end) {
+          throw UsageError(say::NotAWholeNumber("--seed", given));
+        }
+      },
+      help::kSeed);
+}
+
+void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
+             const std::string& description) {
+  AddValue(
+      app, name, type, [&path](const std::string& given) { path = given; }, description);
+}
+
+void AddOptions(CLI::App& app, OutputOptions& options) {
+  app.add_flag("--json", options.json, help::kJson);
+  app.add_flag("--quiet", options.quiet, help::kQuiet);
+}
+
+void AddOptions(CLI::App& app, TextOptions& options) {
+  AddValue(
+      app, "TEXT", "TEXT", [&options](const std::string& given) { options.text = given; },
+      help::kText);
+  AddPath(app, "--file", "FILE", options.file, help::kFile);
+}
+
+void AddOptions(CLI::App& app, StyleOptions& options) {
+  AddNumber(app, "--size-mm", options.size, 0.1, kLongest, kMillimetre, help::kSize);
+  AddNumber(app, "--width-mm", options.width, 0.001, kLongest, kMillimetre, help::kWidth);
+  AddNumber(app, "--depth-mm", options.depth, 0.001, kLongest, kMillimetre, help::kDepth);
+  AddNumber(app, "--rounding-mm", options.rounding, 0.0001, kLongest, kMillimetre, help::kRounding);
+  app.add_flag_function(
+      "--embossed", [&options](std::int64_t given) { options.embossed = given > 0; },
+      help::kEmbossed);
+  const auto add_word = [&app](const std::string& name, std::optional<std::string>& word,
+                               const char* description) {
+    AddValue(
+        app, name, "NAME", [&word](const std::string& given) { word = given; }, description);
+  };
+  add_word("--script", options.script, help::kScript);
+  add_word("--h-form", options.h_form, help::kHForm);
+  AddNumber(app, "--grade", options.grade, 0, 10, 1, help::kGrade);
+}
+
+void AddOptions(CLI::App& app, LayoutOptions& options) {
+  AddValue(
+      app, "--page", "PAPER",
+      [&options](const std::string& given) { options.page = ParsePage(given); }, help::kPaper);
+  AddNumber(app, "--margin-mm", options.margin, 0, kLongest, kMillimetre, help::kMargin);
+  AddNumber(app, "--letter-gap-mm", options.letter_gap, 0, kLongest, kMillimetre, help::kLetterGap);
+  AddNumber(app, "--word-gap-mm", options.word_gap, 0, kLongest, kMillimetre, help::kWordGap);
+  AddNumber(app, "--line-pitch-mm", options.line_pitch, 0.1, kLongest, kMillimetre,
+            help::kLinePitch);
+}
+
+void AddOptions(CLI::App& app, Surface& surface) {
+  AddChoice(app, "--law", "potential", ForceLaw::kPotential, "paper", ForceLaw::kPaper, surface.law,
+            help::kLaw);
+}
+
+void AddOptions(CLI::App& app, FeelOptions& options) {
+  AddOptions(app, options.scene.surface);
+  AddChoice(app, "--render", "proxy", Rendering::kProxy, "direct", Rendering::kDirect,
+            options.scene.rendering, help::kRender);
+  const auto add = [&app](const std::string& name, double& value, double low, double high,
+                          double scale, const char* description) {
+    AddValue(
+        app, name, "NUMBER",
+        [=, &value](const std::string& given) {
+          value = scale * ReadNumber(name, given, low, high);
+        },
+        description);
+  };
+  add("--friction", options.scene.friction, 0, 2, 1, help::kFriction);
+  add("--tilt-deg", options.scene.tilt, -60, 60, std::numbers::pi / 180, help::kTilt);
+  AddPath(app, "--model", "FILE", options.model, help::kModel);
+}
+
+std::string ReadText(const TextOptions& options, const std::string& command, Console& console) {
+  const bool from_argument = options.text && *options.text != "-";
+  if (options.text && !options.file.empty()) throw UsageError(say::TwoTexts());
+  if (from_argument) return *options.text;
+  if (!options.text && options.file.empty()) throw UsageError(say::NoText(command));
+  if (options.text || options.file == "-") {
+    std::string text;
+    char block[65536];
+    while (console.in().read(block, sizeof block) || console.in().gcount() > 0) {
+      text.append(block, static_cast<std::size_t>(console.in().gcount()));
+      if (text.size() > kMaxTextBytes) throw InputError(say::CannotReadInput());
+    }
+    if (console.in().bad()) throw InputError(say::CannotReadInput());
+    return text;
+  }
+  return ReadTextFile(options.file, kMaxTextBytes);
+}
+
+Script ScriptOf(const StyleOptions& options, const Label* label) {
+  if (options.script) return FindScript(*options.script);
+  if (label != nullptr && label->script) return FindScript(*label->script);
+  return FindScript("moon");
+}
+
+TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, const Script& script,
+                  const Label* label) {
+  const Label none;
+  const Label& from = label != nullptr ? *label : none;
+  const auto chosen = [](const auto& first, const auto& second) { return first ? first : second; };
+
+  const double size = chosen(options.size, from.size).value_or(0.012);
+  const bool embossed = chosen(options.embossed, from.embossed).value_or(false);
+  TypeStyle style = DefaultStyle(size, embossed ? Relief::kEmbossed : Relief::kEngraved, script);
+  const double width = chosen(options.width, from.width).value_or(style.width);
+  const double scale = width / style.width;
+  style.width = width;
+  style.depth = chosen(options.depth, from.depth).value_or(scale * style.depth);
+  style.rounding = chosen(options.rounding, from.rounding).value_or(scale * style.rounding);
+  style.blend_radius *= scale;
+  style.grade = chosen(options.grade, from.grade).value_or(style.grade);
+  style.h_form = chosen(options.h_form, from.h_form).value_or(style.h_form);
+  style.letter_gap = layout.letter_gap.value_or(style.letter_gap);
+  style.word_gap = layout.word_gap.value_or(style.word_gap);
+  style.line_pitch = layout.line_pitch.value_or(style.line_pitch);
+  return style;
+}
+
+PageSpec PageOf(const LayoutOptions& layout) {
+  PageSpec page = layout.page;
+  page.margin = layout.margin.value_or(page.margin);
+  return page;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim/app/console.h"
+#include "sim/scene/label.h"
+#include "sim/scene/scene_options.h"
+#include "textures/script.h"
+#include "textures/surface.h"
+#include "textures/typeset.h"
+
+namespace moontrace {
+
+/// Options that several commands share, as given; each command adds the groups that it uses.
+/// Lengths are metres once read. AddOptions binds a group to an app; reading throws UsageError for
+/// what cannot be understood and InputError for a value that cannot be.
+
+/// `--json`, `--quiet`.
+struct OutputOptions {
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A text: as argument, from `--file`, or from standard input ("-").
+struct TextOptions {
+  std::optional<std::string> text;
+  std::string file;
+};
+
+/// The letters.
+struct StyleOptions {
+  std::optional<double> size, width, depth, rounding;  ///< [m]
+  std::optional<bool> embossed;
+  std::optional<std::string> script, h_form;
+  std::optional<double> grade;
+};
+
+/// The paper and the spaces on it.
+struct LayoutOptions {
+  PageSpec page{"a4", 0.210, 0.297, 0.015};
+  std::optional<double> margin, letter_gap, word_gap, line_pitch;  ///< [m]
+};
+
+/// What is felt and how.
+struct FeelOptions {
+  SceneOptions scene;
+  std::string model;  ///< MJCF file; empty = the shipped page
+};
+
+void AddOptions(CLI::App& app, OutputOptions& options);
+void AddOptions(CLI::App& app, TextOptions& options);
+void AddOptions(CLI::App& app, StyleOptions& options);
+void AddOptions(CLI::App& app, LayoutOptions& options);
+/// `--law` only.
+void AddOptions(CLI::App& app, Surface& surface);
+/// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`.
+void AddOptions(CLI::App& app, FeelOptions& options);
+
+/// A number option in the user's unit, times `scale`, from `low` to `high` in the user's unit.
+void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double low,
+               double high, double scale, const std::string& help);
+void AddSeed(CLI::App& app, std::uint64_t& seed);
+/// A file or folder.
+void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
+             const std::string& help);
+
+/// Reads a finite number. Throws UsageError (none) or InputError (not finite, out of range).
+double ReadNumber(const std::string& option, const std::string& given, double low, double high);
+
+/// The text of a command, at most 16 MB. Throws UsageError (none, two) and InputError.
+std::string ReadText(const TextOptions& options, const std::string& command, Console& console);
+
+/// The script asked for: command line, else label, else moon.
+Script ScriptOf(const StyleOptions& options, const Label* label);
+
+/// The letters asked for: command line before label before the design's defaults. A width given
+/// alone takes depth and rounding with it in proportion.
+TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, const Script& script,
+                  const Label* label);
+PageSpec PageOf(const LayoutOptions& layout);
+
+}  // namespace moontrace

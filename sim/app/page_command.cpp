@@ -1,0 +1,126 @@
+#include "sim/app/page_command.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+#include "sim/app/help.h"
+#include "sim/app/messages.h"
+#include "sim/app/typeset_report.h"
+#include "sim/view/page_picture.h"
+#include "sim/view/picture_file.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::size_t kMostPictures = 100;
+constexpr std::size_t kMostLinesSaid = 100;
+
+std::size_t CountLines(const Typeset& set) {
+  std::size_t lines = 0;
+  for (const TextPage& page : set.pages) lines += page.lines;
+  return lines;
+}
+
+/// The names of a line's signs, words apart: "t h e, c a t".
+std::string Signs(const TextPage& page, std::size_t first, std::size_t last, const Script& script) {
+  std::string signs;
+  for (std::size_t i = first; i < last; ++i) {
+    if (i > first) signs += page.glyphs[i].word == page.glyphs[i - 1].word ? " " : ", ";
+    signs += script.glyphs[page.glyphs[i].glyph].name;
+  }
+  return signs;
+}
+
+void SayLines(const Typeset& set, const Script& script, Console& console) {
+  std::size_t said = 0;
+  for (std::size_t p = 0; p < set.pages.size(); ++p) {
+    const TextPage& page = set.pages[p];
+    std::size_t first = 0;
+    while (first < page.glyphs.size()) {
+      const std::size_t line = page.glyphs[first].line;
+      std::size_t last = first;
+      while (last < page.glyphs.size() && page.glyphs[last].line == line) ++last;
+      if (said++ == kMostLinesSaid) {
+        console.Result(say::LinesLeftOut(CountLines(set) - kMostLinesSaid));
+        return;
+      }
+      console.Result(say::PageLine(p, set.pages.size(), line, Signs(page, first, last, script)));
+      first = last;
+    }
+  }
+}
+
+/// One object, written page by page: a book's signs are never all held as JSON at once.
+void WriteJson(const Typeset& set, const Script& script, const std::vector<std::string>& pictures,
+               std::ostream& out) {
+  Json head = TypesetJson(set, script);
+  head["lines"] = CountLines(set);
+  head["signs"] = CountSigns(set);
+  head["pictures"] = pictures;
+  std::string text = Dump(head);
+  text.pop_back();
+  out << text << ",\"pages\":[";
+  for (std::size_t p = 0; p < set.pages.size(); ++p) {
+    Json glyphs = Json::array();
+    for (const PlacedGlyph& glyph : set.pages[p].glyphs) {
+      glyphs.push_back({{"name", script.glyphs[glyph.glyph].name},
+                        {"origin_mm", {1e3 * glyph.origin_P.x, 1e3 * glyph.origin_P.y}},
+                        {"line", glyph.line},
+                        {"source", {glyph.source_begin, glyph.source_end}}});
+    }
+    const Json page = {{"lines", set.pages[p].lines}, {"glyphs", std::move(glyphs)}};
+    out << (p == 0 ? "" : ",") << Dump(page);
+  }
+  out << "]}\n";
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, PageOptions& options) {
+  AddOptions(app, options.text);
+  AddOptions(app, options.style);
+  AddOptions(app, options.layout);
+  AddPath(app, "--picture", "FILE", options.picture, say::help::kPicture);
+  app.add_flag("--letters", options.letters, say::help::kLetters);
+  AddOptions(app, options.output);
+}
+
+int Run(const PageOptions& options, Console& console) {
+  if (options.letters && options.picture.empty()) {
+    throw UsageError(say::NeedsOther("--letters", "--picture"));
+  }
+  if (!options.picture.empty()) CheckPicturePath(options.picture);
+  const std::string text = ReadText(options.text, "page", console);
+  const Script script = ScriptOf(options.style, nullptr);
+  const TypeStyle style = StyleOf(options.style, options.layout, script, nullptr);
+  const Typeset set = SetText(text, script, style, PageOf(options.layout));
+
+  std::vector<std::string> pictures;
+  if (!options.picture.empty()) {
+    if (set.pages.size() > kMostPictures) {
+      throw InputError(say::TooManyPictures(set.pages.size(), kMostPictures));
+    }
+    for (std::size_t p = 0; p < set.pages.size(); ++p) {
+      pictures.push_back(PicturePath(options.picture, p, set.pages.size()));
+      WritePicture(pictures.back(), PagePicture(set, p, script, text, options.letters));
+    }
+  }
+  if (options.output.json) {
+    WriteJson(set, script, pictures, console.out());
+    return exit_code::kGood;
+  }
+  console.Result(say::PageOutcome(set, CountSigns(set), CountLines(set)));
+  SayReplacements(set, [&console](const std::string& line) { console.Result(line); });
+  console.Result(say::LetterShape(set.style));
+  console.Result(say::Paper(set.page));
+  SayLines(set, script, console);
+  if (!pictures.empty()) console.Result(say::PictureIn());
+  for (const std::string& picture : pictures) console.Path(picture);
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace

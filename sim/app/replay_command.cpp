@@ -1,0 +1,75 @@
+#include "sim/app/replay_command.h"
+
+#include "sim/app/help.h"
+#include "sim/app/messages.h"
+#include "sim/app/trial.h"
+#include "sim/app/trial_parameters.h"
+#include "sim/app/typeset_report.h"
+#include "sim/scene/record.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+/// The page of the record, built again.
+TextureField FieldOf(const TrialParameters& parameters, const std::string& folder) {
+  const Script script = FindScript(parameters.script);
+  const Typeset set = SetText(parameters.text, script, parameters.style, parameters.paper);
+  if (parameters.page >= set.pages.size()) {
+    throw InputError(say::BadParameters(folder, "page"));
+  }
+  return PageField(set.pages[parameters.page], script, set.style, parameters.blank);
+}
+
+Json ResultOf(const Record& record) {
+  const Json result = Json::parse(record.result_json, nullptr, false);
+  return result.is_object() ? result : Json::object();
+}
+
+/// The record's own results, one "name: value" line each.
+void SayResult(const Record& record, Console& console) {
+  const Json result = ResultOf(record);
+  for (const auto& [name, value] : result.items()) {
+    console.Result(say::NamedValue(name, value.dump()));
+  }
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, ReplayOptions& options) {
+  AddPath(app, "FOLDER", "FOLDER", options.folder, say::help::kFolder);
+  app.add_flag("--check", options.check, say::help::kCheck);
+  AddOptions(app, options.output);
+}
+
+int Run(const ReplayOptions& options, Console& console) {
+  if (options.folder.empty()) throw UsageError(say::NoFolder());
+  const Record record = ReadRecord(options.folder, options.check);
+  const TrialParameters parameters = ReadParameters(record.head.parameters_json, options.folder);
+  const TextureField field = FieldOf(parameters, options.folder);
+  if (field.Hash() != record.head.field_hash) {
+    throw InputError(say::OtherField(options.folder));
+  }
+  const ReplayResult replay = Replay(record, field);
+  const bool equal = replay.first_difference >= replay.ticks;
+  if (options.output.json) {
+    Json json;
+    json["text"] = parameters.text;
+    json["bit_equal"] = equal;
+    json["ticks"] = replay.ticks;
+    if (!equal) json["first_difference"] = replay.first_difference;
+    if (!equal) json["column"] = replay.column;
+    json["total"] = ResultOf(record);
+    console.Json(Dump(json));
+  } else {
+    console.Result(equal
+                       ? say::ReplayEqual(replay.ticks)
+                       : say::ReplayDiffers(replay.first_difference, replay.ticks, replay.column));
+    console.Result(say::ReplayWhat(parameters.text, parameters.style.size, parameters.blank));
+    if (!options.check) SayResult(record, console);
+  }
+  return options.check && !equal ? exit_code::kFailed : exit_code::kGood;
+}
+
+}  // namespace moontrace

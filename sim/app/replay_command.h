@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "sim/app/options.h"
+
+namespace moontrace {
+
+/// `replay`: runs a record again; everything comes from the record.
+struct ReplayOptions {
+  OutputOptions output;
+  std::string folder;
+  bool check = false;
+};
+void AddOptions(CLI::App& app, ReplayOptions& options);
+int Run(const ReplayOptions& options, Console& console);
+
+}  // namespace moontrace

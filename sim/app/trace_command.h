@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim/app/options.h"
+
+namespace moontrace {
+
+/// `trace`: the simulated stylus traces a text, page after page, and is scored.
+struct TraceOptions {
+  OutputOptions output;
+  TextOptions text;
+  StyleOptions style;
+  LayoutOptions layout;
+  FeelOptions feel;
+  std::optional<double> press;  ///< [N]
+  std::optional<double> speed;  ///< [m/s]
+  std::uint64_t seed = 1;
+  bool blank = false;
+  std::string record;
+  bool csv = false;
+  std::string picture;
+};
+void AddOptions(CLI::App& app, TraceOptions& options);
+int Run(const TraceOptions& options, Console& console);
+
+}  // namespace moontrace

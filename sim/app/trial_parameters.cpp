@@ -1,0 +1,88 @@
+#include "sim/app/trial_parameters.h"
+
+#include "sim/app/messages.h"
+#include "sim/app/typeset_report.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+// Metres as they are, not millimetres: a record must give back every bit.
+Json StyleJson(const TypeStyle& style) {
+  return {{"size_m", style.size},
+          {"width_m", style.width},
+          {"depth_m", style.depth},
+          {"rounding_m", style.rounding},
+          {"blend_radius_m", style.blend_radius},
+          {"embossed", style.relief == Relief::kEmbossed},
+          {"letter_gap_m", style.letter_gap},
+          {"word_gap_m", style.word_gap},
+          {"line_pitch_m", style.line_pitch},
+          {"grade", style.grade},
+          {"h_form", style.h_form}};
+}
+
+TypeStyle StyleFrom(const Json& json) {
+  TypeStyle style;
+  style.size = json.at("size_m");
+  style.width = json.at("width_m");
+  style.depth = json.at("depth_m");
+  style.rounding = json.at("rounding_m");
+  style.blend_radius = json.at("blend_radius_m");
+  style.relief = json.at("embossed").get<bool>() ? Relief::kEmbossed : Relief::kEngraved;
+  style.letter_gap = json.at("letter_gap_m");
+  style.word_gap = json.at("word_gap_m");
+  style.line_pitch = json.at("line_pitch_m");
+  style.grade = json.at("grade");
+  style.h_form = json.at("h_form");
+  return style;
+}
+
+}  // namespace
+
+std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& setup) {
+  Json json;
+  json["text"] = parameters.text;
+  json["script"] = parameters.script;
+  json["style"] = StyleJson(parameters.style);
+  json["paper"] = {{"name", parameters.paper.name},
+                   {"width_m", parameters.paper.width},
+                   {"height_m", parameters.paper.height},
+                   {"margin_m", parameters.paper.margin}};
+  json["page"] = parameters.page;
+  json["blank"] = parameters.blank;
+  json["plan"] = {{"speed_m_s", setup.plan.speed},       {"air_speed_m_s", setup.plan.air_speed},
+                  {"clearance_m", setup.plan.clearance}, {"press_n", setup.plan.press},
+                  {"settle_s", setup.plan.settle},       {"dot_rest_s", setup.plan.dot_rest}};
+  json["hand"] = {{"mass_kg", setup.hand.mass},
+                  {"stiffness_n_m", setup.hand.stiffness},
+                  {"damping_n_s_m", setup.hand.damping},
+                  {"tremor_rms_m", setup.hand.tremor_rms},
+                  {"tremor_low_hz", setup.hand.tremor_low},
+                  {"tremor_high_hz", setup.hand.tremor_high},
+                  {"drift", setup.hand.drift},
+                  {"drift_wavelength_m", setup.hand.drift_wavelength},
+                  {"late_ticks", setup.hand.late_ticks}};
+  return Dump(json);
+}
+
+TrialParameters ReadParameters(const std::string& text, const std::string& folder) {
+  try {
+    const Json json = Json::parse(text);
+    TrialParameters parameters;
+    parameters.text = json.at("text");
+    parameters.script = json.at("script");
+    parameters.style = StyleFrom(json.at("style"));
+    const Json& paper = json.at("paper");
+    parameters.paper = {paper.at("name"), paper.at("width_m"), paper.at("height_m"),
+                        paper.at("margin_m")};
+    parameters.page = json.at("page");
+    parameters.blank = json.at("blank");
+    return parameters;
+  } catch (const Json::exception& error) {
+    throw InputError(say::BadParameters(folder, error.what()));
+  }
+}
+
+}  // namespace moontrace

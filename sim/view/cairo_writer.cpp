@@ -1,0 +1,177 @@
+#include "sim/view/cairo_writer.h"
+
+#include <utility>
+
+#include "textures/error.h"
+
+#ifdef MOONTRACE_HAVE_CAIRO
+
+#include <cairo-pdf.h>
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace moontrace {
+
+namespace {
+
+struct SurfaceDeleter {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using CairoSurface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
+
+struct ContextDeleter {
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Context = std::unique_ptr<cairo_t, ContextDeleter>;
+
+cairo_status_t Append(void* text, const unsigned char* bytes, unsigned int count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// Paints marks; the context's unit is 1 mm, y up (text is turned back where it stands).
+class Painter {
+ public:
+  explicit Painter(cairo_t* cr) : cr_(cr) {}
+
+  void operator()(const PathMark& mark) {
+    cairo_new_path(cr_);
+    for (const auto& subpath : mark.subpaths) {
+      cairo_new_sub_path(cr_);
+      for (const Piece& piece : subpath) Add(piece);
+      if (mark.fill) cairo_close_path(cr_);
+    }
+    Paint(mark.fill, mark.stroke, mark.width, mark.dashed);
+  }
+
+  void operator()(const TrackMark& mark) {
+    cairo_new_path(cr_);
+    for (const glm::dvec2 p : mark.points) cairo_line_to(cr_, p.x, p.y);
+    Paint(std::nullopt, mark.stroke, mark.width, mark.dashed);
+  }
+
+  void operator()(const CircleMark& mark) {
+    cairo_new_path(cr_);
+    cairo_arc(cr_, mark.center.x, mark.center.y, mark.radius, 0, 2 * M_PI);
+    Paint(mark.fill, mark.stroke, mark.width, false);
+  }
+
+  void operator()(const TextMark& mark) {
+    cairo_save(cr_);
+    cairo_translate(cr_, mark.at.x, mark.at.y);
+    cairo_scale(cr_, 1, -1);
+    cairo_select_font_face(cr_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cr_, mark.height / 0.72);
+    Use(mark.color);
+    cairo_move_to(cr_, 0, 0);
+    cairo_show_text(cr_, mark.text.c_str());
+    cairo_restore(cr_);
+  }
+
+ private:
+  void Add(const Piece& piece) {
+    if (const Arc* arc = std::get_if<Arc>(&piece)) {
+      const double end = arc->start + arc->sweep;
+      const auto add = arc->sweep > 0 ? cairo_arc : cairo_arc_negative;
+      add(cr_, arc->center.x, arc->center.y, arc->radius, arc->start, end);
+      return;
+    }
+    const Line& line = std::get<Line>(piece);
+    cairo_line_to(cr_, line.from.x, line.from.y);
+    cairo_line_to(cr_, line.to.x, line.to.y);
+  }
+
+  void Use(Color color) { cairo_set_source_rgb(cr_, color.red, color.green, color.blue); }
+
+  void Paint(const std::optional<Color>& fill, const std::optional<Color>& stroke, double width,
+             bool dashed) {
+    if (fill) {
+      Use(*fill);
+      cairo_fill_preserve(cr_);
+    }
+    if (stroke) {
+      Use(*stroke);
+      cairo_set_line_width(cr_, width);
+      cairo_set_line_cap(cr_, CAIRO_LINE_CAP_ROUND);
+      cairo_set_line_join(cr_, CAIRO_LINE_JOIN_ROUND);
+      const double dash = 3 * width;
+      cairo_set_dash(cr_, &dash, dashed ? 1 : 0, 0);
+      cairo_stroke_preserve(cr_);
+    }
+    cairo_new_path(cr_);
+  }
+
+  cairo_t* cr_;
+};
+
+/// Paints on white with `scale` surface units a millimetre.
+void Draw(cairo_surface_t* surface, const Drawing& drawing, double scale) {
+  const Context context(cairo_create(surface));
+  cairo_t* cr = context.get();
+  cairo_set_source_rgb(cr, 1, 1, 1);
+  cairo_paint(cr);
+  cairo_scale(cr, scale, -scale);
+  cairo_translate(cr, 0, -drawing.height);
+  Painter painter(cr);
+  for (const Mark& mark : drawing.marks) std::visit(painter, mark);
+  if (cairo_status(cr) != CAIRO_STATUS_SUCCESS) {
+    throw LackError(std::string("the picture cannot be drawn (") +
+                    cairo_status_to_string(cairo_status(cr)) + "); write an .svg picture instead");
+  }
+}
+
+}  // namespace
+
+bool HaveCairo() noexcept { return true; }
+
+std::string ToPng(const Drawing& drawing) {
+  const double scale =
+      std::min(300.0 / 25.4, 4000.0 / std::max({drawing.width, drawing.height, 1.0}));
+  const int width = std::max(1, static_cast<int>(std::lround(drawing.width * scale)));
+  const int height = std::max(1, static_cast<int>(std::lround(drawing.height * scale)));
+  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  Draw(surface.get(), drawing, scale);
+  std::string bytes;
+  cairo_surface_write_to_png_stream(surface.get(), &Append, &bytes);
+  return bytes;
+}
+
+std::string ToPdf(const Drawing& drawing) {
+  std::string bytes;
+  constexpr double kPointsPerMillimetre = 72.0 / 25.4;
+  const CairoSurface surface(
+      cairo_pdf_surface_create_for_stream(&Append, &bytes, drawing.width * kPointsPerMillimetre,
+                                          drawing.height * kPointsPerMillimetre));
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawing.title.c_str());
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_SUBJECT,
+                                 drawing.description.c_str());
+  Draw(surface.get(), drawing, kPointsPerMillimetre);
+  cairo_surface_finish(surface.get());
+  return bytes;
+}
+
+}  // namespace moontrace
+
+#else
+
+namespace moontrace {
+
+namespace {
+
+[[noreturn]] void Lack() {
+  throw LackError(
+      "this build cannot write PNG or PDF; name an .svg picture or build with libcairo2-dev");
+}
+
+}  // namespace
+
+bool HaveCairo() noexcept { return false; }
+std::string ToPng(const Drawing&) { Lack(); }
+std::string ToPdf(const Drawing&) { Lack(); }
+
+}  // namespace moontrace
+
+#endif

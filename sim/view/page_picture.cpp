@@ -1,0 +1,59 @@
+#include "sim/view/page_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "sim/view/moon_marks.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kMillimetres = 1e3;
+
+PathMark Edge(double width, double height) {
+  PathMark edge;
+  edge.subpaths = {{Line{{0, 0}, {width, 0}}, Line{{width, 0}, {width, height}},
+                    Line{{width, height}, {0, height}}, Line{{0, height}, {0, 0}}}};
+  edge.stroke = palette::kPaperEdge;
+  edge.width = 0.5;
+  return edge;
+}
+
+}  // namespace
+
+Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
+                    std::string_view source, bool print_letters) {
+  const TextPage& text_page = set.pages[page];
+  Drawing drawing;
+  drawing.width = kMillimetres * set.page.width;
+  drawing.height = kMillimetres * set.page.height;
+  drawing.title = fmt::format("Page {} of {} in {}", page + 1, set.pages.size(), script.title);
+  drawing.description = fmt::format(
+      "{} signs in {} lines, letters {:g} mm high, {} {:.2f} mm wide.", text_page.glyphs.size(),
+      text_page.lines, kMillimetres * set.style.size,
+      set.style.relief == Relief::kEngraved ? "grooves" : "ridges", kMillimetres * set.style.width);
+  drawing.marks.emplace_back(Edge(drawing.width, drawing.height));
+  for (Mark& mark : MoonMarks(text_page, script, set.style, {0, 0}, palette::kInk)) {
+    drawing.marks.push_back(std::move(mark));
+  }
+  if (!print_letters) return drawing;
+  // A quarter of the Moon letter, within the gap that the line pitch leaves.
+  const double gap = kMillimetres * (set.style.line_pitch - set.style.size);
+  const double height = std::clamp(0.25 * kMillimetres * set.style.size, 0.5, 0.5 * gap);
+  for (const PlacedGlyph& glyph : text_page.glyphs) {
+    TextMark mark;
+    mark.at = kMillimetres * glyph.origin_P - glm::dvec2(0, 1.6 * height);
+    mark.height = height;
+    mark.text = source.substr(glyph.source_begin, glyph.source_end - glyph.source_begin);
+    mark.color = palette::kTip;
+    drawing.marks.emplace_back(std::move(mark));
+  }
+  return drawing;
+}
+
+}  // namespace moontrace

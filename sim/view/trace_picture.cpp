@@ -1,0 +1,106 @@
+#include "sim/view/trace_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/view/moon_marks.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kMillimetres = 1e3;
+
+void Append(std::vector<Mark>& marks, std::vector<Mark> more) {
+  for (Mark& mark : more) marks.push_back(std::move(mark));
+}
+
+/// The tip's way while it touches: one track from landing to lift.
+std::vector<Mark> TipTracks(const std::vector<PathPoint>& path, glm::dvec2 from_P, double width) {
+  std::vector<Mark> marks;
+  TrackMark track;
+  const auto end_track = [&] {
+    if (track.points.size() > 1) marks.emplace_back(track);
+    track.points.clear();
+  };
+  track.stroke = palette::kTip;
+  track.width = width;
+  for (const PathPoint& point : path) {
+    if (point.phase == TracePhase::kAir || !point.in_contact) {
+      end_track();
+      continue;
+    }
+    track.points.push_back(kMillimetres * (glm::dvec2(point.tip_P) - from_P));
+  }
+  end_track();
+  return marks;
+}
+
+std::string Legend(const TypeStyle& style, bool blank, const TraceMetrics& total) {
+  const char* relief = style.relief == Relief::kEngraved ? "groove" : "ridge";
+  std::string words =
+      blank ? "Dashed grey: where the strokes would be; this page is blank."
+            : fmt::format("Grey band: the {}, {:.2f} mm wide.", relief, kMillimetres * style.width);
+  words += " Blue line: the tip of the stylus.";
+  words += total.excursions == 0
+               ? fmt::format(" It never left the {}.", blank ? "strokes" : relief)
+               : fmt::format(" Orange rings: where it left, {} in all.", total.excursions);
+  return words;
+}
+
+}  // namespace
+
+Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle& style, bool blank,
+                     const std::string& text, const TrialResult& result) {
+  const TraceMetrics& total = result.score.total;
+  const double size = kMillimetres * style.size;
+  const double border = std::max(4.0, 0.4 * size);
+  const double print = std::clamp(0.12 * size, 1.8, 3.0);
+
+  Box ink = InkBounds(page, script, style);
+  for (const PathPoint& point : result.path) {
+    if (point.in_contact) Include(ink, glm::dvec2(point.tip_P));
+  }
+  Drawing drawing;
+  drawing.width = std::max(80.0, kMillimetres * (ink.max.x - ink.min.x) + 2 * border);
+  drawing.title =
+      fmt::format("{} traced {:g} mm high{}", script.title, size, blank ? ", on a blank page" : "");
+  drawing.description =
+      fmt::format("Text: {}. Coverage {:.1f} percent, mean error {:.3f} mm, left {} times.", text,
+                  100 * total.coverage, kMillimetres * total.mean_error, total.excursions);
+
+  const glm::dvec2 below{border, 0};
+  const double room = drawing.width - 2 * border;
+  std::vector<TextMark> words =
+      TextBlock(drawing.title + ". " + drawing.description, below, room, print, palette::kInk);
+  const double first = words.empty() ? 0 : -words.back().at.y + print;
+  for (TextMark& line : TextBlock(Legend(style, blank, total), below - glm::dvec2(0, first), room,
+                                  print, palette::kInk)) {
+    words.push_back(std::move(line));
+  }
+  const double words_height = (words.empty() ? 0 : -words.back().at.y) + border;
+  drawing.height = kMillimetres * (ink.max.y - ink.min.y) + 2 * border + words_height;
+
+  const glm::dvec2 from_P = ink.min - glm::dvec2(border, border + words_height) / kMillimetres;
+  Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)
+                              : MoonMarks(page, script, style, from_P, palette::kGroove));
+  const double line = std::clamp(0.15 * kMillimetres * style.width, 0.1, 0.6);
+  Append(drawing.marks, TipTracks(result.path, from_P, line));
+  for (const Excursion& left : result.score.left_at) {
+    CircleMark ring;
+    ring.center = kMillimetres * (left.p_P - from_P);
+    ring.radius = 0.6 * kMillimetres * style.width;
+    ring.stroke = palette::kAway;
+    ring.width = 1.5 * line;
+    drawing.marks.emplace_back(ring);
+  }
+  for (TextMark& mark : words) {
+    mark.at.y += words_height;
+    drawing.marks.emplace_back(std::move(mark));
+  }
+  return drawing;
+}
+
+}  // namespace moontrace
