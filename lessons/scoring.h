@@ -2,32 +2,15 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
-#include <string>
+#include <memory>
 #include <vector>
 
-#include "textures/element.h"
-#include "textures/script.h"
-#include "textures/typeset.h"
+#include "lessons/intended_strokes.h"
 
 namespace moontrace {
 
-/// A stroke that a tip is meant to follow, on the page: what tracing is measured against.
-struct IntendedStroke {
-  StrokeKind kind = StrokeKind::kStroke;
-  std::vector<Piece> spine_P;  ///< centre line [m]; of a fill its centre arc; of a dot the circle's
-                               ///< centre, as a Line of length zero
-  double width = 0;            ///< of the groove [m]
-  std::size_t glyph = 0;       ///< index into the page's glyphs
-};
-
-/// The strokes of a page in writing order.
-std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& script,
-                                            const TypeStyle& style);
-
-/// Centre arc of a filled outline of two long pieces (a crescent): through both tips and the middle
-/// between the two sides. A circle's centre arc is its centre.
-std::vector<Piece> CentreArc(const std::vector<Piece>& outline);
-
+/// What the hand is doing: above the page; coming down, until it has settled; following a stroke;
+/// leaving the page.
 enum class TracePhase { kAir, kEntry, kStroke, kLift };
 
 /// One tick as scoring sees it.
@@ -40,18 +23,24 @@ struct TraceSample {
   std::size_t stroke = 0;  ///< index of the intended stroke, valid unless kAir
 };
 
-/// Metrics of training-and-ux.md 1.5 of one letter or of all.
+/// How well one letter or all of them were traced. Only samples in contact while a stroke is
+/// followed (kStroke) count for coverage, errors and excursions: entries and lifts stand apart.
 struct TraceMetrics {
-  double coverage = 0;    ///< share of the length within w/4 of a sample; a dot counts one width
-  double mean_error = 0;  ///< [m], resampled by arc length of the tip's way
-  double rms_error = 0;   ///< [m]
-  double max_error = 0;   ///< [m]
-  std::size_t excursions = 0;  ///< left beyond w/2, came back within w/4
-  double duration = 0;         ///< [s]
-  double mean_force = 0;       ///< in contact [N]
+  /// Share of the strokes' length that lies within w/4 of a sample, by the union of intervals. A
+  /// dot counts one width w, covered when touched within w/4 of its centre.
+  double coverage = 0;
+  /// Distance of the tip to its stroke [m], each bit weighed by the length of the tip's way in it,
+  /// so that pausing weighs nothing. A dot's error is its closest approach and weighs one width.
+  /// Zero where nothing was touched: coverage tells.
+  double mean_error = 0;
+  double rms_error = 0;
+  double max_error = 0;
+  std::size_t excursions = 0;  ///< times left beyond w/2, each over once back within w/4; not dots
+  double duration = 0;         ///< of a letter without the air between [s]; of all with it
+  double mean_force = 0;       ///< over the time in contact, entries and lifts included [N]
   double peak_force = 0;       ///< [N]
-  std::size_t entries = 0;     ///< landings, apart
-  std::size_t lifts = 0;       ///< contact lost within a stroke and regained
+  std::size_t entries = 0;     ///< landings
+  std::size_t lifts = 0;       ///< contact lost while following a stroke, and regained
   double entry_error = 0;      ///< greatest distance from the stroke's start at a landing [m]
 };
 /// Where a sample left the groove: for pictures and words.
@@ -63,26 +52,27 @@ struct Excursion {
 struct TraceScore {
   std::vector<TraceMetrics> letters;  ///< one per glyph of the page
   TraceMetrics total;
-  std::vector<Excursion> left_at;
+  std::vector<Excursion> left_at;  ///< the first 1000
 };
 
-/// Takes samples one by one in time order, so that nothing long need be kept. Add does not allocate
-/// between strokes' ends; Finish may.
+/// Takes samples one by one in time order, so that nothing long need be kept. Metrics after
+/// `training-and-ux.md` 1.5. Add allocates only where a stroke is covered in more than 16 separate
+/// parts. A sample whose tip is not finite counts as out of contact.
 class TraceScorer {
  public:
-  TraceScorer(std::vector<IntendedStroke> strokes, std::size_t glyph_count);
-  void Add(const TraceSample& sample);
-  TraceScore Finish();
-
- private:
-  struct Progress;
-  std::vector<IntendedStroke> strokes_;
-  std::vector<Progress> progress_;
-  std::size_t glyph_count_ = 0;
-
- public:
+  /// Throws std::invalid_argument for a stroke whose glyph is not below `glyph_count`.
+  TraceScorer(const std::vector<IntendedStroke>& strokes, std::size_t glyph_count);
   ~TraceScorer();
   TraceScorer(TraceScorer&&) noexcept;
+  TraceScorer& operator=(TraceScorer&&) noexcept;
+
+  /// Throws std::out_of_range for a stroke that was not given.
+  void Add(const TraceSample& sample);
+  TraceScore Finish() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace moontrace

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "textures/element.h"
+
+namespace moontrace {
+
+/// Centre line of a filled outline (a crescent): the arc through its two tips and the point midway
+/// between the middles of its two sides; a line where the three lie straight. The tips are the two
+/// corners of the outline that are farthest apart. A circle's centre line is its centre, as a Line
+/// of length zero. Travelled from the upper tip to the lower, between level tips from the left.
+std::vector<Piece> CentreArc(const std::vector<Piece>& outline);
+
+}  // namespace moontrace
