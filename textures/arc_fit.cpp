@@ -49,9 +49,10 @@ void AppendBiarc(glm::dvec2 p, glm::dvec2 u, glm::dvec2 q, glm::dvec2 v, double 
 bool Fits(const Curve& curve, double from, double to, const Piece& a, const Piece& b,
           double tolerance) {
   constexpr int kSamples = 12;
+  constexpr double kMargin = 0.9;  // for what lies between the samples
   for (int i = 1; i < kSamples; ++i) {
     const glm::dvec2 p = curve.point(from + (to - from) * i / kSamples);
-    if (!(std::min(DistanceTo(a, p), DistanceTo(b, p)) <= tolerance)) return false;
+    if (!(std::min(DistanceTo(a, p), DistanceTo(b, p)) <= kMargin * tolerance)) return false;
   }
   return true;
 }
