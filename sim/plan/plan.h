@@ -32,8 +32,11 @@ struct Plan {
   double duration = 0;      ///< [s]
 };
 
-/// Approach, press, follow each stroke (slowing at corners), lift between. `X_WP` says where the
-/// page lies.
+/// For each stroke: through the air to above its start and down (kAir, then kEntry), press, settle,
+/// follow it (kStroke, with a short rest at its end), lift (kLift). A dot is pressed and rested on.
+/// Corners of more than 20 degrees are turned at rest, curves at the speed that `TimeRun` allows. A
+/// closed smooth stroke is followed w/4 beyond its start. Points lie 5 ms apart at most while the
+/// aim moves. `X_WP` says where the page lies. Without strokes the hand rests above the origin.
 Plan MakeOraclePlan(const std::vector<IntendedStroke>& strokes, const PlanOptions& options,
                     const Pose& X_WP);
 

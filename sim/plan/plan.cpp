@@ -1,0 +1,167 @@
+#include "sim/plan/plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/plan/speed_profile.h"
+
+namespace moontrace {
+namespace {
+
+constexpr double kStep = 0.005;         // between points of a moving aim [s]
+constexpr double kShortestRise = 0.15;  // up or down [s]
+constexpr double kShortestHop = 0.25;   // across, so that the hand does not ring on landing [s]
+constexpr double kPressRamp = 0.05;     // in which press comes and goes [s]
+constexpr double kEndRest = 0.05;       // at a stroke's end, in which a lagging hand arrives [s]
+constexpr double kFirstRest = 0.1;      // above the first stroke [s]
+constexpr double kCornerCosine = 0.9396926207859084;  // of 20 degrees
+
+/// Whether travel goes on from `a` to `b` without a corner.
+bool IsSmooth(const Piece& a, const Piece& b) {
+  return glm::dot(TangentAt(a, Length(a)), TangentAt(b, 0)) > kCornerCosine;
+}
+
+/// The first `length` [m] of a piece.
+Piece FrontOf(const Piece& piece, double length) {
+  const double share = std::min(1.0, length / Length(piece));
+  if (const Arc* arc = std::get_if<Arc>(&piece)) {
+    return Arc{arc->center, arc->radius, arc->start, share * arc->sweep};
+  }
+  return Line{StartOf(piece), PointAt(piece, length)};
+}
+
+/// A stroke cut at its corners; a smooth closed one goes w/4 beyond its start.
+std::vector<std::vector<Piece>> RunsOf(const IntendedStroke& stroke) {
+  std::vector<Piece> pieces;
+  for (const Piece& piece : stroke.spine_P) {
+    if (Length(piece) > 0) pieces.push_back(piece);
+  }
+  if (pieces.empty()) return {};
+  const bool closed =
+      glm::length(EndOf(pieces.back()) - StartOf(pieces.front())) < 1e-3 * stroke.width;
+  if (closed && IsSmooth(pieces.back(), pieces.front())) {
+    pieces.push_back(FrontOf(pieces.front(), stroke.width / 4));
+  }
+  std::vector<std::vector<Piece>> runs;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i == 0 || !IsSmooth(pieces[i - 1], pieces[i])) runs.emplace_back();
+    runs.back().push_back(pieces[i]);
+  }
+  return runs;
+}
+
+/// Point at an arc length of a run.
+glm::dvec2 PointOf(const std::vector<Piece>& run, double s) {
+  for (std::size_t i = 0; i + 1 < run.size(); ++i) {
+    const double length = Length(run[i]);
+    if (s <= length) return PointAt(run[i], s);
+    s -= length;
+  }
+  return PointAt(run.back(), s);
+}
+
+/// Writes a plan from its beginning to its end.
+class PlanWriter {
+ public:
+  PlanWriter(const PlanOptions& options, const Pose& X_WP, glm::dvec3 begin_P)
+      : options_(options), X_WP_(X_WP), p_P_(begin_P) {
+    plan_.path_W.press_direction_D = TurnToWorld(X_WP, {0, 0, -1});
+    AddPoint();
+  }
+
+  /// The present phase ends here and now.
+  void EndSpan(TracePhase phase, std::size_t stroke) {
+    const double begin = plan_.spans.empty() ? 0 : plan_.spans.back().end;
+    if (time_ > begin) plan_.spans.push_back({begin, time_, phase, stroke});
+  }
+
+  void Rest(double duration) {
+    if (!(duration > 0)) return;
+    time_ += duration;
+    AddPoint();
+  }
+
+  void Press(double press) {
+    press_ = press;
+    Rest(kPressRamp);
+  }
+
+  /// Straight, with the least jerk (Flash and Hogan 1985), whose peak speed is 15/8 of the mean.
+  void GoTo(glm::dvec3 to_P, double shortest) {
+    const glm::dvec3 from_P = p_P_, way_P = to_P - from_P;
+    const double duration = std::max(shortest, 1.875 * glm::length(way_P) / options_.air_speed);
+    const double begin = time_;
+    const int count = static_cast<int>(std::ceil(duration / kStep));
+    for (int i = 1; i <= count; ++i) {
+      const double u = static_cast<double>(i) / count;
+      time_ = begin + duration * u;
+      p_P_ = i == count ? to_P : from_P + u * u * u * (10 + u * (6 * u - 15)) * way_P;
+      AddPoint();
+    }
+  }
+
+  void Follow(const std::vector<Piece>& run) {
+    const std::vector<double> way = TimeRun(run, options_.speed, kStep);
+    const double begin = time_;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      time_ = begin + kStep * static_cast<double>(i);
+      p_P_ = {PointOf(run, way[i]), 0};
+      AddPoint();
+    }
+  }
+
+  glm::dvec3 p_P() const { return p_P_; }
+
+  Plan Finish() {
+    plan_.duration = time_;
+    return std::move(plan_);
+  }
+
+ private:
+  void AddPoint() { plan_.path_W.points.push_back({time_, ToWorld(X_WP_, p_P_), press_}); }
+
+  PlanOptions options_;
+  Pose X_WP_;
+  Plan plan_;
+  double time_ = 0;
+  glm::dvec3 p_P_{0, 0, 0};
+  double press_ = 0;
+};
+
+void WriteStroke(PlanWriter& writer, const IntendedStroke& stroke, std::size_t number,
+                 const PlanOptions& options) {
+  const glm::dvec2 start = StartOf(stroke.spine_P.front());
+  const glm::dvec3 above(start, options.clearance);
+  if (writer.p_P() != above) writer.GoTo(above, kShortestHop);
+  writer.EndSpan(TracePhase::kAir, number);
+  writer.GoTo({start, 0}, kShortestRise);
+  writer.Press(options.press);
+  writer.Rest(options.settle);
+  writer.EndSpan(TracePhase::kEntry, number);
+  const auto runs = RunsOf(stroke);
+  for (const std::vector<Piece>& run : runs) writer.Follow(run);
+  writer.Rest(runs.empty() ? options.dot_rest : kEndRest);
+  writer.EndSpan(TracePhase::kStroke, number);
+  writer.Press(0);
+  writer.GoTo({glm::dvec2(writer.p_P()), options.clearance}, kShortestRise);
+  writer.EndSpan(TracePhase::kLift, number);
+}
+
+}  // namespace
+
+Plan MakeOraclePlan(const std::vector<IntendedStroke>& strokes, const PlanOptions& options,
+                    const Pose& X_WP) {
+  glm::dvec2 start{0, 0};
+  for (auto it = strokes.rbegin(); it != strokes.rend(); ++it) {
+    if (!it->spine_P.empty()) start = StartOf(it->spine_P.front());
+  }
+  PlanWriter writer(options, X_WP, {start, options.clearance});
+  writer.Rest(kFirstRest);
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (!strokes[i].spine_P.empty()) WriteStroke(writer, strokes[i], i, options);
+  }
+  writer.EndSpan(TracePhase::kAir, 0);
+  return writer.Finish();
+}
+
+}  // namespace moontrace
