@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
 #include "sim/scene/record.h"
 #include "sim/scene/record_columns.h"
+#include "sim/scene/scene_impl.h"
 #include "tests/sim/record_fixture.h"
 
 namespace moontrace::test {
@@ -107,6 +110,49 @@ TEST_F(ReplayTest, NoticesAnInitialStateAtRest) {
   Scene scene = SceneAtRest(field_, RubbingOptions());
   record.state = scene.State();
   EXPECT_EQ(Replay(record, field_).first_difference, 0U);
+}
+
+/// A page on a box that stands loose on a floor: MuJoCo's contact solver takes part, and it starts
+/// from the accelerations of the step before.
+constexpr const char* kLooseBox = R"(<mujoco>
+  <custom><text name="moontrace:box" data="{at_mm = [-105, -150]}"/></custom>
+  <worldbody>
+    <geom name="floor" type="plane" size="1 1 0.1"/>
+    <body pos="0 0 0.02"><freejoint/><geom name="box" type="box" size="0.1 0.1 0.02" mass="2"/></body>
+  </worldbody>
+</mujoco>)";
+
+/// Where parts of Scene::State begin (scene.cpp's order: time, positions, velocities, activations,
+/// warm start, ..., and the tick's memory last).
+std::size_t WarmstartOf(const Scene& scene) {
+  const mjModel& m = *scene.model();
+  return static_cast<std::size_t>(1 + m.nq + m.nv + m.na);
+}
+std::size_t FrictionOf(const Scene& scene) {
+  return scene.State().size() - (sizeof(TickMemory) - offsetof(TickMemory, friction)) / 8;
+}
+
+TEST_F(ReplayTest, NeedsWarmStartAndFrictionOfTheInitialState) {
+  SceneOptions options = RubbingOptions();
+  options.tilt = 0;
+  Scene scene = Scene::FromXml(kLooseBox, "loose box", options);
+  scene.SetField(&field_);
+  const Pose X_WP = scene.X_WP();  // inputs stay in the world while the box gives way
+  scene.Reset(FromWorld(X_WP, InputAt(0, X_WP).p_D));
+  for (std::size_t tick = 0; tick < 500; ++tick) scene.Tick(InputAt(tick, X_WP));
+  RecordTicks(folder_, field_, scene, 500, 1500);
+  const Record record = ReadRecord(folder_);
+  ASSERT_EQ(Replay(record, field_).first_difference, 1000U);
+  EXPECT_GT(TicksInContact(record), 400U);
+
+  for (const std::size_t part : {WarmstartOf(scene), FrictionOf(scene)}) {
+    Record without = record;
+    const auto begin = without.state.begin() + static_cast<std::ptrdiff_t>(part);
+    const auto end = begin + 3;  // the box's linear accelerations; the bristle's stretch
+    ASSERT_TRUE(std::any_of(begin, end, [](double value) { return value != 0; })) << part;
+    std::fill(begin, end, 0.0);
+    EXPECT_LT(Replay(without, field_).first_difference, 1000U) << part;
+  }
 }
 
 TEST_F(ReplayTest, RefusesAnotherPage) {
