@@ -34,6 +34,9 @@ class Source {
     }
     const pugi::xml_parse_result result = document_.load_buffer_inplace(
         buffer_.data(), buffer_.size(), pugi::parse_escapes, pugi::encoding_utf8);
+    if (result.status == pugi::status_no_document_element) {
+      Fail(0, "no XML in this file; give an SVG 1.1 font");
+    }
     if (!result) {
       Fail(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)),
            std::string("broken XML: ") + result.description() + "; give an SVG 1.1 font");
