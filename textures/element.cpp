@@ -15,6 +15,8 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 glm::dvec2 Direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 bool IsWhole(const Arc& arc) { return std::abs(arc.sweep) >= kTurn; }
+/// A whole circle ends where it starts, however far beyond a turn its sweep says.
+double SweepOf(const Arc& arc) { return std::clamp(arc.sweep, -kTurn, kTurn); }
 
 /// How far along the sweep the direction of `v` lies, in [0, 2 pi), counted in the arc's own sense.
 double AngleAlong(const Arc& arc, glm::dvec2 v) {
@@ -97,13 +99,13 @@ glm::dvec2 StartOf(const Piece& piece) {
 glm::dvec2 EndOf(const Piece& piece) {
   if (const Line* line = std::get_if<Line>(&piece)) return line->to;
   const Arc& arc = std::get<Arc>(piece);
-  return arc.center + arc.radius * Direction(arc.start + arc.sweep);
+  return arc.center + arc.radius * Direction(arc.start + SweepOf(arc));
 }
 
 double Length(const Piece& piece) {
   if (const Line* line = std::get_if<Line>(&piece)) return glm::length(line->to - line->from);
   const Arc& arc = std::get<Arc>(piece);
-  return arc.radius * std::min(std::abs(arc.sweep), kTurn);
+  return arc.radius * std::abs(SweepOf(arc));
 }
 
 glm::dvec2 PointAt(const Piece& piece, double s) {
@@ -113,7 +115,7 @@ glm::dvec2 PointAt(const Piece& piece, double s) {
     return line->from + share * (line->to - line->from);
   }
   const Arc& arc = std::get<Arc>(piece);
-  return arc.center + arc.radius * Direction(arc.start + share * arc.sweep);
+  return arc.center + arc.radius * Direction(arc.start + share * SweepOf(arc));
 }
 
 glm::dvec2 TangentAt(const Piece& piece, double s) {
@@ -123,7 +125,7 @@ glm::dvec2 TangentAt(const Piece& piece, double s) {
   }
   const Arc& arc = std::get<Arc>(piece);
   const double share = length > 0 ? std::clamp(s / length, 0.0, 1.0) : 0;
-  const glm::dvec2 outward = Direction(arc.start + share * arc.sweep);
+  const glm::dvec2 outward = Direction(arc.start + share * SweepOf(arc));
   return arc.sweep < 0 ? glm::dvec2(outward.y, -outward.x) : glm::dvec2(-outward.y, outward.x);
 }
 
