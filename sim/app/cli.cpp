@@ -1,5 +1,7 @@
 #include "sim/app/cli.h"
 
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -29,7 +31,7 @@ using Args = std::vector<std::string>;
 std::vector<std::string> OptionNames(const CLI::App& app) {
   std::vector<std::string> names{"--help"};
   for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back(fmt::format("--{}", name));
   }
   return names;
 }
@@ -101,7 +103,7 @@ int ProgramHelp(Console& console) {
   console.out() << Wrapped(say::help::kProgram)
                 << Wrapped("Usage: moontrace COMMAND [TEXT] [--file F | -] [options]");
   for (const Command& command : kCommands) {
-    console.out() << Wrapped(std::string(command.name) + ": " + command.purpose + ".");
+    console.out() << Wrapped(fmt::format("{}: {}.", command.name, command.purpose));
   }
   console.out() << Wrapped(say::help::kMore) << Wrapped(say::help::kExitCodes);
   return exit_code::kGood;

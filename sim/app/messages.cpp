@@ -41,7 +41,7 @@ std::string_view Relief(const TypeStyle& style) {
   return style.relief == Relief::kEngraved ? "groove" : "ridge";
 }
 
-std::string Quoted(std::string_view text) { return "\"" + OneLine(text) + "\""; }
+std::string Quoted(std::string_view text) { return fmt::format("\"{}\"", OneLine(text)); }
 
 std::string DidYouMean(std::string_view nearest) {
   return nearest.empty() ? std::string() : fmt::format("did you mean {}? ", nearest);

@@ -1,0 +1,112 @@
+#include "sim/app/cli.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+const std::vector<std::string> kCommands = {"demo", "page", "trace", "probe", "replay"};
+
+TEST(Cli, HelpNamesEveryCommandInPlainLines) {
+  const Outcome help = RunLine({"--help"});
+  EXPECT_EQ(help.code, 0);
+  for (const std::string& command : kCommands) {
+    EXPECT_NE(help.out.find("\n" + command + ": "), std::string::npos) << command;
+  }
+  EXPECT_NE(help.out.find("130"), std::string::npos);
+  ExpectTextFace(help.out);
+}
+
+TEST(Cli, EachCommandsHelpNamesItsOptionsInPlainLines) {
+  for (const std::string& command : kCommands) {
+    for (const char* flag : {"--help", "-h"}) {
+      const Outcome help = RunLine({command, flag});
+      EXPECT_EQ(help.code, 0);
+      EXPECT_EQ(help.out.rfind("moontrace " + command + ": ", 0), 0U) << help.out;
+      EXPECT_NE(help.out.find("\n--json: "), std::string::npos);
+      EXPECT_NE(help.out.find("\n--quiet: "), std::string::npos);
+      ExpectTextFace(help.out);
+    }
+  }
+  const Outcome trace = RunLine({"trace", "--help"});
+  for (const char* option :
+       {"--size-mm",       "--width-mm",    "--depth-mm",      "--rounding-mm", "--embossed",
+        "--script",        "--h-form",      "--grade",         "--tilt-deg",    "--seed",
+        "--render",        "--law",         "--model",         "--page",        "--margin-mm",
+        "--letter-gap-mm", "--word-gap-mm", "--line-pitch-mm", "--friction",    "--press-n",
+        "--speed-mm-s",    "--record",      "--picture",       "--blank",       "--csv",
+        "--file"}) {
+    EXPECT_NE(trace.out.find(std::string("\n") + option), std::string::npos) << option;
+  }
+}
+
+TEST(Cli, VersionNamesProgramAndMujoco) {
+  const Outcome version = RunLine({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.out.rfind("moontrace ", 0), 0U);
+  EXPECT_NE(version.out.find("MuJoCo "), std::string::npos);
+}
+
+TEST(Cli, UnknownCommandIsUsageAndNamesTheNearest) {
+  const Outcome outcome = RunLine({"trase", "HELLO"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(Lines(outcome.err).size(), 1U);
+  EXPECT_NE(outcome.err.find("did you mean trace?"), std::string::npos);
+  EXPECT_EQ(RunLine({}).code, 2);
+}
+
+TEST(Cli, UnknownOptionIsUsageAndNamesTheNearestInEveryCommand) {
+  for (const std::string& command : kCommands) {
+    const Outcome outcome = RunLine({command, "--jsom"});
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find("--jsom"), std::string::npos);
+    EXPECT_NE(outcome.err.find("did you mean --json?"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(outcome.out.empty());
+  }
+  EXPECT_NE(RunLine({"page", "A", "--sise-mm=12"}).err.find("--size-mm"), std::string::npos);
+}
+
+TEST(Cli, OptionWithoutItsValueIsUsage) {
+  const Outcome outcome = RunLine({"page", "A", "--size-mm"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("--size-mm lacks its value"), std::string::npos) << outcome.err;
+}
+
+TEST(Cli, WhatIsNoNumberIsUsage) {
+  for (const char* bad : {"twelve", "", "12mm", "1,5", "0x10"}) {
+    const Outcome outcome = RunLine({"page", "A", "--size-mm", bad});
+    EXPECT_EQ(outcome.code, 2) << bad;
+    EXPECT_EQ(Lines(outcome.err).size(), 1U);
+  }
+  EXPECT_EQ(RunLine({"trace", "A", "--seed", "-1"}).code, 2);
+  EXPECT_EQ(RunLine({"trace", "A", "--render", "fast"}).code, 2);
+  EXPECT_EQ(RunLine({"trace", "A", "--law", "none"}).code, 2);
+  EXPECT_EQ(RunLine({"page", "A", "--page", "letter"}).code, 2);
+}
+
+TEST(Cli, SecondTextIsUsageAndQuotesAreNamed) {
+  const Outcome outcome = RunLine({"page", "HELLO", "WORLD"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("WORLD"), std::string::npos);
+  EXPECT_EQ(RunLine({"page", "HELLO", "--file", "x"}).code, 2);
+  EXPECT_EQ(RunLine({"page"}).code, 2);
+}
+
+TEST(Cli, TextMayBeACommandsNameOrBeginWithADash) {
+  EXPECT_EQ(RunLine({"page", "trace"}).code, 0);
+  EXPECT_EQ(RunLine({"page", "--", "-a"}).code, 0);
+  EXPECT_EQ(RunLine({"page", "5"}).code, 0);
+}
+
+TEST(Wrapped, BreaksAtSpacesAndCountsCharactersNotBytes) {
+  EXPECT_EQ(Wrapped("ab cd ef", 5), "ab cd\nef\n");
+  EXPECT_EQ(Wrapped("\xC3\xA9\xC3\xA9 \xC3\xA9\xC3\xA9", 5), "\xC3\xA9\xC3\xA9 \xC3\xA9\xC3\xA9\n");
+  EXPECT_EQ(Wrapped("abcdefgh ij", 5), "abcdefgh\nij\n");
+  EXPECT_EQ(Wrapped("", 5), "\n");
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,150 @@
+#include "sim/app/page_command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+class PageCommand : public CliTest {};
+
+nlohmann::json PageJson(const std::vector<std::string>& more, const std::string& text = "HELLO") {
+  const Outcome outcome = RunLine(With({"page", text, "--json"}, more));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.Json();
+}
+
+double X(const nlohmann::json& page, std::size_t glyph) {
+  return page["pages"][0]["glyphs"][glyph]["origin_mm"][0];
+}
+double Y(const nlohmann::json& page, std::size_t glyph) {
+  return page["pages"][0]["glyphs"][glyph]["origin_mm"][1];
+}
+
+TEST_F(PageCommand, SaysTheOutcomeFirstAndEachLineOfSigns) {
+  const Outcome outcome = RunLine({"page", "HELLO MOON\nA CAT"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  EXPECT_EQ(lines.front(), "1 page, 2 lines, 13 signs.");
+  EXPECT_NE(std::find(lines.begin(), lines.end(), "Line 1: h e l l o, m o o n"), lines.end())
+      << outcome.out;
+  EXPECT_NE(std::find(lines.begin(), lines.end(), "Line 2: a, c a t"), lines.end());
+  ExpectTextFace(outcome.out);
+}
+
+TEST_F(PageCommand, SaysWhatWasReplacedAndLeftOutWithItsPlace) {
+  const Outcome outcome = RunLine({"page", "caf\xC3\xA9 \xE2\x98\x83"});
+  EXPECT_NE(outcome.out.find("Replaced: \"\xC3\xA9\" by \"e\", line 1, character 4."),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("Left out: \"\xE2\x98\x83\", no sign for it, line 1, character 6."),
+            std::string::npos)
+      << outcome.out;
+  const nlohmann::json json = PageJson({}, "caf\xC3\xA9 \xE2\x98\x83");
+  EXPECT_EQ(json["folded"][0]["became"], "e");
+  EXPECT_EQ(json["missing"][0]["column"], 6);
+}
+
+TEST_F(PageCommand, JsonGivesEachGlyphItsPlaceAndSource) {
+  const nlohmann::json json = PageJson({});
+  EXPECT_EQ(json["signs"], 5);
+  EXPECT_EQ(json["lines"], 1);
+  EXPECT_EQ(json["size_mm"], 12.0);
+  const nlohmann::json& glyphs = json["pages"][0]["glyphs"];
+  ASSERT_EQ(glyphs.size(), 5U);
+  EXPECT_EQ(glyphs[1]["name"], "e");
+  EXPECT_EQ(glyphs[1]["source"], nlohmann::json({1, 2}));
+  EXPECT_DOUBLE_EQ(X(json, 0), 15.0);  // at the margin
+  EXPECT_GT(X(json, 1), X(json, 0));
+}
+
+TEST_F(PageCommand, TextComesFromAFileOrStandardInput) {
+  WriteAll(In("text"), "MOON");
+  EXPECT_EQ(RunLine({"page", "--json", "--file", In("text")}).Json()["signs"], 4);
+  EXPECT_EQ(RunLine({"page", "--json", "--file", "-"}, "MOONS").Json()["signs"], 5);
+  EXPECT_EQ(RunLine({"page", "-", "--json"}, "MOO").Json()["signs"], 3);
+}
+
+TEST_F(PageCommand, LetterOptionsReachThePage) {
+  const nlohmann::json size = PageJson({"--size-mm", "24"});
+  EXPECT_NEAR(size["size_mm"], 24.0, 1e-9);
+  EXPECT_NEAR(size["width_mm"], 0.1165 * 24, 1e-9);  // the design's default
+  // A width given alone takes depth (w/2) and rounding (0.2 w) with it.
+  const nlohmann::json width = PageJson({"--width-mm", "2"});
+  EXPECT_NEAR(width["width_mm"], 2.0, 1e-12);
+  EXPECT_NEAR(width["depth_mm"], 1.0, 1e-12);
+  EXPECT_NEAR(width["rounding_mm"], 0.4, 1e-12);
+  EXPECT_NEAR(PageJson({"--depth-mm", "0.5"})["depth_mm"], 0.5, 1e-12);
+  EXPECT_NEAR(PageJson({"--rounding-mm", "0.2"})["rounding_mm"], 0.2, 1e-12);
+  const nlohmann::json embossed = PageJson({"--embossed"});
+  EXPECT_EQ(embossed["embossed"], true);
+  EXPECT_NEAR(embossed["depth_mm"], 0.1165 * 12 / 4, 1e-9);
+  EXPECT_EQ(PageJson({"--grade", "0.5"}, "THE")["signs"], 3);
+  EXPECT_EQ(PageJson({"--h-form", "arc"})["pages"][0]["glyphs"][0]["name"], "h.arc");
+  const std::string script = MOONTRACE_SOURCE_DIR "/textures/scripts/moon.svg";
+  EXPECT_EQ(PageJson({"--script", script}), PageJson({"--script", "moon"}));
+}
+
+TEST_F(PageCommand, LayoutOptionsReachThePage) {
+  const std::string text = "I I\nI";
+  const nlohmann::json plain = PageJson({}, text);
+  EXPECT_NEAR(X(PageJson({"--margin-mm", "20"}, text), 0), 20.0, 1e-9);
+  EXPECT_NEAR(X(PageJson({"--word-gap-mm", "3"}, text), 1), X(plain, 1) + 3, 1e-9);
+  EXPECT_GT(X(PageJson({"--letter-gap-mm", "2"}, text), 1), X(plain, 1) + 1.9);
+  const nlohmann::json pitch = PageJson({"--line-pitch-mm", "40"}, text);
+  EXPECT_NEAR(Y(pitch, 0) - Y(pitch, 2), 40.0, 1e-9);
+  EXPECT_EQ(PageJson({"--page", "a5"})["paper"]["width_mm"], 148.0);
+  EXPECT_EQ(PageJson({"--page", "workspace"})["paper"]["height_mm"], 120.0);
+  const nlohmann::json custom = PageJson({"--page", "120x80", "--margin-mm", "5"});
+  EXPECT_NEAR(custom["paper"]["width_mm"], 120.0, 1e-9);
+  EXPECT_NEAR(custom["paper"]["height_mm"], 80.0, 1e-9);
+}
+
+TEST_F(PageCommand, LeavesAPictureThatSaysInWordsWhatItShows) {
+  const Outcome outcome = RunLine({"page", "MOON", "--picture", In("p.svg")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Lines(outcome.out).back(), In("p.svg"));
+  const std::string svg = ReadAll(In("p.svg"));
+  EXPECT_NE(svg.find("<title>Page 1 of 1"), std::string::npos);
+  EXPECT_NE(svg.find("<desc>4 signs in 1 lines"), std::string::npos);
+  EXPECT_NE(svg.find("width=\"210mm\" height=\"297mm\""), std::string::npos);
+  EXPECT_EQ(svg.find("<text"), std::string::npos);
+  ExpectOnly({"p.svg"});
+}
+
+TEST_F(PageCommand, PrintsLettersBelowTheSignsOnRequest) {
+  ASSERT_EQ(RunLine({"page", "MOON", "--picture", In("p.svg"), "--letters"}).code, 0);
+  const std::string svg = ReadAll(In("p.svg"));
+  EXPECT_NE(svg.find(">M</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">N</text>"), std::string::npos);
+  EXPECT_EQ(RunLine({"page", "MOON", "--letters"}).code, 2);
+}
+
+TEST_F(PageCommand, NumbersThePicturesOfSeveralPages) {
+  const Outcome outcome = RunLine({"page", "ONE\nTWO\nTEN", "--json", "--page", "100x40",
+                                   "--margin-mm", "5", "--picture", In("p.svg")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = outcome.Json();
+  ASSERT_GT(json["pages"].size(), 1U);
+  EXPECT_EQ(json["pictures"][1], In("p-2.svg"));
+  EXPECT_EQ(json["pictures"].size(), json["pages"].size());
+  EXPECT_TRUE(std::filesystem::exists(In("p-1.svg")));
+  EXPECT_FALSE(std::filesystem::exists(In("p.svg")));
+}
+
+TEST_F(PageCommand, ListsAHundredLinesAndCountsTheRest) {
+  std::string text;
+  for (int i = 0; i < 130; ++i) text += "A\n";
+  const Outcome outcome = RunLine({"page", text});
+  EXPECT_EQ(Lines(outcome.out).back(), "And 30 more lines; --json lists all.");
+}
+
+TEST_F(PageCommand, QuietLeavesTheResults) {
+  EXPECT_EQ(RunLine({"page", "A", "--quiet"}).out, RunLine({"page", "A"}).out);
+}
+
+}  // namespace
+}  // namespace moontrace
