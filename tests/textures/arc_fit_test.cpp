@@ -72,7 +72,7 @@ std::vector<Piece> Fit(const std::vector<glm::dvec2>& p, double tolerance) {
 TEST(FitArcs, StaysWithinTheToleranceOfRandomCubics) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> coordinate(0, 1);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 20; ++i) {
     std::vector<glm::dvec2> control;
     for (int k = 0; k < 4; ++k) {
       const double x = coordinate(random);
