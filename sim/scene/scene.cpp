@@ -24,8 +24,9 @@ constexpr double kGreatestFriction = 0.9;  ///< times the greatest slope
 /// groove.
 void CheckFriction(const SceneOptions& options, double slope) {
   if (options.friction * slope < kGreatestFriction) return;
-  const double most = std::floor(100 * kGreatestFriction / slope) / 100;
-  throw InputError(fmt::format("friction {:.2f} is too high for the slope {:.2f}: at most {:.2f}",
+  // the greatest hundredth that is still below the limit
+  const double most = std::max(0.0, std::ceil(100 * kGreatestFriction / slope - 1e-9) - 1) / 100;
+  throw InputError(fmt::format("friction {:g} is too high for the slope {:.2f}: at most {:.2f}",
                                options.friction, slope, most));
 }
 

@@ -86,9 +86,12 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   step.point_P = FromWorld(step.X_WP, step.point_W);
   const Contact contact = Touch(options.surface, *field, step.point_P);
   step.depth = contact.depth;
-  step.page_P = contact.force_P + memory.friction.Advance(
-                                      options.friction, options.presliding_stiffness, step.point_P,
-                                      contact.normal_P, glm::length(contact.force_P));
+  step.page_P = contact.force_P;
+  if (options.friction > 0) {
+    step.page_P +=
+        memory.friction.Advance(options.friction, options.presliding_stiffness, step.point_P,
+                                NormalOf(contact.sample.gradient), glm::length(contact.force_P));
+  }
   step.page_W = TurnToWorld(step.X_WP, step.page_P);
   if (!direct()) step.pull_W = coupling.Pull(tip_W - step.point_W, v_W - step.velocity_W);
   return step;

@@ -1,0 +1,97 @@
+// The tick allocates nothing: every way to the heap is counted. An executable of its own, since it
+// replaces malloc for the whole process.
+
+#include <mujoco/mujoco.h>
+
+#include <atomic>
+#include <cerrno>
+
+#include "tests/sim/scene_fixture.h"
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+}
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+// operator new of the C++ library comes here too
+extern "C" {
+void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  *memory = __libc_memalign(alignment, size);
+  return *memory != nullptr ? 0 : ENOMEM;
+}
+}
+
+namespace moontrace {
+namespace {
+
+long AllocationsOf(Scene& scene) {
+  const long before = allocations.load();
+  for (int i = 0; i < 2000; ++i) {
+    // in and out of contact, across the groove, and broken input now and then
+    const double z = i % 500 == 499 ? NAN : 0.001 * std::sin(0.02 * i) - 0.0005;
+    scene.Tick(TipAt({0.002 * std::sin(0.01 * i), 0.01, z}));
+  }
+  return allocations.load() - before;
+}
+
+TEST(NoAllocation, TheCounterCounts) {
+  const long before = allocations.load();
+  const std::unique_ptr<std::string> text = std::make_unique<std::string>(1000, 'x');
+  EXPECT_GE(allocations.load() - before, 2);
+}
+
+TEST(NoAllocation, InAnyTick) {
+  const TextureField field = GrooveAlongY();
+  const std::string ball =
+      "<geom type='plane' size='1 1 1' pos='0 0 -0.5'/>"
+      "<body pos='0.05 0 -0.4'><freejoint/><geom size='0.05' mass='0.2'/></body>";
+  for (const Rendering rendering : {Rendering::kProxy, Rendering::kDirect}) {
+    for (const ForceLaw law : {ForceLaw::kPotential, ForceLaw::kPaper}) {
+      SceneOptions options;
+      options.rendering = rendering;
+      options.surface.law = law;
+      options.friction = 0.3;
+      Scene scene = Scene::FromXml(ModelWith("", ball), "ball", options);
+      scene.SetField(&field);
+      EXPECT_EQ(AllocationsOf(scene), 0);
+    }
+  }
+}
+
+TEST(NoAllocation, WhenMujocoResetsItself) {
+  const std::string ball = "<body pos='1 0 0'><freejoint/><geom size='0.1' mass='1'/></body>";
+  Scene scene = Scene::FromXml(ModelWith("", ball), "ball", {});
+  scene.Tick(TipAt({0, 0, 0}));
+  const long before = allocations.load();
+  scene.data()->qvel[0] = NAN;
+  const bool fault = scene.Tick(TipAt({0, 0, 0})).fault;
+  const long after = allocations.load();
+  EXPECT_TRUE(fault);
+  EXPECT_EQ(after - before, 0);
+}
+
+}  // namespace
+}  // namespace moontrace
