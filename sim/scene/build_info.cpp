@@ -32,7 +32,9 @@ std::string ProcessorFeatures() {
   std::string features;
 #if defined(__x86_64__)
   const auto add = [&features](bool present, const char* name) {
-    if (present) features += (features.empty() ? "" : " ") + std::string(name);
+    if (!present) return;
+    if (!features.empty()) features += ' ';
+    features += name;
   };
   add(__builtin_cpu_supports("sse4.2") != 0, "sse4.2");
   add(__builtin_cpu_supports("avx") != 0, "avx");
