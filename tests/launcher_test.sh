@@ -2,7 +2,7 @@
 # The launcher against a tiny tree and made-up tools that write down how they were called.
 # Usage: launcher_test.sh SOURCE-FOLDER
 set -u
-source=$1
+source=$(cd "$1" && pwd) || exit 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0
