@@ -13,7 +13,7 @@
 
 namespace moontrace {
 namespace {
-constexpr std::size_t kBufferBytes = 256 * 1024;
+constexpr std::size_t kBufferBytes = std::size_t{256} * 1024;
 }
 
 FileSink::FileSink(std::string path) : path_(std::move(path)), buffer_(kBufferBytes) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <cstring>
+#include <bit>
+#include <cstdint>
 
 #include "sim/scene/digest.h"
 #include "sim/scene/record.h"
@@ -14,7 +15,7 @@ namespace {
 /// zero, and a NaN equals itself.
 std::size_t FirstDifference(const RecordColumns& a, const RecordColumns& b) noexcept {
   for (std::size_t i = kFirstOutput; i < kAfterOutputs; ++i) {
-    if (std::memcmp(&a[i], &b[i], sizeof(double)) != 0) return i;
+    if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) return i;
   }
   return kAfterOutputs;
 }
