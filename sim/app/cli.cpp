@@ -10,6 +10,7 @@
 #include <new>
 #include <ostream>
 
+#include "sim/app/bench_command.h"
 #include "sim/app/demo_command.h"
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
@@ -38,13 +39,18 @@ std::vector<std::string> OptionNames(const CLI::App& app) {
 
 /// What CLI11 did not know: an option (named with its nearest) or an argument too many.
 void RefuseSpare(const CLI::App& app) {
-  const Args spare = app.remaining();
-  for (const std::string& given : spare) {
-    if (given.size() < 2 || given[0] != '-') continue;
+  bool options_ended = false;
+  for (const std::string& given : app.remaining()) {
+    if (given == "--" && !options_ended) {
+      options_ended = true;
+      continue;
+    }
+    if (options_ended || given.size() < 2 || given[0] != '-') {
+      throw UsageError(say::SpareArgument(given, app.get_name()));
+    }
     const std::string name = given.substr(0, given.find('='));
     throw UsageError(say::UnknownOption(name, app.get_name(), NearestWord(name, OptionNames(app))));
   }
-  if (!spare.empty()) throw UsageError(say::SpareArgument(spare.front(), app.get_name()));
 }
 
 void Parse(CLI::App& app, Args args) {
@@ -97,6 +103,7 @@ constexpr Command kCommands[] = {
     {"trace", say::help::kTrace, RunCommand<TraceOptions>},
     {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
+    {"bench", say::help::kBench, RunCommand<BenchOptions>},
 };
 
 int ProgramHelp(Console& console) {

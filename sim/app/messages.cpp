@@ -245,6 +245,37 @@ std::string Faults(const TrialResult& all) {
       all.faults, all.ticks);
 }
 
+std::string PagePictureTitle(std::string_view script, std::size_t page, std::size_t pages) {
+  if (pages == 1) return fmt::format("A page in {}", script);
+  return fmt::format("Page {} of {} in {}", page + 1, pages, script);
+}
+
+std::string PagePictureWords(std::size_t signs, std::size_t lines, const TypeStyle& style) {
+  return fmt::format("{} in {}, {} mm high, {} {} mm wide.", Counted(signs, "sign", "signs"),
+                     Counted(lines, "line", "lines"), Short(kMillimetres * style.size, 2),
+                     Relief(style), Short(kMillimetres * style.width, 2));
+}
+
+std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank) {
+  return fmt::format("{} traced, letters {} mm high{}", script, Short(kMillimetres * style.size, 2),
+                     blank ? ", on a blank page" : "");
+}
+
+std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
+  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(text),
+                     Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
+                     Times(total.excursions));
+}
+
+std::string TracePictureLegend(const TraceMetrics& total, const TypeStyle& style, bool blank) {
+  const std::string_view relief = Relief(style);
+  const std::string ground = blank ? fmt::format("Dashed grey: where each {} would be.", relief)
+                                   : fmt::format("Grey band: the {}, {} mm wide.", relief,
+                                                 Short(kMillimetres * style.width, 2));
+  return fmt::format("{} Blue line: the tip of the stylus.{}", ground,
+                     total.excursions == 0 ? "" : " Orange rings: where it left.");
+}
+
 std::string NoPoint() { return "no point: write moontrace probe X Y Z TEXT, X Y Z in mm"; }
 
 std::string ProbeOutcome(double depth, double force) {
@@ -326,6 +357,17 @@ std::string DemoNext() { return "Next, try your own text: moontrace trace \"your
 std::string DemoBelowBar(double size) {
   return fmt::format("the demo lost the {} mm letters: below 98 percent covered",
                      Short(kMillimetres * size, 1));
+}
+
+std::string BenchLine(const BenchRow& row) {
+  const std::string figure = fmt::format("{}: {:.4g} {}", row.name, row.value, row.unit);
+  if (!row.holds) return figure;
+  return fmt::format("{}: {}, {}.", *row.holds ? "Holds" : "Missed", figure, row.bar);
+}
+
+std::string BenchOutcome(std::size_t bars, std::size_t missed) {
+  if (missed == 0) return fmt::format("All {} bars hold.", bars);
+  return fmt::format("{} of {} bars missed.", missed, bars);
 }
 
 }  // namespace moontrace::say

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "sim/app/trial.h"
+#include "sim/bench/row.h"
 #include "textures/typeset.h"
 
 /// Every sentence of the commands stands here, so that one page shows the program's voice and a
@@ -62,6 +63,17 @@ std::string Energy(const TrialResult& all);
 std::string WeakestLetter(std::string_view text, std::size_t number, double coverage);
 std::string DirectWillBuzz(const DirectBound& bound);
 std::string Faults(const TrialResult& all);
+
+// The bench.
+std::string BenchLine(const BenchRow& row);
+std::string BenchOutcome(std::size_t bars, std::size_t missed);
+
+// In pictures: title, description and legend.
+std::string PagePictureTitle(std::string_view script, std::size_t page, std::size_t pages);
+std::string PagePictureWords(std::size_t signs, std::size_t lines, const TypeStyle& style);
+std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank);
+std::string TracePictureWords(std::string_view text, const TraceMetrics& total);
+std::string TracePictureLegend(const TraceMetrics& total, const TypeStyle& style, bool blank);
 
 // A probe.
 std::string NoPoint();

@@ -1,7 +1,10 @@
 #include "sim/app/page_command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <ostream>
 #include <vector>
 
@@ -54,6 +57,20 @@ void SayLines(const Typeset& set, const Script& script, Console& console) {
   }
 }
 
+/// A page's signs; `names` are the glyphs' names as JSON strings. Formatted here, not through a
+/// tree of values: a book has millions.
+std::string PageJson(const TextPage& page, const std::vector<std::string>& names) {
+  std::string json = fmt::format("{{\"lines\":{},\"glyphs\":[", page.lines);
+  for (const PlacedGlyph& glyph : page.glyphs) {
+    fmt::format_to(std::back_inserter(json),
+                   "{{\"name\":{},\"origin_mm\":[{},{}],\"line\":{},\"source\":[{},{}]}},",
+                   names[glyph.glyph], 1e3 * glyph.origin_P.x, 1e3 * glyph.origin_P.y, glyph.line,
+                   glyph.source_begin, glyph.source_end);
+  }
+  if (!page.glyphs.empty()) json.pop_back();
+  return json + "]}";
+}
+
 /// One object, written page by page: a book's signs are never all held as JSON at once.
 void WriteJson(const Typeset& set, const Script& script, const std::vector<std::string>& pictures,
                std::ostream& out) {
@@ -64,16 +81,10 @@ void WriteJson(const Typeset& set, const Script& script, const std::vector<std::
   std::string text = Dump(head);
   text.pop_back();
   out << text << ",\"pages\":[";
+  std::vector<std::string> names;
+  for (const Glyph& glyph : script.glyphs) names.push_back(Dump(glyph.name));
   for (std::size_t p = 0; p < set.pages.size(); ++p) {
-    Json glyphs = Json::array();
-    for (const PlacedGlyph& glyph : set.pages[p].glyphs) {
-      glyphs.push_back({{"name", script.glyphs[glyph.glyph].name},
-                        {"origin_mm", {1e3 * glyph.origin_P.x, 1e3 * glyph.origin_P.y}},
-                        {"line", glyph.line},
-                        {"source", {glyph.source_begin, glyph.source_end}}});
-    }
-    const Json page = {{"lines", set.pages[p].lines}, {"glyphs", std::move(glyphs)}};
-    out << (p == 0 ? "" : ",") << Dump(page);
+    out << (p == 0 ? "" : ",") << PageJson(set.pages[p], names);
   }
   out << "]}\n";
 }

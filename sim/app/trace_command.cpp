@@ -169,7 +169,9 @@ void SayWeakest(const Trace& trace, Console& console) {
       if (coverage >= least) continue;
       least = coverage;
       weakest = number;
+      // The numeral sign stands for no character of the text: its name tells it.
       text = SourceOf(trace, glyphs[i]);
+      if (text.empty()) text = trace.script.glyphs[glyphs[i].glyph].name;
     }
   }
   if (weakest > 0) console.Result(say::WeakestLetter(text, weakest, least));

@@ -1,12 +1,11 @@
 #include "sim/view/page_picture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 #include <string>
 #include <utility>
 
+#include "sim/app/messages.h"
 #include "sim/view/moon_marks.h"
 
 namespace moontrace {
@@ -32,11 +31,8 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
   Drawing drawing;
   drawing.width = kMillimetres * set.page.width;
   drawing.height = kMillimetres * set.page.height;
-  drawing.title = fmt::format("Page {} of {} in {}", page + 1, set.pages.size(), script.title);
-  drawing.description = fmt::format(
-      "{} signs in {} lines, letters {:g} mm high, {} {:.2f} mm wide.", text_page.glyphs.size(),
-      text_page.lines, kMillimetres * set.style.size,
-      set.style.relief == Relief::kEngraved ? "grooves" : "ridges", kMillimetres * set.style.width);
+  drawing.title = say::PagePictureTitle(script.title, page, set.pages.size());
+  drawing.description = say::PagePictureWords(text_page.glyphs.size(), text_page.lines, set.style);
   drawing.marks.emplace_back(Edge(drawing.width, drawing.height));
   for (Mark& mark : MoonMarks(text_page, script, set.style, {0, 0}, palette::kInk)) {
     drawing.marks.push_back(std::move(mark));

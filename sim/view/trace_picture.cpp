@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/app/messages.h"
 #include "sim/view/moon_marks.h"
 
 namespace moontrace {
@@ -38,18 +39,6 @@ std::vector<Mark> TipTracks(const std::vector<PathPoint>& path, glm::dvec2 from_
   return marks;
 }
 
-std::string Legend(const TypeStyle& style, bool blank, const TraceMetrics& total) {
-  const char* relief = style.relief == Relief::kEngraved ? "groove" : "ridge";
-  std::string words =
-      blank ? "Dashed grey: where the strokes would be; this page is blank."
-            : fmt::format("Grey band: the {}, {:.2f} mm wide.", relief, kMillimetres * style.width);
-  words += " Blue line: the tip of the stylus.";
-  words += total.excursions == 0
-               ? fmt::format(" It never left the {}.", blank ? "strokes" : relief)
-               : fmt::format(" Orange rings: where it left, {} in all.", total.excursions);
-  return words;
-}
-
 }  // namespace
 
 Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle& style, bool blank,
@@ -57,7 +46,7 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
   const TraceMetrics& total = result.score.total;
   const double size = kMillimetres * style.size;
   const double border = std::max(4.0, 0.4 * size);
-  const double print = std::clamp(0.12 * size, 1.8, 3.0);
+  const double print = std::clamp(0.1 * size, 1.5, 2.4);
 
   Box ink = InkBounds(page, script, style);
   for (const PathPoint& point : result.path) {
@@ -65,19 +54,16 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
   }
   Drawing drawing;
   drawing.width = std::max(80.0, kMillimetres * (ink.max.x - ink.min.x) + 2 * border);
-  drawing.title =
-      fmt::format("{} traced {:g} mm high{}", script.title, size, blank ? ", on a blank page" : "");
-  drawing.description =
-      fmt::format("Text: {}. Coverage {:.1f} percent, mean error {:.3f} mm, left {} times.", text,
-                  100 * total.coverage, kMillimetres * total.mean_error, total.excursions);
+  drawing.title = say::TracePictureTitle(script.title, style, blank);
+  drawing.description = say::TracePictureWords(text, total);
 
   const glm::dvec2 below{border, 0};
   const double room = drawing.width - 2 * border;
-  std::vector<TextMark> words =
-      TextBlock(drawing.title + ". " + drawing.description, below, room, print, palette::kInk);
+  std::vector<TextMark> words = TextBlock(fmt::format("{}. {}", drawing.title, drawing.description),
+                                          below, room, print, palette::kInk);
   const double first = words.empty() ? 0 : -words.back().at.y + print;
-  for (TextMark& line : TextBlock(Legend(style, blank, total), below - glm::dvec2(0, first), room,
-                                  print, palette::kInk)) {
+  for (TextMark& line : TextBlock(say::TracePictureLegend(total, style, blank),
+                                  below - glm::dvec2(0, first), room, print, palette::kInk)) {
     words.push_back(std::move(line));
   }
   const double words_height = (words.empty() ? 0 : -words.back().at.y) + border;

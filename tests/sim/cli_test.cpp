@@ -99,6 +99,7 @@ TEST(Cli, TextMayBeACommandsNameOrBeginWithADash) {
   EXPECT_EQ(RunLine({"page", "trace"}).code, 0);
   EXPECT_EQ(RunLine({"page", "--", "-a"}).code, 0);
   EXPECT_EQ(RunLine({"page", "5"}).code, 0);
+  EXPECT_EQ(RunLine({"page", "--", "a", "-b"}).code, 2);
 }
 
 TEST(Wrapped, BreaksAtSpacesAndCountsCharactersNotBytes) {

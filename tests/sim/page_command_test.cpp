@@ -25,7 +25,7 @@ double Y(const nlohmann::json& page, std::size_t glyph) {
 }
 
 TEST_F(PageCommand, SaysTheOutcomeFirstAndEachLineOfSigns) {
-  const Outcome outcome = RunLine({"page", "HELLO MOON\nA CAT"});
+  const Outcome outcome = RunLine({"page", "HELLO MOON\nA CAT", "--size-mm", "8"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<std::string> lines = Lines(outcome.out);
   EXPECT_EQ(lines.front(), "1 page, 2 lines, 13 signs.");
@@ -108,8 +108,8 @@ TEST_F(PageCommand, LeavesAPictureThatSaysInWordsWhatItShows) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(Lines(outcome.out).back(), In("p.svg"));
   const std::string svg = ReadAll(In("p.svg"));
-  EXPECT_NE(svg.find("<title>Page 1 of 1"), std::string::npos);
-  EXPECT_NE(svg.find("<desc>4 signs in 1 lines"), std::string::npos);
+  EXPECT_NE(svg.find("<title>A page in "), std::string::npos);
+  EXPECT_NE(svg.find("<desc>4 signs in 1 line,"), std::string::npos);
   EXPECT_NE(svg.find("width=\"210mm\" height=\"297mm\""), std::string::npos);
   EXPECT_EQ(svg.find("<text"), std::string::npos);
   ExpectOnly({"p.svg"});

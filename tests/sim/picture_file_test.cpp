@@ -106,6 +106,15 @@ TEST_F(PictureFile, RefusesOtherEndingsAndUnwritablePlaces) {
   ExpectOnly({"folder.svg"});
 }
 
+TEST_F(PictureFile, FullDiskLeavesNothing) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  WriteAll(In("p.svg"), "kept");
+  std::filesystem::create_symlink("/dev/full", In("p.svg.partial"));
+  EXPECT_THROW(WritePicture(In("p.svg"), Sample()), LackError);
+  EXPECT_EQ(ReadAll(In("p.svg")), "kept");
+  ExpectOnly({"p.svg"});
+}
+
 TEST_F(PictureFile, CheckLeavesNothingBehind) {
   CheckPicturePath(In("p.svg"));
   ExpectOnly({});

@@ -1,0 +1,34 @@
+#include "sim/app/messages.h"
+
+#include <gtest/gtest.h>
+
+namespace moontrace {
+namespace {
+
+TEST(Messages, NeverRoundCoverageUpToAWhole) {
+  TrialResult result;
+  result.score.total.coverage = 0.99996;
+  EXPECT_EQ(say::TraceOutcome(result, 2, false), "Traced: 99.9 percent covered, 2 letters.");
+  result.score.total.coverage = 1;
+  EXPECT_EQ(say::TraceOutcome(result, 1, true), "Blank page: 100 percent covered, 1 letter.");
+}
+
+TEST(Messages, CountInWords) {
+  TraceMetrics total;
+  EXPECT_EQ(say::LeftGroove(total, {}), "Left the groove: never.");
+  total.excursions = 1;
+  EXPECT_EQ(say::LeftGroove(total, {}), "Left the groove: once.");
+  total.excursions = 3;
+  TypeStyle ridges;
+  ridges.relief = Relief::kEmbossed;
+  EXPECT_EQ(say::LeftGroove(total, ridges), "Left the ridge: 3 times.");
+}
+
+TEST(Messages, KeepForeignTextOnOneLine) {
+  EXPECT_EQ(say::UnknownOption("--a\nb\x1b[1m", "page", "").find('\n'), std::string::npos);
+  EXPECT_EQ(say::UnknownOption("--a\nb\x1b[1m", "page", "").find('\x1b'), std::string::npos);
+  EXPECT_LT(say::NotANumber("--seed", std::string(5000, '9')).size(), 200U);
+}
+
+}  // namespace
+}  // namespace moontrace

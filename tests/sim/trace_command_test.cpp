@@ -1,0 +1,206 @@
+#include "sim/app/trace_command.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "sim/view/cairo_writer.h"
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+class TraceCommand : public CliTest {};
+
+nlohmann::json TraceJson(const std::vector<std::string>& more, const std::string& text = "LO") {
+  const Outcome outcome = RunLine(With({"trace", text, "--json"}, more));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.Json();
+}
+
+/// Without the one value that depends on the machine.
+nlohmann::json Exact(nlohmann::json json) {
+  json["total"].erase("real_time_factor");
+  return json;
+}
+
+TEST_F(TraceCommand, CoversTheLettersAndStaysInTheGrooves) {
+  const nlohmann::json json = TraceJson({});
+  const nlohmann::json& total = json["total"];
+  // The bars of the issue: coverage 0.98, mean error a tenth of the width.
+  EXPECT_GE(total["coverage"], 0.98);
+  EXPECT_LE(total["mean_error_mm"], 0.1 * json["width_mm"].get<double>());
+  EXPECT_GE(total["rms_error_mm"], total["mean_error_mm"]);
+  EXPECT_GE(total["max_error_mm"], total["rms_error_mm"]);
+  EXPECT_EQ(total["excursions"], 0);
+  EXPECT_EQ(total["faults"], 0);
+  EXPECT_GT(total["duration_s"], 1.0);
+  EXPECT_GT(total["real_time_factor"], 0.0);
+  EXPECT_GE(total["energy_out_uj"], 0.0);
+  // The hand presses with 1 N.
+  EXPECT_NEAR(total["mean_force_n"], 1.0, 0.15);
+  EXPECT_GE(total["peak_force_n"], total["mean_force_n"]);
+}
+
+TEST_F(TraceCommand, ScoresEachLetterApart) {
+  const nlohmann::json json = TraceJson({});
+  ASSERT_EQ(json["letters"].size(), 2U);
+  EXPECT_EQ(json["letters"][0]["glyph"], "l");
+  EXPECT_EQ(json["letters"][1]["text"], "O");
+  for (const nlohmann::json& letter : json["letters"]) {
+    EXPECT_GE(letter["coverage"], 0.98);
+    EXPECT_GE(letter["entries"], 1);
+    EXPECT_TRUE(letter.contains("lifts"));
+  }
+}
+
+TEST_F(TraceCommand, BlankPageLosesTheHand) {
+  const nlohmann::json json = TraceJson({"--blank"}, "LOON");
+  const nlohmann::json& total = json["total"];
+  EXPECT_TRUE(total["coverage"] < 0.98 ||
+              total["mean_error_mm"] > 0.1 * json["width_mm"].get<double>());
+  EXPECT_TRUE(json["blank"]);
+}
+
+TEST_F(TraceCommand, SameSeedSameNumbersOtherSeedOthers) {
+  const nlohmann::json one = Exact(TraceJson({"--seed", "1"}, "L"));
+  EXPECT_EQ(one, Exact(TraceJson({"--seed", "1"}, "L")));
+  EXPECT_NE(one["total"], Exact(TraceJson({"--seed", "2"}, "L"))["total"]);
+}
+
+TEST_F(TraceCommand, EveryOptionChangesTheTrace) {
+  const nlohmann::json plain = Exact(TraceJson({}, "L"))["total"];
+  const std::vector<std::vector<std::string>> lines = {
+      {"--size-mm", "16"},   {"--width-mm", "2"},  {"--depth-mm", "0.5"},  {"--rounding-mm", "0.3"},
+      {"--embossed"},        {"--tilt-deg", "10"}, {"--render", "direct"}, {"--law", "paper"},
+      {"--friction", "0.1"}, {"--press-n", "0.5"}, {"--speed-mm-s", "20"}, {"--blank"}};
+  std::set<std::string> seen{plain.dump()};
+  for (const std::vector<std::string>& more : lines) {
+    const nlohmann::json total = Exact(TraceJson(more, "L"))["total"];
+    EXPECT_TRUE(seen.insert(total.dump()).second) << more.front();
+  }
+  EXPECT_EQ(TraceJson({"--h-form", "arc"}, "H")["letters"][0]["glyph"], "h.arc");
+  EXPECT_EQ(TraceJson({"--grade", "0.5"}, "AND")["letters"].size(), 3U);
+  const std::string script = MOONTRACE_SOURCE_DIR "/textures/scripts/moon.svg";
+  EXPECT_EQ(Exact(TraceJson({"--script", script}, "L"))["total"], plain);
+}
+
+TEST_F(TraceCommand, LayoutOptionsMoveTheLetters) {
+  const double plain = TraceJson({}, "I I")["total"]["duration_s"];
+  EXPECT_NE(TraceJson({"--letter-gap-mm", "20"}, "I I")["total"]["duration_s"], plain);
+  EXPECT_NE(TraceJson({"--word-gap-mm", "40"}, "I I")["total"]["duration_s"], plain);
+  EXPECT_NE(TraceJson({"--line-pitch-mm", "60"}, "I\nI")["total"]["duration_s"],
+            TraceJson({}, "I\nI")["total"]["duration_s"]);
+  EXPECT_EQ(TraceJson({"--page", "a5"}, "I")["paper"]["name"], "a5");
+  // Wide margins leave room for one letter a line, so the way from letter to letter is another.
+  EXPECT_NE(TraceJson({"--margin-mm", "97"}, "I I")["total"]["duration_s"], plain);
+}
+
+TEST_F(TraceCommand, DirectIsDoneAsAskedAndWarnedOf) {
+  const Outcome outcome = RunLine({"trace", "I", "--render", "direct", "--size-mm", "6"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("Direct rendering will buzz"), std::string::npos) << outcome.err;
+  ExpectTextFace(outcome.err);
+  EXPECT_TRUE(
+      RunLine({"trace", "I", "--render", "direct", "--size-mm", "6", "--quiet"}).err.empty());
+  EXPECT_EQ(RunLine({"trace", "I"}).err.find("buzz"), std::string::npos);
+}
+
+TEST_F(TraceCommand, TracesEveryPageAndCountsThemAll) {
+  const nlohmann::json json = TraceJson(
+      {"--page", "60x40", "--margin-mm", "5", "--picture", In("p.svg"), "--record", In("r")},
+      "LI\nIL\nLL");
+  EXPECT_EQ(json["pages"], 3);
+  EXPECT_EQ(json["letters"].size(), 6U);
+  EXPECT_EQ(json["letters"][5]["page"], 2);
+  EXPECT_GE(json["total"]["coverage"], 0.98);
+  EXPECT_EQ(json["total"]["entries"], 6);
+  ExpectOnly({"p-1.svg", "p-2.svg", "p-3.svg", "r-1", "r-2", "r-3"});
+  EXPECT_EQ(RunLine({"replay", In("r-2"), "--check"}).code, 0);
+}
+
+TEST_F(TraceCommand, SaysTheOutcomeFirstAndPathsAlone) {
+  const Outcome outcome =
+      RunLine({"trace", "LO", "--picture", In("p.svg"), "--record", In("r"), "--csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  EXPECT_EQ(lines.front().rfind("Traced: ", 0), 0U);
+  EXPECT_LE(lines.front().size(), 40U);
+  EXPECT_EQ(lines.back(), In("r"));
+  EXPECT_NE(std::find(lines.begin(), lines.end(), In("p.svg")), lines.end());
+  ExpectTextFace(outcome.out);
+  const std::string svg = ReadAll(In("p.svg"));
+  EXPECT_NE(svg.find("<desc>Text: LO. Covered: "), std::string::npos);
+  EXPECT_NE(svg.find("<polyline"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(In("r/samples.csv")));
+}
+
+TEST_F(TraceCommand, RingsMarkWhereTheTipLeft) {
+  const Outcome outcome =
+      RunLine({"trace", "MOON", "--blank", "--size-mm", "20", "--json", "--picture", In("p.svg")});
+  const auto left = outcome.Json()["total"]["excursions"].get<std::size_t>();
+  ASSERT_GT(left, 0U);  // else this seed shows nothing
+  const std::string svg = ReadAll(In("p.svg"));
+  std::size_t rings = 0;
+  for (std::size_t at = svg.find("<circle"); at != std::string::npos;
+       at = svg.find("<circle", at + 1)) {
+    ++rings;
+  }
+  EXPECT_EQ(rings, left);
+  EXPECT_NE(svg.find("Orange"), std::string::npos);
+}
+
+TEST_F(TraceCommand, WritesEachKindOfPicture) {
+  if (!HaveCairo()) GTEST_SKIP() << "built without cairo";
+  EXPECT_EQ(RunLine({"trace", "I", "--picture", In("p.png")}).code, 0);
+  EXPECT_EQ(RunLine({"trace", "I", "--picture", In("p.pdf")}).code, 0);
+  EXPECT_EQ(ReadAll(In("p.png")).substr(1, 3), "PNG");
+  EXPECT_EQ(ReadAll(In("p.pdf")).substr(0, 4), "%PDF");
+}
+
+TEST_F(TraceCommand, TextComesFromAFileOrStandardInput) {
+  WriteAll(In("text"), "IL");
+  EXPECT_EQ(RunLine({"trace", "--json", "--file", In("text")}).Json()["text"], "IL");
+  EXPECT_EQ(RunLine({"trace", "--json", "-"}, "LI").Json()["text"], "LI");
+}
+
+constexpr const char* kSign =
+    "<mujoco><custom><text name='moontrace:sign' data=\"{LABEL}\"/></custom>"
+    "<worldbody><geom name='sign' type='plane' size='0.2 0.2 0.01' pos='0.1 0.2 0.3'/>"
+    "</worldbody></mujoco>";
+
+std::string Model(const std::string& label) {
+  std::string xml = kSign;
+  return xml.replace(xml.find("{LABEL}"), 7, "{" + label + "}");
+}
+
+TEST_F(TraceCommand, ModelsLabelGivesTextAndLettersAndTheCommandLineOverrides) {
+  WriteAll(In("sign.xml"), Model("text='LI', size_mm=20, at_mm=[-100,-100]"));
+  const Outcome outcome = RunLine({"trace", "--json", "--model", In("sign.xml")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = outcome.Json();
+  EXPECT_EQ(json["text"], "LI");
+  EXPECT_NEAR(json["size_mm"], 20.0, 1e-9);
+  EXPECT_GE(json["total"]["coverage"], 0.98);
+  const nlohmann::json over = TraceJson({"--model", In("sign.xml"), "--size-mm", "14"}, "O");
+  EXPECT_EQ(over["text"], "O");
+  EXPECT_NEAR(over["size_mm"], 14.0, 1e-9);
+}
+
+TEST_F(TraceCommand, ModelWithoutATextNeedsOne) {
+  WriteAll(In("sign.xml"), Model("size_mm=20"));
+  EXPECT_EQ(RunLine({"trace", "--model", In("sign.xml")}).code, 2);
+}
+
+TEST_F(TraceCommand, StopsAtOnceAndLeavesNothing) {
+  const std::atomic<bool> stop{true};
+  const Outcome outcome =
+      RunLine({"trace", "MOON", "--record", In("r"), "--picture", In("p.svg")}, "", &stop);
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.err.rfind("Stopped", 0), 0U);
+  ExpectOnly({});
+}
+
+}  // namespace
+}  // namespace moontrace
