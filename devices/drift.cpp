@@ -18,27 +18,36 @@ Drift::Drift(double share, double wavelength, const TickMotion& relax, std::uint
 }
 
 void Drift::Begin() noexcept {
-  offset_ = {0, 0};
-  rate_ = {0, 0};
+  aside_ = 0;
+  left_ = rest_ = rest_rate_ = {0, 0};
   travelled_ = 0;
   phase_ = kTurn * random_.Uniform();
   cosine_ = std::cos(phase_);
 }
 
 void Drift::Travel(glm::dvec2 step) noexcept {
+  Settle();
   const double length = std::sqrt(step.x * step.x + step.y * step.y);
   if (!(length > 0)) return;
+  const glm::dvec2 left(-step.y / length, step.x / length);
+  rest_ += aside_ * (left_ - left);  // a turn does not move the offset at once
+  left_ = left;
   travelled_ += length;
   // The integral of the sine over this bit of way, in closed form.
   const double cosine = std::cos(wave_number_ * travelled_ + phase_);
-  const double aside = reach_ * (cosine_ - cosine);
+  aside_ += reach_ * (cosine_ - cosine);
   cosine_ = cosine;
-  offset_ += aside / length * glm::dvec2(-step.y, step.x);
 }
 
 void Drift::Relax() noexcept {
-  Move(relax_, offset_.x, rate_.x, 0);
-  Move(relax_, offset_.y, rate_.y, 0);
+  rest_ += aside_ * left_;
+  aside_ = 0;
+  Settle();
+}
+
+void Drift::Settle() noexcept {
+  Move(relax_, rest_.x, rest_rate_.x, 0);
+  Move(relax_, rest_.y, rest_rate_.y, 0);
 }
 
 }  // namespace moontrace

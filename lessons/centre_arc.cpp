@@ -1,7 +1,9 @@
 #include "lessons/centre_arc.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace moontrace {
@@ -71,9 +73,41 @@ Piece ArcThrough(glm::dvec2 from, glm::dvec2 middle, glm::dvec2 to) {
   return Arc{from + center, glm::length(center), start, sweep};
 }
 
+/// Distance of a point within the outline to it.
+double Inside(const std::vector<Piece>& outline, glm::dvec2 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Piece& piece : outline) nearest = std::min(nearest, DistanceTo(piece, p));
+  return nearest;
+}
+
+/// The part between arc lengths `begin` and `end`.
+Piece Part(const Piece& piece, double begin, double end) {
+  if (const Arc* arc = std::get_if<Arc>(&piece)) {
+    const double per_length = arc->sweep / Length(piece);
+    return Arc{arc->center, arc->radius, arc->start + per_length * begin,
+               per_length * (end - begin)};
+  }
+  return Line{PointAt(piece, begin), PointAt(piece, end)};
+}
+
+/// The part around the middle that lies `rim` inside; the way to each end is halved to 1e-12.
+Piece Trimmed(const Piece& piece, const std::vector<Piece>& outline, double rim) {
+  const double length = Length(piece), middle = length / 2;
+  const double depth = std::min(rim, 0.9 * Inside(outline, PointAt(piece, middle)));
+  const auto last_inside = [&](double out) {
+    double in = middle;
+    for (int i = 0; i < 40; ++i) {
+      const double half = (in + out) / 2;
+      (Inside(outline, PointAt(piece, half)) >= depth ? in : out) = half;
+    }
+    return in;
+  };
+  return Part(piece, last_inside(0), last_inside(length));
+}
+
 }  // namespace
 
-std::vector<Piece> CentreArc(const std::vector<Piece>& outline) {
+std::vector<Piece> CentreArc(const std::vector<Piece>& outline, double rim) {
   if (outline.empty()) return {};
   if (IsCircle(outline)) {
     const glm::dvec2 center = std::get<Arc>(outline.front()).center;
@@ -86,7 +120,7 @@ std::vector<Piece> CentreArc(const std::vector<Piece>& outline) {
       0.5 * (MiddleOfSide(outline, first, second) + MiddleOfSide(outline, second, first));
   const double level = kSame * glm::length(to - from);
   if (from.y < to.y - level || (from.y <= to.y + level && from.x > to.x)) std::swap(from, to);
-  return {ArcThrough(from, middle, to)};
+  return {Trimmed(ArcThrough(from, middle, to), outline, rim)};
 }
 
 }  // namespace moontrace

@@ -5,10 +5,10 @@
 namespace moontrace {
 namespace {
 
-std::vector<Piece> SpineOf(const Stroke& stroke, double size, glm::dvec2 origin_P) {
+std::vector<Piece> SpineOf(const Stroke& stroke, const TypeStyle& style, glm::dvec2 origin_P) {
   std::vector<Piece> placed;
-  for (const Piece& piece : stroke.pieces) placed.push_back(Placed(piece, size, origin_P));
-  return stroke.kind == StrokeKind::kStroke ? placed : CentreArc(placed);
+  for (const Piece& piece : stroke.pieces) placed.push_back(Placed(piece, style.size, origin_P));
+  return stroke.kind == StrokeKind::kStroke ? placed : CentreArc(placed, style.width / 2);
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& 
       if (stroke.pieces.empty()) continue;
       IntendedStroke intended;
       intended.kind = stroke.kind;
-      intended.spine_P = SpineOf(stroke, style.size, placed.origin_P);
+      intended.spine_P = SpineOf(stroke, style, placed.origin_P);
       intended.width = style.width;
       intended.glyph = i;
       strokes.push_back(intended);

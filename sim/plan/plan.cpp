@@ -16,6 +16,14 @@ constexpr double kEndRest = 0.05;       // at a stroke's end, in which a lagging
 constexpr double kFirstRest = 0.1;      // above the first stroke [s]
 constexpr double kCornerCosine = 0.9396926207859084;  // of 20 degrees
 
+// After a sharp corner the aim leans outwards by this share of the stroke so far (as much as a hand
+// may have drifted), within this time; then over these lengths, in groove widths at a right angle,
+// it holds and returns: by then the grooves of the two legs have parted.
+constexpr double kLeanShare = 0.06;
+constexpr double kLeanTime = 0.1;  // [s]
+constexpr double kLeanWidths = 0.5;
+constexpr double kReturnWidths = 0.75;
+
 /// Whether travel goes on from `a` to `b` without a corner.
 bool IsSmooth(const Piece& a, const Piece& b) {
   return glm::dot(TangentAt(a, Length(a)), TangentAt(b, 0)) > kCornerCosine;
@@ -60,6 +68,37 @@ glm::dvec2 PointOf(const std::vector<Piece>& run, double s) {
   return PointAt(run.back(), s);
 }
 
+/// Sideways offset of the aim along a run.
+struct Lean {
+  glm::dvec2 offset_P{0, 0};  ///< at the run's start [m]
+  double hold = 0;            ///< length over which it stays [m]
+  double back = 0;            ///< length over which it then dies away [m]
+
+  glm::dvec2 At(double s) const {
+    const double u = back > 0 ? std::clamp((s - hold) / back, 0.0, 1.0) : 1;
+    return (1 - u * u * (3 - 2 * u)) * offset_P;
+  }
+  /// Greatest growth of the way by leaning: the smooth step's slope is at most 3/2.
+  double Stretch() const {
+    return back > 0 ? std::hypot(1.0, 1.5 * glm::length(offset_P) / back) : 1;
+  }
+};
+
+/// Away from the leg that came by, if the stroke turns back on itself.
+Lean LeanAfter(const std::vector<Piece>& before, const std::vector<Piece>& run, double way,
+               double width) {
+  const glm::dvec2 came = TangentAt(before.back(), Length(before.back()));
+  const glm::dvec2 goes = TangentAt(run.front(), 0);
+  const glm::dvec2 outwards = came - glm::dot(came, goes) * goes;
+  const double across = glm::length(outwards);
+  if (glm::dot(came, goes) >= 0 || across < 1e-6) return {};
+  double length = 0;
+  for (const Piece& piece : run) length += Length(piece);
+  // Legs at a smaller angle part later.
+  const double scale = std::min(width / across, length / (kLeanWidths + kReturnWidths));
+  return {kLeanShare * way / across * outwards, kLeanWidths * scale, kReturnWidths * scale};
+}
+
 /// Writes a plan from its beginning to its end.
 class PlanWriter {
  public:
@@ -100,12 +139,13 @@ class PlanWriter {
     }
   }
 
-  void Follow(const std::vector<Piece>& run) {
-    const std::vector<double> way = TimeRun(run, options_.speed, kStep);
+  void Follow(const std::vector<Piece>& run, const Lean& lean) {
+    if (lean.offset_P != glm::dvec2(0, 0)) GoTo(p_P_ + glm::dvec3(lean.offset_P, 0), kLeanTime);
+    const std::vector<double> way = TimeRun(run, options_.speed / lean.Stretch(), kStep);
     const double begin = time_;
     for (std::size_t i = 1; i < way.size(); ++i) {
       time_ = begin + kStep * static_cast<double>(i);
-      p_P_ = {PointOf(run, way[i]), 0};
+      p_P_ = {PointOf(run, way[i]) + lean.At(way[i]), 0};
       AddPoint();
     }
   }
@@ -139,7 +179,11 @@ void WriteStroke(PlanWriter& writer, const IntendedStroke& stroke, std::size_t n
   writer.Rest(options.settle);
   writer.EndSpan(TracePhase::kEntry, number);
   const auto runs = RunsOf(stroke);
-  for (const std::vector<Piece>& run : runs) writer.Follow(run);
+  double way = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    writer.Follow(runs[i], i > 0 ? LeanAfter(runs[i - 1], runs[i], way, stroke.width) : Lean{});
+    for (const Piece& piece : runs[i]) way += Length(piece);
+  }
   writer.Rest(runs.empty() ? options.dot_rest : kEndRest);
   writer.EndSpan(TracePhase::kStroke, number);
   writer.Press(0);
