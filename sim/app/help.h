@@ -29,32 +29,35 @@ inline constexpr const char* kText = "the text; - reads standard input.";
 inline constexpr const char* kFile = "read the text from this file; - is standard input.";
 inline constexpr const char* kJson = "write one JSON object instead of words.";
 inline constexpr const char* kQuiet = "no remarks, only results and errors.";
-inline constexpr const char* kSize = "height of the letters in mm, 0.1 to 1000; 12 if not given.";
-inline constexpr const char* kWidth = "width of the groove in mm; 0.1165 of the size.";
-inline constexpr const char* kDepth = "depth of the groove in mm; half its width.";
+inline constexpr const char* kSize = "height of the letters in mm, 0.1 to 1000. Default 12.";
+inline constexpr const char* kWidth =
+    "width of the groove in mm. Default 0.1165 of the size, more below 8 mm.";
+inline constexpr const char* kDepth =
+    "depth of the groove in mm. Default half its width, less below 8 mm.";
 inline constexpr const char* kRounding =
-    "half width of the rounded spine and rims in mm, at most a quarter of the width.";
+    "half width of the rounded spine and rims in mm, at most a quarter of the width. Default a "
+    "fifth.";
 inline constexpr const char* kEmbossed = "ridges instead of grooves.";
-inline constexpr const char* kScript = "name of a script or path of its SVG font; moon.";
+inline constexpr const char* kScript = "name of a script or path of its SVG font. Default moon.";
 inline constexpr const char* kHForm = "form of H: crescent, arc, pocket or reverse-n.";
 inline constexpr const char* kGrade = "contractions: 0.5 none, 1 all that are certain.";
 inline constexpr const char* kPaper =
-    "a4, a5, workspace (160 by 120 mm) or width x height in mm like 120x80; a4.";
-inline constexpr const char* kMargin = "margin on all sides in mm; 15, on workspace 5.";
-inline constexpr const char* kLetterGap = "added between letters in mm; 0.";
-inline constexpr const char* kWordGap = "added between words in mm; 0.";
-inline constexpr const char* kLinePitch = "from base line to base line in mm; 1.8 sizes.";
+    "a4, a5, workspace (160 by 120 mm) or width x height in mm like 120x80. Default a4.";
+inline constexpr const char* kMargin = "margin on all sides in mm. Default 15, on workspace 5.";
+inline constexpr const char* kLetterGap = "added between letters in mm. Default 0.";
+inline constexpr const char* kWordGap = "added between words in mm. Default 0.";
+inline constexpr const char* kLinePitch = "from base line to base line in mm. Default 1.8 sizes.";
 inline constexpr const char* kTilt =
-    "raises the far edge of the page, in degrees from -60 to 60; 0.";
-inline constexpr const char* kSeed = "of tremor and drift, a whole number; 1.";
-inline constexpr const char* kRender = "proxy (quiet) or direct (the paper's); proxy.";
-inline constexpr const char* kLaw = "potential (conserves energy) or paper; potential.";
+    "raises the far edge of the page, in degrees from -60 to 60. Default 0.";
+inline constexpr const char* kSeed = "of tremor and drift, a whole number. Default 1.";
+inline constexpr const char* kRender = "proxy (quiet) or direct (the paper's). Default proxy.";
+inline constexpr const char* kLaw = "potential (conserves energy) or paper. Default potential.";
 inline constexpr const char* kModel =
     "an MJCF model whose first moontrace label carries the text; keys of the label count unless "
     "given here.";
-inline constexpr const char* kFriction = "Coulomb friction, 0 to 2; 0.";
-inline constexpr const char* kPress = "press of the hand in N; 1, embossed 0.2.";
-inline constexpr const char* kSpeed = "greatest speed along a stroke in mm/s; 40.";
+inline constexpr const char* kFriction = "Coulomb friction, 0 to 2. Default 0.";
+inline constexpr const char* kPress = "press of the hand in N. Default 1, embossed 0.2.";
+inline constexpr const char* kSpeed = "greatest speed along a stroke in mm/s. Default 40.";
 inline constexpr const char* kPicture =
     "write a picture, .svg, .png or .pdf; of several pages F-1, F-2 and so on.";
 inline constexpr const char* kLetters = "small print below each sign of the picture.";
@@ -67,8 +70,7 @@ inline constexpr const char* kY = "mm up the page.";
 inline constexpr const char* kZ = "mm out of the paper, negative is into it.";
 inline constexpr const char* kFolder = "a folder written by trace --record.";
 inline constexpr const char* kCheck = "exit with 1 unless the replay is equal to the bit.";
-inline constexpr const char* kQuick = "fewer repetitions, coarser figures.";
-inline constexpr const char* kDemoFolder = "where the pictures go; moontrace-demo.";
+inline constexpr const char* kDemoFolder = "where the pictures go. Default moontrace-demo.";
 }  // namespace say::help
 
 }  // namespace moontrace

@@ -7,7 +7,7 @@
 namespace moontrace {
 namespace {
 
-const std::vector<std::string> kCommands = {"demo", "page", "trace", "probe", "replay"};
+const std::vector<std::string> kCommands = {"demo", "page", "trace", "probe", "replay", "bench"};
 
 TEST(Cli, HelpNamesEveryCommandInPlainLines) {
   const Outcome help = RunLine({"--help"});
