@@ -19,7 +19,9 @@ constexpr std::size_t kGreatestIncludes = 1000;
 
 pugi::xml_node ParseInto(pugi::xml_document& document, const std::string& xml,
                          const std::string& name) {
-  const pugi::xml_parse_result result = document.load_buffer(xml.data(), xml.size());
+  // white space and comments stay, so that MuJoCo's line numbers are nearly the file's
+  constexpr unsigned kKeep = pugi::parse_default | pugi::parse_ws_pcdata | pugi::parse_comments;
+  const pugi::xml_parse_result result = document.load_buffer(xml.data(), xml.size(), kKeep);
   if (result) return document.document_element();
   const TextPlace place = PlaceOf(xml, static_cast<std::size_t>(result.offset));
   throw InputError(name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
@@ -135,7 +137,7 @@ Mjcf PrepareMjcf(const std::string& xml, const std::string& folder, const std::s
     mjcf.proxy_inserted = true;
   }
   std::ostringstream text;
-  document.save(text, " ");
+  document.save(text, "", pugi::format_raw | pugi::format_no_declaration);
   mjcf.xml = text.str();
   return mjcf;
 }

@@ -38,14 +38,6 @@ class ResetWatch {
   double margin_;
 };
 
-void ApplyForce(const mjModel& m, mjData& d, int body, glm::dvec3 point_W,
-                glm::dvec3 f_W) noexcept {
-  const mjtNum force[3] = {f_W.x, f_W.y, f_W.z};
-  const mjtNum point[3] = {point_W.x, point_W.y, point_W.z};
-  const mjtNum torque[3] = {0, 0, 0};
-  mj_applyFT(&m, &d, force, torque, point, body, d.qfrc_applied);
-}
-
 }  // namespace
 
 glm::dvec3 Scene::Impl::ProxyPosition() const noexcept {
@@ -118,13 +110,19 @@ void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
 }
 
 /// Lets our forces act for one step, beside whatever the caller has in qfrc_applied, whose bits are
-/// put back.
+/// put back. The proxy's three slides are the world's axes: a force on it is its own generalized
+/// force, as mj_applyFT would find it.
 void Scene::Impl::Integrate(const StepForces& step) noexcept {
   const mjModel& m = *loaded.m;
   std::copy_n(d->qfrc_applied, caller_qfrc.size(), caller_qfrc.begin());
   const glm::dvec3 on_proxy = direct() ? lift_W : lift_W + step.page_W + step.pull_W;
-  ApplyForce(m, *d, loaded.proxy.body, step.point_W, on_proxy);
-  if (loaded.page.moves) ApplyForce(m, *d, loaded.page.body, step.point_W, -step.page_W);
+  for (int i = 0; i < 3; ++i) d->qfrc_applied[loaded.proxy.dof + i] += on_proxy[i];
+  if (loaded.page.moves) {
+    const mjtNum reaction[3] = {-step.page_W.x, -step.page_W.y, -step.page_W.z};
+    const mjtNum point[3] = {step.point_W.x, step.point_W.y, step.point_W.z};
+    const mjtNum torque[3] = {0, 0, 0};
+    mj_applyFT(&m, d.get(), reaction, torque, point, loaded.page.body, d->qfrc_applied);
+  }
   mj_step2(&m, d.get());
   std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
 }
@@ -178,8 +176,8 @@ TickResult Scene::Impl::Tick(const DeviceState& input) noexcept {
     pull_W += step.pull_W;
     page_W += step.page_W;
   }
-  pull_W /= substeps;
-  page_W /= substeps;
+  pull_W *= 1.0 / substeps;
+  page_W *= 1.0 / substeps;
 
   TickResult result;
   result.force_W = direct() ? page_W : -pull_W;

@@ -150,6 +150,20 @@ TEST_F(ModelLoader, BrokenFilesGiveOneLineWithTheirName) {
   EXPECT_TRUE(Holds(ErrorOf([] { Scene::Load("nowhere.xml", {}); }), "nowhere.xml"));
 }
 
+TEST_F(ModelLoader, HostileFilesEndInOneLine) {
+  std::string deep = "<mujoco>";
+  for (int i = 0; i < 100000; ++i) deep += "<body>";
+  for (int i = 0; i < 100000; ++i) deep += "</body>";
+  EXPECT_TRUE(IsOneLine(LoadError(deep + "</mujoco>")));
+  std::string nested = ModelWith("", "");
+  nested.replace(nested.find("{}"), 2, "{text=" + std::string(100000, '['));
+  EXPECT_TRUE(IsOneLine(LoadError(nested)));
+  const std::string names = "<body name='" + std::string(5000, 'n') + "'/>";
+  const std::string repeated = LoadError(ModelWith("", names + names));
+  EXPECT_TRUE(IsOneLine(repeated));
+  EXPECT_LT(repeated.size(), 1000u);
+}
+
 TEST_F(ModelLoader, LabelsMustFindAFlatGeom) {
   std::string xml = ModelWith("", "<geom name='ball' size='1'/>");
   EXPECT_TRUE(Holds(LoadError("<mujoco><worldbody><geom type='plane' size='1 1 1'/></worldbody>"
