@@ -16,7 +16,7 @@ constexpr double kEndRest = 0.05;       // at a stroke's end, in which a lagging
 constexpr double kFirstRest = 0.1;      // above the first stroke [s]
 constexpr double kCornerCosine = 0.9396926207859084;  // of 20 degrees
 
-// After a sharp corner the aim leans outwards by this share of the stroke so far (as much as a hand
+// After a corner the aim leans outwards by this share of the stroke so far (as much as a hand
 // may have drifted), within this time; then over these lengths, in groove widths at a right angle,
 // it holds and returns: by then the grooves of the two legs have parted.
 constexpr double kLeanShare = 0.06;
@@ -84,14 +84,14 @@ struct Lean {
   }
 };
 
-/// Away from the leg that came by, if the stroke turns back on itself.
+/// Away from the leg that it came by.
 Lean LeanAfter(const std::vector<Piece>& before, const std::vector<Piece>& run, double way,
                double width) {
   const glm::dvec2 came = TangentAt(before.back(), Length(before.back()));
   const glm::dvec2 goes = TangentAt(run.front(), 0);
   const glm::dvec2 outwards = came - glm::dot(came, goes) * goes;
   const double across = glm::length(outwards);
-  if (glm::dot(came, goes) >= 0 || across < 1e-6) return {};
+  if (across < 1e-6) return {};
   double length = 0;
   for (const Piece& piece : run) length += Length(piece);
   // Legs at a smaller angle part later.

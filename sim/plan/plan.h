@@ -35,8 +35,8 @@ struct Plan {
 /// For each stroke: through the air to above its start and down (kAir, then kEntry), press, settle,
 /// follow it (kStroke, with a short rest at its end), lift (kLift). A dot is pressed and rested on.
 /// Corners of more than 20 degrees are turned at rest, curves at the speed that `TimeRun` allows.
-/// Where a stroke turns back on itself (by more than 90 degrees) the aim leans outwards, away from
-/// the leg it came by, until the two grooves part: a hand that has drifted would slide back. A
+/// Behind a corner the aim leans outwards, away from the leg it came by, until the two grooves have
+/// parted: a hand that has drifted would slide back. A
 /// closed smooth stroke is followed w/4 beyond its start. Points lie 5 ms apart at most while the
 /// aim moves. `X_WP` says where the page lies. Without strokes the hand rests above the origin.
 Plan MakeOraclePlan(const std::vector<IntendedStroke>& strokes, const PlanOptions& options,
