@@ -316,7 +316,7 @@ void AddLeaves(const std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
     });
     AddBand(band, layer);
   }
-  if (layer.one_y_per_band) layer.leaf_y = {};
+  if (layer.one_y_per_band) layer.leaf_y = std::vector<double>();
 }
 
 void Shrink(CompiledLayer& layer) {

@@ -1,0 +1,126 @@
+#include "sim/bench/bench_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace moontrace {
+
+namespace {
+
+/// Letters by their share of English text, in tenths of a percent (Lewand, Cryptological
+/// Mathematics, 2000).
+constexpr std::pair<char, int> kFrequencies[] = {
+    {'e', 127}, {'t', 91}, {'a', 82}, {'o', 75}, {'i', 70}, {'n', 67}, {'s', 63},
+    {'h', 61},  {'r', 60}, {'d', 43}, {'l', 40}, {'c', 28}, {'u', 28}, {'m', 24},
+    {'w', 24},  {'f', 22}, {'g', 20}, {'y', 20}, {'p', 19}, {'b', 15}, {'v', 10},
+    {'k', 8},   {'j', 2},  {'x', 2},  {'q', 1},  {'z', 1}};
+
+std::string RepresentativeText(std::size_t lines, std::uint64_t seed) {
+  std::string pool;
+  for (const auto& [letter, share] : kFrequencies) {
+    pool.append(static_cast<std::size_t>(share), letter);
+  }
+  std::mt19937_64 random(seed);
+  std::string text;
+  for (std::size_t line = 0; line < lines; ++line) {
+    std::size_t in_word = 0;
+    for (int column = 0; column < 64; ++column) {
+      // English words have 4.7 letters on average; a line neither begins nor ends with a space
+      const bool space = in_word > 0 && column < 63 && random() % 47 < 10;
+      text += space ? ' ' : pool[random() % pool.size()];
+      in_word = space ? 0 : in_word + 1;
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+BenchPage MakeBenchPage(std::size_t pages, std::uint64_t seed) {
+  constexpr std::size_t kLines = 30;
+  BenchPage page;
+  page.script = FindScript("moon");
+  page.style = DefaultStyle(0.005, Relief::kEngraved, page.script);
+  page.style.grade = 0.5;  // every letter by itself: 64 signs a line
+  // no margins: lines are evenly spaced over all pages
+  const PageSpec paper{"custom", 0.56, kLines * page.style.line_pitch, 0};
+  const Typeset set =
+      SetText(RepresentativeText(pages * kLines, seed), page.script, page.style, paper);
+  page.size = {paper.width, static_cast<double>(set.pages.size()) * paper.height};
+  double up = page.size.y;
+  for (const TextPage& one : set.pages) {
+    up -= paper.height;
+    for (PlacedGlyph glyph : one.glyphs) {
+      glyph.origin_P.y += up;
+      glyph.line += page.sheet.lines;
+      page.sheet.glyphs.push_back(glyph);
+    }
+    page.sheet.lines += one.lines;
+  }
+  page.texture = BuildTexture(page.sheet, page.script, page.style);
+  return page;
+}
+
+std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count,
+                                        std::uint64_t seed) {
+  std::vector<Box> boxes;
+  for (const Glyph& glyph : page.script.glyphs) {
+    boxes.push_back(Finish(BuildGlyph(glyph, page.style))->bounds);
+  }
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  const auto& glyphs = page.sheet.glyphs;
+  std::vector<glm::dvec2> points(count);
+  for (glm::dvec2& p : points) {
+    const PlacedGlyph& glyph = glyphs[random() % glyphs.size()];
+    const Box& box = boxes[glyph.glyph];
+    p = glyph.origin_P + box.min + glm::dvec2(share(random), share(random)) * (box.max - box.min);
+  }
+  return points;
+}
+
+std::vector<glm::dvec2> SlidingPoints(const BenchPage& page, std::size_t most) {
+  std::vector<glm::dvec2> points;
+  const auto& glyphs = page.sheet.glyphs;
+  for (std::size_t i = 0; i < glyphs.size() && points.size() < most; ++i) {
+    if (i > 0 && glyphs[i].line == glyphs[i - 1].line) continue;
+    const double middle = glyphs[i].origin_P.y + 0.5 * page.style.size;
+    for (double x = 0; x < page.size.x && points.size() < most; x += 50e-6) {
+      points.emplace_back(x, middle + 2e-3 * std::sin(40 * x));
+    }
+  }
+  return points;
+}
+
+HeightGrid::HeightGrid(const TextureField& field, glm::dvec2 size, std::size_t columns,
+                       std::size_t rows)
+    : columns_(columns),
+      rows_(rows),
+      cells_per_m_(glm::dvec2(columns - 1, rows - 1) / size),
+      heights_(columns * rows) {
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const glm::dvec2 p = glm::dvec2(column, row) / cells_per_m_;
+      heights_[row * columns + column] = static_cast<float>(field.SampleAt(p).displacement);
+    }
+  }
+}
+
+Sample HeightGrid::SampleAt(glm::dvec2 p) const noexcept {
+  double u = p.x * cells_per_m_.x, v = p.y * cells_per_m_.y;
+  const auto column = std::min(static_cast<std::size_t>(u > 0 ? u : 0), columns_ - 2);
+  const auto row = std::min(static_cast<std::size_t>(v > 0 ? v : 0), rows_ - 2);
+  u -= static_cast<double>(column);
+  v -= static_cast<double>(row);
+  const float* below = &heights_[row * columns_ + column];
+  const float* above = below + columns_;
+  const double a = below[0], b = below[1], c = above[0], d = above[1];
+  return {(a * (1 - u) + b * u) * (1 - v) + (c * (1 - u) + d * u) * v,
+          {((b - a) * (1 - v) + (d - c) * v) * cells_per_m_.x,
+           ((c - a) * (1 - u) + (d - b) * u) * cells_per_m_.y}};
+}
+
+}  // namespace moontrace

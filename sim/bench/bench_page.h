@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "textures/field.h"
+#include "textures/script.h"
+#include "textures/typeset.h"
+
+namespace moontrace {
+
+/// The page that everything is measured on: lines of 64 letters and spaces drawn by English letter
+/// frequencies, words of English length, 5 mm letters; 64 x 30 is the paper's.
+struct BenchPage {
+  Script script;
+  TypeStyle style;
+  TextPage sheet;
+  Texture texture;
+  glm::dvec2 size{0, 0};  ///< of the sheet [m]
+};
+/// More pages than one stand above each other, as one sheet.
+BenchPage MakeBenchPage(std::size_t pages, std::uint64_t seed);
+
+/// Seeded points inside the letters' boxes.
+std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count,
+                                        std::uint64_t seed);
+/// A finger's way: along every line of text with a weave of 2 mm, a point each 50 um (50 mm/s at 1
+/// kHz).
+std::vector<glm::dvec2> SlidingPoints(const BenchPage& page, std::size_t most);
+
+/// The sampled height map that a query is compared with: bilinear height and gradient, floats.
+class HeightGrid {
+ public:
+  HeightGrid(const TextureField& field, glm::dvec2 size, std::size_t columns, std::size_t rows);
+  Sample SampleAt(glm::dvec2 p) const noexcept;
+  std::size_t memory_bytes() const { return heights_.size() * sizeof(float); }
+
+ private:
+  std::size_t columns_, rows_;
+  glm::dvec2 cells_per_m_;
+  std::vector<float> heights_;
+};
+
+}  // namespace moontrace

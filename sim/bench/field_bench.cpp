@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/bench/bench_page.h"
+#include "sim/bench/row.h"
+#include "sim/bench/timing.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr int kTurns = 7;
+constexpr std::size_t kPoints = 400000;
+
+/// Each query waits for the one before: what a loop feels that must have the answer.
+template <class Map>
+double Chain(const Map& map, const std::vector<glm::dvec2>& points) {
+  double last = 0;
+  for (const glm::dvec2 p : points) {
+    const double nothing = last * 1e-300;
+    const Sample sample = map.SampleAt({p.x + nothing, p.y + nothing});
+    last = sample.displacement + sample.gradient.x + sample.gradient.y;
+  }
+  return last;
+}
+
+template <class Map>
+double Independent(const Map& map, const std::vector<glm::dvec2>& points) {
+  double sum = 0;
+  for (const glm::dvec2 p : points) {
+    const Sample sample = map.SampleAt(p);
+    sum += sample.displacement + sample.gradient.x + sample.gradient.y;
+  }
+  return sum;
+}
+
+double Nanoseconds(double seconds, std::size_t count) {
+  return 1e9 * seconds / static_cast<double>(count);
+}
+
+void AddQueries(const BenchPage& page, const TextureField& field, BenchRows& rows) {
+  // the grid of the bar: 8000 x 5156 floats
+  const HeightGrid grid(field, page.size, 8000, 5156);
+  const std::vector<glm::dvec2> points = PointsInLetters(page, kPoints, 21);
+  const Turns chain = ByTurns(
+      kTurns, [&] { Keep(Chain(field, points)); }, [&] { Keep(Chain(grid, points)); });
+  rows.push_back(
+      AtMost("query, each waiting for the last, against the grid", chain.ratio, "times", 0.4));
+  rows.push_back(Shown("that query", Nanoseconds(chain.first, kPoints), "ns"));
+  rows.push_back(Shown("that query in the grid", Nanoseconds(chain.second, kPoints), "ns"));
+  const Turns free = ByTurns(
+      kTurns, [&] { Keep(Independent(field, points)); }, [&] { Keep(Independent(grid, points)); });
+  rows.push_back(AtMost("independent queries against the grid", free.ratio, "times", 0.8));
+  rows.push_back(Shown("independent query", Nanoseconds(free.first, kPoints), "ns"));
+  rows.push_back(Shown("independent query in the grid", Nanoseconds(free.second, kPoints), "ns"));
+  rows.push_back(
+      AtMost("memory against the grid",
+             static_cast<double>(field.memory_bytes()) / static_cast<double>(grid.memory_bytes()),
+             "times", 0.01));
+  const std::vector<glm::dvec2> way = SlidingPoints(page, kPoints);
+  const Turns slide = ByTurns(
+      kTurns, [&] { Keep(Independent(field, way)); }, [&] { Keep(Independent(grid, way)); });
+  rows.push_back(AtMost("sliding query", Nanoseconds(slide.first, way.size()), "ns", 30));
+  rows.push_back(Shown("sliding query in the grid", Nanoseconds(slide.second, way.size()), "ns"));
+
+  double own_error = 0, grid_error = 0;
+  for (std::size_t i = 0; i < kPoints / 4; ++i) {
+    const double exact = SampleTree(page.texture, points[i]).displacement;
+    own_error = std::max(own_error, std::abs(field.SampleAt(points[i]).displacement - exact));
+    grid_error = std::max(grid_error, std::abs(grid.SampleAt(points[i]).displacement - exact));
+  }
+  // rounding: a few units in the last place of the page's coordinates, times the slope
+  rows.push_back(AtMost("error against the tree", 1e6 * own_error, "um", 1e-9));
+  rows.push_back(Shown("error of the grid", 1e6 * grid_error, "um"));
+}
+
+void AddGrowth(const BenchPage& page, const TextureField& field, BenchRows& rows) {
+  constexpr std::size_t kPageCount = 521;  // of 1920 signs and spaces: a million
+  const BenchPage book = MakeBenchPage(kPageCount, 5);
+  const TextureField whole(book.texture);
+  const std::vector<glm::dvec2> points = PointsInLetters(page, kPoints, 22);
+  const std::vector<glm::dvec2> way = SlidingPoints(page, kPoints);
+
+  // page by page: the book's pages one after the other, each its own field, as a reader turns them
+  std::vector<TextureField> pages;
+  std::vector<std::vector<glm::dvec2>> page_points;
+  constexpr std::size_t kFew = 40;
+  for (std::size_t i = 0; i < kFew; ++i) {
+    const BenchPage one = MakeBenchPage(1, 100 + i);
+    pages.emplace_back(one.texture);
+    page_points.push_back(PointsInLetters(one, kPoints / kFew, 200 + i));
+  }
+  const Turns paged = ByTurns(
+      kTurns,
+      [&] {
+        for (std::size_t i = 0; i < kFew; ++i) Keep(Chain(pages[i], page_points[i]));
+      },
+      [&] { Keep(Chain(field, points)); });
+  rows.push_back(AtMost("book of a million letters, page by page, against one page", paged.ratio,
+                        "times", 1.05));
+
+  const std::vector<glm::dvec2> book_way = SlidingPoints(book, kPoints);
+  const Turns slid = ByTurns(
+      kTurns, [&] { Keep(Chain(whole, book_way)); }, [&] { Keep(Chain(field, way)); });
+  rows.push_back(AtMost("book as one field, read along its lines, against one page", slid.ratio,
+                        "times", 1.5));
+  const std::vector<glm::dvec2> book_points = PointsInLetters(book, kPoints, 23);
+  const Turns leapt = ByTurns(
+      kTurns, [&] { Keep(Chain(whole, book_points)); }, [&] { Keep(Chain(field, points)); });
+  rows.push_back(
+      AtMost("book as one field, leaping anywhere, against one page", leapt.ratio, "times", 1.5));
+  rows.push_back(
+      Shown("memory of the book", 1e-6 * static_cast<double>(whole.memory_bytes()), "MB"));
+}
+
+void AddBuilding(const BenchPage& page, BenchRows& rows) {
+  std::vector<double> times;
+  for (int i = 0; i < 15; ++i) {
+    times.push_back(SecondsOf([&] {
+      const TextureField field(BuildTexture(page.sheet, page.script, page.style));
+      Keep(field.greatest_slope());
+    }));
+  }
+  rows.push_back(AtMost("new page of 64 x 30 letters built", 1e3 * Median(times), "ms", 2));
+}
+
+}  // namespace
+
+BenchRows BenchField() {
+  BenchRows rows;
+  const BenchPage page = MakeBenchPage(1, 4);
+  const TextureField field(page.texture);
+  AddQueries(page, field, rows);
+  AddGrowth(page, field, rows);
+  AddBuilding(page, rows);
+  return rows;
+}
+
+}  // namespace moontrace

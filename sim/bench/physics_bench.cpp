@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "devices/simulated_stylus.h"
+#include "sim/app/trial.h"
+#include "sim/bench/bench_page.h"
+#include "sim/bench/row.h"
+#include "sim/bench/timing.h"
+#include "sim/plan/plan.h"
+#include "sim/scene/mujoco_compat.h"
+#include "sim/scene/scene.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kTipRadius = 0.25e-3;  // of MuJoCo's own tip on its height field [m]
+
+/// A finger's way over the page at 50 mm/s, pressed 1 mm in.
+std::vector<DeviceState> Slide(const BenchPage& page, std::size_t ticks) {
+  std::vector<DeviceState> inputs;
+  for (const glm::dvec2 p : SlidingPoints(page, ticks)) {
+    DeviceState input;
+    input.time = 1e-3 * static_cast<double>(inputs.size());
+    input.p_D = {p, -1e-3};
+    inputs.push_back(input);
+  }
+  return inputs;
+}
+
+double RunScene(Scene& scene, const std::vector<DeviceState>& inputs) {
+  double sum = 0;
+  for (const DeviceState& input : inputs) sum += scene.Tick(input).force_P.z;
+  return sum;
+}
+
+/// The bare model: the same coupling by hand, no field, mj_step.
+double RunBare(Scene& scene, const std::vector<DeviceState>& inputs) {
+  mjData* d = scene.data();
+  for (std::size_t i = 0; i < inputs.size(); ++i) mj_step(scene.model(), d);
+  return d->time;
+}
+
+std::string Number(double value) { return fmt::format("{:.9g}", value); }
+
+/// MuJoCo's way to the same page: a height field, and a tip on three slides.
+ModelPtr HeightFieldModel(const BenchPage& page, const TextureField& field, int columns, int rows,
+                          bool leaning) {
+  const double depth = field.greatest_displacement();
+  const std::string half_x = Number(page.size.x / 2), half_y = Number(page.size.y / 2);
+  const std::string contact = "condim='1' friction='0.2 0 0' solref='0.002 1'";
+  const std::string radius = Number(kTipRadius);
+  const std::string tip =
+      leaning ? "<geom type='capsule' fromto='0 0 0 0.03 0 0.06' mass='0.05' size='" + radius + "' "
+              : "<geom type='sphere' mass='0.05' size='" + radius + "' ";
+  const std::string xml =
+      "<mujoco><option timestep='0.001' gravity='0 0 0'/><asset><hfield name='page' ncol='" +
+      std::to_string(columns) + "' nrow='" + std::to_string(rows) + "' size='" + half_x + " " +
+      half_y + " " + Number(depth) +
+      " 0.002'/></asset><worldbody><geom type='hfield' "
+      "hfield='page' pos='" +
+      half_x + " " + half_y + " " + Number(-depth) + "' " + contact +
+      "/><body name='tip'><joint type='slide' axis='1 0 0'/><joint type='slide' axis='0 1 0'/>"
+      "<joint type='slide' axis='0 0 1'/>" +
+      tip + contact + "/></body></worldbody></mujoco>";
+  std::string warning;
+  ModelPtr m = CompileMjcf(xml, "bench.xml", "bench", warning);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const glm::dvec2 p = page.size * glm::dvec2(column, row) / glm::dvec2(columns - 1, rows - 1);
+      m->hfield_data[row * columns + column] =
+          static_cast<float>(1 + field.SampleAt(p).displacement / depth);
+    }
+  }
+  return m;
+}
+
+/// Drags the tip as Scene's coupling does; the median of a step's time [s].
+double HeightFieldStep(const mjModel& m, const std::vector<DeviceState>& inputs) {
+  const DataPtr d = MakeData(m, "bench");
+  for (int axis = 0; axis < 3; ++axis) d->qpos[axis] = inputs.front().p_D[axis];
+  d->qpos[2] = kTipRadius;
+  std::vector<double> times;
+  for (const DeviceState& input : inputs) {
+    const glm::dvec3 aim = input.p_D + glm::dvec3(0, 0, kTipRadius);
+    for (int axis = 0; axis < 3; ++axis) {
+      d->qfrc_applied[axis] = 1000 * (aim[axis] - d->qpos[axis]) - 14 * d->qvel[axis];
+    }
+    times.push_back(SecondsOf([&] { mj_step(&m, d.get()); }));
+  }
+  double sum = 0;
+  for (const double time : times) sum += time;
+  return sum / static_cast<double>(times.size());
+}
+
+void AddHeightField(const BenchPage& page, const TextureField& field, double own_step,
+                    BenchRows& rows) {
+  const ModelPtr ball = HeightFieldModel(page, field, 4000, 2000, false);
+  const double ball_step = HeightFieldStep(*ball, Slide(page, 20000));
+  rows.push_back(AtLeast("against MuJoCo's height field, sphere of 0.25 mm", ball_step / own_step,
+                         "times faster", 15));
+  rows.push_back(Shown("step of that height field, sphere", 1e6 * ball_step, "us"));
+  const ModelPtr stylus = HeightFieldModel(page, field, 4000, 2000, true);
+  const double stylus_step = HeightFieldStep(*stylus, Slide(page, 3000));
+  rows.push_back(AtLeast("against MuJoCo's height field, leaning stylus", stylus_step / own_step,
+                         "times faster", 200));
+  rows.push_back(Shown("step of that height field, stylus", 1e6 * stylus_step, "us"));
+}
+
+/// The whole tick of a simulated trial: device, sample, step, device.
+void AddTick(const BenchPage& page, const TextureField& field, BenchRows& rows) {
+  TextPage sheet;
+  for (const PlacedGlyph& glyph : page.sheet.glyphs) {
+    if (glyph.line < 1) sheet.glyphs.push_back(glyph);
+  }
+  Scene scene = Scene::Load("", SceneOptions{});
+  scene.SetField(&field);
+  const HandModel hand = ShippedHand();
+  const Plan plan =
+      MakeOraclePlan(IntendedStrokes(sheet, page.script, page.style), PlanOptions{}, scene.X_WP());
+  const auto stylus = MakeSimulatedStylus(hand, plan.path_W, 1e-3, 1);
+  const auto ticks = static_cast<std::size_t>(std::min(plan.duration * 1e3, 100000.0));
+  std::vector<double> times;
+  times.reserve(ticks);
+  double whole = 0;
+  for (std::size_t i = 0; i < ticks; ++i) {
+    const double begin = Now();
+    DeviceState input;
+    stylus->Read(input);
+    const TickResult result = scene.Tick(input);
+    stylus->Write(result.force_W);
+    times.push_back(Now() - begin);
+    whole += times.back();
+  }
+  std::sort(times.begin(), times.end());
+  rows.push_back(
+      AtMost("whole tick, mean", 1e6 * whole / static_cast<double>(times.size()), "us", 3));
+  rows.push_back(AtMost("whole tick, 99.9 percent",
+                        1e6 * times[static_cast<std::size_t>(0.999 * static_cast<double>(ticks))],
+                        "us", 30));
+}
+
+}  // namespace
+
+BenchRows BenchPhysics() {
+  BenchRows rows;
+  const BenchPage page = MakeBenchPage(1, 4);
+  const TextureField field(page.texture);
+  const std::vector<DeviceState> inputs = Slide(page, 100000);
+  Scene scene = Scene::Load("", SceneOptions{});
+  scene.SetField(&field);
+  Scene bare = Scene::Load("", SceneOptions{});
+  const Turns steps = ByTurns(
+      9, [&] { Keep(RunScene(scene, inputs)); }, [&] { Keep(RunBare(bare, inputs)); });
+  const double ticks = static_cast<double>(inputs.size());
+  rows.push_back(
+      AtMost("mj_step with coupling and field against bare mj_step", steps.ratio, "times", 1.3));
+  rows.push_back(Shown("mj_step with coupling and field", 1e6 * steps.first / ticks, "us"));
+  rows.push_back(Shown("bare mj_step of the same model", 1e6 * steps.second / ticks, "us"));
+  AddHeightField(page, field, steps.first / ticks, rows);
+  AddTick(page, field, rows);
+  return rows;
+}
+
+}  // namespace moontrace
