@@ -106,7 +106,7 @@ TEST(OraclePlan, StartsAndEndsWhereTheStrokesDo) {
 TEST(OraclePlan, StaysOnTheStrokeAlsoBetweenPoints) {
   const auto strokes = AllStrokes();
   const Plan plan = MakeOraclePlan(strokes, PlanOptions{}, Pose{});
-  for (const std::size_t i : {1, 2}) {  // the roof leans: see below
+  for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {  // the roof leans: see below
     const auto points = PointsIn(plan, SpanOf(plan, TracePhase::kStroke, i));
     double way = 0;
     for (std::size_t n = 1; n < points.size(); ++n) {
