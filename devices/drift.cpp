@@ -46,6 +46,11 @@ void Drift::Relax() noexcept {
 }
 
 void Drift::Settle() noexcept {
+  // Below a picometre it is gone; going on would end in denormal numbers, which are slow.
+  if (glm::dot(rest_, rest_) + glm::dot(rest_rate_, rest_rate_) < 1e-24) {
+    rest_ = rest_rate_ = {0, 0};
+    return;
+  }
   Move(relax_, rest_.x, rest_rate_.x, 0);
   Move(relax_, rest_.y, rest_rate_.y, 0);
 }

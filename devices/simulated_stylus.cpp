@@ -146,6 +146,9 @@ class SimulatedStylus final : public Device {
         aim_.z = p_.z;
       }
       Move(relax_, height_offset_, height_rate_, 0);
+      if (std::abs(height_offset_) + std::abs(height_rate_) < 1e-12) {  // before denormals
+        height_offset_ = height_rate_ = 0;
+      }
     }
     glm::dvec3 aim = intent.p + shake + glm::dvec3(drift_.offset(), height_offset_);
     Follow(0, aim_.x, aim.x, force.x);
