@@ -73,4 +73,8 @@ void Console::Alive(double done) {
   err_.flush();
 }
 
+void Console::CheckStop() const {
+  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Interrupted();
+}
+
 }  // namespace moontrace

@@ -31,6 +31,12 @@ class WorkFailed : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Someone asked the program to stop (Ctrl-C); exit code 130.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
 /// The text face: plain lines of at most 80 characters, results on one stream, messages on another.
 class Console {
  public:
@@ -51,6 +57,9 @@ class Console {
 
   /// A sign of life on stderr if nothing was said for 30 s.
   void Alive(double done);
+
+  /// Throws Interrupted once a stop was asked for; called between pieces of long work.
+  void CheckStop() const;
 
   std::istream& in() { return in_; }
   std::ostream& out() { return out_; }

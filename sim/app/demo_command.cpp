@@ -76,6 +76,7 @@ int Run(const DemoOptions& options, Console& console) {
   console.Result(say::DemoWelcome(kWord));
   console.Result(say::DemoWhatMoonIs());
   console.Result(say::DemoHand());
+  console.Result(say::DemoCovered());
   Json rows = Json::array();
   double lost = 0;
   for (const double size : kSizes) {

@@ -1,5 +1,6 @@
+#include <signal.h>  // sigaction: a signal must end a wait for standard input
+
 #include <atomic>
-#include <csignal>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -13,11 +14,19 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set within a signal handl
 
 extern "C" void AskToStop(int) { stop_asked.store(true); }
 
+/// The first signal asks the work to stop and clean up, a second one ends the process at once.
+void StopOn(int signal_number) {
+  struct sigaction action = {};
+  action.sa_handler = AskToStop;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // and no SA_RESTART, so that reading ends
+  sigaction(signal_number, &action, nullptr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, AskToStop);
-  std::signal(SIGTERM, AskToStop);
+  StopOn(SIGINT);
+  StopOn(SIGTERM);
   moontrace::Console console(std::cin, std::cout, std::cerr, &stop_asked);
   return moontrace::RunCli(std::vector<std::string>(argv + 1, argv + argc), console);
 }

@@ -327,18 +327,25 @@ std::string DemoWelcome(std::string_view word) {
 }
 
 std::string DemoWhatMoonIs() {
-  return "Moon is a script of lines and curves, read by touch. Each letter is a groove here.";
+  return "Moon is a script of lines and curves, read by touch: here, as grooves.";
 }
 
 std::string DemoHand() {
   return "The simulated hand trembles and drifts; only the groove keeps it on the letters.";
 }
 
+std::string DemoCovered() {
+  return "Covered is the share of all strokes that the stylus went along.";
+}
+
 std::string DemoSize(double size, const TrialResult& result) {
   const TraceMetrics& total = result.score.total;
-  return fmt::format("{} mm letters: {} covered, mean error {} mm, left the groove {}.",
+  const std::string left = total.excursions == 0
+                               ? "never left the groove"
+                               : fmt::format("left the groove {}", Times(total.excursions));
+  return fmt::format("{} mm letters: {} covered, mean error {} mm, {}.",
                      Short(kMillimetres * size, 1), Percent(total.coverage),
-                     Short(kMillimetres * total.mean_error, 3), Times(total.excursions));
+                     Short(kMillimetres * total.mean_error, 3), left);
 }
 
 std::string DemoBlank(double size, const TrialResult& result) {

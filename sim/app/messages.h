@@ -92,6 +92,7 @@ std::string BadParameters(std::string_view folder, std::string_view cause);
 std::string DemoWelcome(std::string_view word);
 std::string DemoWhatMoonIs();
 std::string DemoHand();
+std::string DemoCovered();
 std::string DemoSize(double size, const TrialResult& result);
 std::string DemoBlank(double size, const TrialResult& result);
 std::string DemoWhyBlank();

@@ -186,6 +186,7 @@ std::string ReadText(const TextOptions& options, const std::string& command, Con
       text.append(block, static_cast<std::size_t>(console.in().gcount()));
       if (text.size() > kMaxTextBytes) throw InputError(say::CannotReadInput());
     }
+    console.CheckStop();
     if (console.in().bad()) throw InputError(say::CannotReadInput());
     return text;
   }

@@ -73,7 +73,8 @@ std::string PageJson(const TextPage& page, const std::vector<std::string>& names
 
 /// One object, written page by page: a book's signs are never all held as JSON at once.
 void WriteJson(const Typeset& set, const Script& script, const std::vector<std::string>& pictures,
-               std::ostream& out) {
+               Console& console) {
+  std::ostream& out = console.out();
   Json head = TypesetJson(set, script);
   head["lines"] = CountLines(set);
   head["signs"] = CountSigns(set);
@@ -84,6 +85,7 @@ void WriteJson(const Typeset& set, const Script& script, const std::vector<std::
   std::vector<std::string> names;
   for (const Glyph& glyph : script.glyphs) names.push_back(Dump(glyph.name));
   for (std::size_t p = 0; p < set.pages.size(); ++p) {
+    console.CheckStop();
     out << (p == 0 ? "" : ",") << PageJson(set.pages[p], names);
   }
   out << "]}\n";
@@ -116,12 +118,13 @@ int Run(const PageOptions& options, Console& console) {
       throw InputError(say::TooManyPictures(set.pages.size(), kMostPictures));
     }
     for (std::size_t p = 0; p < set.pages.size(); ++p) {
+      console.CheckStop();
       pictures.push_back(PicturePath(options.picture, p, set.pages.size()));
       WritePicture(pictures.back(), PagePicture(set, p, script, text, options.letters));
     }
   }
   if (options.output.json) {
-    WriteJson(set, script, pictures, console.out());
+    WriteJson(set, script, pictures, console);
     return exit_code::kGood;
   }
   console.Result(say::PageOutcome(set, CountSigns(set), CountLines(set)));

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "devices/device.h"
 #include "devices/hand.h"
 #include "lessons/scoring.h"
+#include "sim/app/console.h"
 #include "sim/plan/plan.h"
 #include "sim/scene/scene_options.h"
 #include "textures/field.h"
@@ -19,12 +19,6 @@
 #include "textures/typeset.h"
 
 namespace moontrace {
-
-/// Someone asked the program to stop (Ctrl-C). Programs end with exit code 130.
-class Interrupted : public std::runtime_error {
- public:
-  Interrupted() : std::runtime_error("interrupted") {}
-};
 
 /// Everything that decides one simulated trial: one page, traced once. Same setup, same bytes.
 struct TrialSetup {

@@ -142,6 +142,14 @@ TEST_F(PageCommand, ListsAHundredLinesAndCountsTheRest) {
   EXPECT_EQ(Lines(outcome.out).back(), "And 30 more lines; --json lists all.");
 }
 
+TEST_F(PageCommand, StopsWhenAskedTo) {
+  const std::atomic<bool> stop{true};
+  EXPECT_EQ(RunLine({"page", "-"}, "A", &stop).code, 130);
+  EXPECT_EQ(RunLine({"page", "A", "--json"}, "", &stop).code, 130);
+  EXPECT_EQ(RunLine({"page", "A", "--picture", In("p.svg")}, "", &stop).code, 130);
+  ExpectOnly({});
+}
+
 TEST_F(PageCommand, QuietLeavesTheResults) {
   EXPECT_EQ(RunLine({"page", "A", "--quiet"}).out, RunLine({"page", "A"}).out);
 }
