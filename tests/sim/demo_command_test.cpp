@@ -10,7 +10,7 @@ namespace {
 class DemoCommand : public CliTest {};
 
 TEST_F(DemoCommand, TracesFourSizesAndABlankPageAndLeavesPictures) {
-  const Outcome outcome = RunLine({"demo", "--folder", In("demo"), "--seed", "3"});
+  const Outcome outcome = RunLine({"demo", "--folder", In("demo")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   for (const char* size : {"40 mm letters: ", "20 mm letters: ", "10 mm letters: ",
                            "6 mm letters: ", "Blank page: "}) {
@@ -35,6 +35,12 @@ TEST_F(DemoCommand, JsonHasARowForEachSize) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_GE(rows[i]["coverage"], 0.98) << rows[i];
   EXPECT_TRUE(rows[4]["blank"]);
   EXPECT_GT(rows[4]["mean_error_mm"], rows[1]["mean_error_mm"]);
+}
+
+TEST_F(DemoCommand, OtherSeedsTrembleOtherwise) {
+  const Outcome one = RunLine({"demo", "--folder", In("demo"), "--seed", "1"});
+  EXPECT_EQ(one.out, RunLine({"demo", "--folder", In("demo")}).out);
+  EXPECT_NE(one.out, RunLine({"demo", "--folder", In("demo"), "--seed", "2"}).out);
 }
 
 TEST_F(DemoCommand, UnwritableFolderIsNamed) {
