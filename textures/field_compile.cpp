@@ -140,10 +140,13 @@ bool CanMatter(const Element& element, glm::dvec2 middle, double reach) {
   return DistanceTo(piece, middle) <= reach;
 }
 
-/// The elements that can matter within `reach` of a cell's middle, in the group's order.
-Cell MakeCell(const Group& group, glm::dvec2 middle, double reach, CompiledLayer& layer) {
+/// The elements that can matter within `reach` of a cell's middle, in the group's order. `bounds`
+/// are the elements' own, which rule most of them out at once.
+Cell MakeCell(const Group& group, const std::vector<Box>& bounds, glm::dvec2 middle, double reach,
+              CompiledLayer& layer) {
   std::vector<std::uint16_t> items;
   for (std::size_t i = 0; i < group.elements.size(); ++i) {
+    if (!Contains(Grown(bounds[i], reach), middle)) continue;
     if (CanMatter(group.elements[i], middle, reach)) items.push_back(static_cast<std::uint16_t>(i));
   }
   Cell cell;
@@ -161,28 +164,30 @@ Cell MakeCell(const Group& group, glm::dvec2 middle, double reach, CompiledLayer
 
 /// Fills a block's grid: for each cell the elements that can matter there, in the group's order.
 void AddCells(const Group& group, double blend_reach, Block& block, CompiledLayer& layer) {
-  // cells of about half the finest groove; few enough that all glyphs of a script stay in the cache
+  // cells of a third of the finest groove: most of them then hold one element or none
   const glm::dvec2 size = block.box.max - block.box.min;
   double finest = glm::length(size);
   for (const Element& element : group.elements) {
     finest = std::min(finest, element.profile.width);
   }
   const auto count = [finest](double length) {
-    const double wanted = std::ceil(length / (0.6 * finest));
-    return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 24.0));
+    const double wanted = std::ceil(length / (0.33 * finest));
+    return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 40.0));
   };
   block.columns = count(size.x);
   block.rows = count(size.y);
   block.cells_per_m = glm::dvec2(block.columns, block.rows) / size;
   block.first_cell = static_cast<std::uint32_t>(layer.cells.size());
 
+  std::vector<Box> bounds;
+  for (const Element& element : group.elements) bounds.push_back(BoundsOf(element));
   // the cell grown by a hair, so that rounding of a query's cell never hides an element
   const glm::dvec2 cell = size / glm::dvec2(block.columns, block.rows);
   const double reach = 0.5 * glm::length(cell) * (1 + 1e-9) + blend_reach;
   for (std::uint32_t row = 0; row < block.rows; ++row) {
     for (std::uint32_t column = 0; column < block.columns; ++column) {
       const glm::dvec2 middle = block.box.min + cell * (glm::dvec2(column, row) + 0.5);
-      layer.cells.push_back(MakeCell(group, middle, reach, layer));
+      layer.cells.push_back(MakeCell(group, bounds, middle, reach, layer));
     }
   }
 }

@@ -112,7 +112,4 @@ struct TextureField::CompiledLayer {
 /// groups.
 TextureField::CompiledLayer CompileLayer(const Layer& layer);
 
-/// The layer's magnitude and gradient at `p_P`.
-Magnitude SampleLayer(const TextureField::CompiledLayer& layer, glm::dvec2 p_P) noexcept;
-
 }  // namespace moontrace

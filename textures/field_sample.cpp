@@ -15,8 +15,9 @@ using CompiledLayer = TextureField::CompiledLayer;
 constexpr double kFar = 1e300;
 constexpr std::size_t kMostFeet = 32;
 
-// std::fmax is a library call, since it must treat NaN; this is one instruction
-inline double Greater(double a, double b) noexcept { return a > b ? a : b; }
+/// The positive part, exactly: std::fmax is a library call, and a comparison would become a branch
+/// that at random points is mispredicted.
+inline double PositivePart(double a) noexcept { return 0.5 * (a + std::abs(a)); }
 
 /// Where a point lies relative to an element's spine: the distance, and the unit direction in which
 /// it grows.
@@ -38,7 +39,7 @@ inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
   if (!(along >= distance * element.cos_half)) return {};
   // at the centre no direction is nearest: none is chosen
   const double d = distance - element.radius;
-  const double scale = (d < 0 ? -1.0 : 1.0) / Greater(distance, 1e-300);
+  const double scale = (d < 0 ? -1.0 : 1.0) / (distance > 0 ? distance : 1.0);
   return {d < 0 ? -d : d, {scale * vx, scale * vy}};
 }
 
@@ -46,8 +47,8 @@ inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
 /// with maxima so that no branch depends on the point.
 inline Magnitude FromSpine(const FlatProfile& profile, double d, glm::dvec2 away) noexcept {
   const double k = profile.curvature;
-  const double in_spine = Greater(profile.rounding - d, 0.0);
-  const double in_rim = Greater(d - (profile.half - profile.rounding), 0.0);
+  const double in_spine = PositivePart(profile.rounding - d);
+  const double in_rim = PositivePart(d - (profile.half - profile.rounding));
   const double height =
       profile.flank - profile.slope * d + 0.5 * k * (in_rim * in_rim - in_spine * in_spine);
   const double slope = k * (in_spine + in_rim) - profile.slope;
@@ -106,16 +107,27 @@ inline Magnitude OfFill(const CompiledLayer& layer, const FlatElement& fill,
   return FromRim(profile, std::sqrt(nearest.distance2), nearest.v);
 }
 
+/// The elements of a cell, wherever their numbers stand.
+class CellElements {
+ public:
+  CellElements(const CompiledLayer& layer, const Block& block, const Cell& cell) noexcept
+      : elements_(&layer.elements[block.first_element]),
+        items_(cell.count <= Cell::kInPlace ? cell.items.data() : &layer.items[cell.list()]) {}
+  const FlatElement& operator[](std::size_t i) const noexcept { return elements_[items_[i]]; }
+
+ private:
+  const FlatElement* elements_;
+  const std::uint16_t* items_;
+};
+
 /// All strokes of one profile: the nearest spine has the greatest magnitude.
 inline Magnitude SamplePlain(const CompiledLayer& layer, const Block& block, const Cell& cell,
                              glm::dvec2 p) noexcept {
-  const FlatElement* elements = &layer.elements[block.first_element];
+  const CellElements elements(layer, block, cell);
   const FlatProfile& profile = layer.profiles[block.profile];
-  const std::uint16_t* items =
-      cell.count <= Cell::kInPlace ? cell.items.data() : &layer.items[cell.list()];
-  Near nearest = NearestOf(elements[items[0]], p);
+  Near nearest = NearestOf(elements[0], p);
   for (std::uint32_t i = 1; i < cell.count; ++i) {
-    const Near near = NearestOf(elements[items[i]], p);
+    const Near near = NearestOf(elements[i], p);
     if (near.distance < nearest.distance) nearest = near;
   }
   if (!(nearest.distance < profile.half)) return {};
@@ -146,35 +158,48 @@ Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
   return foot;
 }
 
-/// Mixed profiles, fills, blended creases: magnitudes are compared one by one.
+inline Magnitude OfElement(const CompiledLayer& layer, const FlatElement& element,
+                           glm::dvec2 p) noexcept {
+  if (element.kind >= FlatKind::kDisc) return OfFill(layer, element, p);
+  const FlatProfile& profile = layer.profiles[element.profile];
+  const Near near = NearestOf(element, p);
+  if (!(near.distance < profile.half)) return {};
+  return FromSpine(profile, near.distance, near.away);
+}
+
+/// Mixed profiles and fills: magnitudes are compared one by one.
 Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, const Cell& cell,
                       glm::dvec2 p) noexcept {
-  const std::uint16_t* items =
-      cell.count <= Cell::kInPlace ? cell.items.data() : &layer.items[cell.list()];
-  const auto element_of = [&](std::size_t i) -> const FlatElement& {
-    return layer.elements[block.first_element + items[i]];
-  };
+  const CellElements elements(layer, block, cell);
+  Magnitude greatest;
+  for (std::size_t i = 0; i < cell.count; ++i) {
+    const Magnitude member = OfElement(layer, elements[i], p);
+    if (member.height > greatest.height) greatest = member;
+  }
+  return greatest;
+}
+
+/// The same with creases rounded.
+Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Cell& cell,
+                        glm::dvec2 p) noexcept {
+  const CellElements elements(layer, block, cell);
   // more lines and arcs than this near one point do not blend: they crowd far below any tip's size
   std::array<Foot, kMostFeet> feet;
-  const std::size_t foot_count =
-      block.blend_radius > 0 ? std::min<std::size_t>(cell.count, kMostFeet) : 0;
-  for (std::size_t i = 0; i < foot_count; ++i) feet[i] = FootOf(element_of(i), p);
+  const std::size_t foot_count = std::min<std::size_t>(cell.count, kMostFeet);
+  for (std::size_t i = 0; i < foot_count; ++i) feet[i] = FootOf(elements[i], p);
 
   Magnitude greatest;
   for (std::size_t i = 0; i < cell.count; ++i) {
-    const FlatElement& element = element_of(i);
-    const FlatProfile& profile = layer.profiles[element.profile];
+    const FlatElement& element = elements[i];
     Magnitude member;
-    if (element.kind >= FlatKind::kDisc) {
-      member = OfFill(layer, element, p);
-    } else if (i < foot_count && element.kind <= FlatKind::kRing) {
+    if (i < foot_count && element.kind <= FlatKind::kRing) {
       if (feet[i].distance < 0) continue;
+      const FlatProfile& profile = layer.profiles[element.profile];
       const BlendedDistance blended = Blend({feet.data(), foot_count}, i, block.blend_radius);
-      const double d = Greater(blended.distance, 0.0);
+      const double d = PositivePart(blended.distance);
       if (d < profile.half) member = FromSpine(profile, d, blended.gradient);
     } else {
-      const Near near = NearestOf(element, p);
-      if (near.distance < profile.half) member = FromSpine(profile, near.distance, near.away);
+      member = OfElement(layer, element, p);
     }
     if (member.height > greatest.height) greatest = member;
   }
@@ -189,12 +214,13 @@ inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
   const Cell& cell = layer.cells[block.first_cell + std::min(row, block.rows - 1) * block.columns +
                                  std::min(column, block.columns - 1)];
   if (cell.count == 0) return {};
-  return block.plain ? SamplePlain(layer, block, cell, p) : SampleMixed(layer, block, cell, p);
+  if (block.plain) return SamplePlain(layer, block, cell, p);
+  return block.blend_radius > 0 ? SampleBlended(layer, block, cell, p)
+                                : SampleMixed(layer, block, cell, p);
 }
 
-}  // namespace
-
-Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+/// The layer's magnitude and gradient.
+inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   // comparisons are written so that a NaN ends here
   const double v = (p.y - layer.origin.y) * layer.bands_per_m;
   const double u = (p.x - layer.origin.x) * layer.buckets_per_m;
@@ -222,6 +248,8 @@ Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
     }
   }
 }
+
+}  // namespace
 
 Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
   Sample sum;

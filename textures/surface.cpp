@@ -23,8 +23,8 @@ Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P)
   Contact contact;
   contact.sample = field.SampleAt({p_P.x, p_P.y});
   contact.depth = contact.sample.displacement - p_P.z;
-  // infinitely deep is as broken as NaN; both give no force
-  if (!(contact.depth > 0) || !std::isfinite(contact.depth) || !std::isfinite(p_P.x + p_P.y)) {
+  // infinitely deep is as broken as NaN; the sum is finite only if all three are
+  if (!(contact.depth > 0) || !std::isfinite(contact.depth + p_P.x + p_P.y)) {
     return contact;
   }
   if (surface.law == ForceLaw::kPaper) {

@@ -45,14 +45,15 @@ BenchPage MakeBenchPage(std::size_t pages, std::uint64_t seed) {
   page.script = FindScript("moon");
   page.style = DefaultStyle(0.005, Relief::kEngraved, page.script);
   page.style.grade = 0.5;  // every letter by itself: 64 signs a line
-  // no margins: lines are evenly spaced over all pages
-  const PageSpec paper{"custom", 0.56, kLines * page.style.line_pitch, 0};
+  const double margin = 0.001, text_height = kLines * page.style.line_pitch;
+  const PageSpec paper{"custom", 0.56, text_height + 2 * margin, margin};
   const Typeset set =
       SetText(RepresentativeText(pages * kLines, seed), page.script, page.style, paper);
-  page.size = {paper.width, static_cast<double>(set.pages.size()) * paper.height};
-  double up = page.size.y;
+  page.size = {paper.width, static_cast<double>(set.pages.size()) * text_height + 2 * margin};
+  // lines stay evenly spaced across the pages
+  double up = static_cast<double>(set.pages.size()) * text_height;
   for (const TextPage& one : set.pages) {
-    up -= paper.height;
+    up -= text_height;
     for (PlacedGlyph glyph : one.glyphs) {
       glyph.origin_P.y += up;
       glyph.line += page.sheet.lines;

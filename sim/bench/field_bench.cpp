@@ -85,7 +85,7 @@ void AddGrowth(const BenchPage& page, const TextureField& field, BenchRows& rows
   // page by page: the book's pages one after the other, each its own field, as a reader turns them
   std::vector<TextureField> pages;
   std::vector<std::vector<glm::dvec2>> page_points;
-  constexpr std::size_t kFew = 40;
+  constexpr std::size_t kFew = 8;
   for (std::size_t i = 0; i < kFew; ++i) {
     const BenchPage one = MakeBenchPage(1, 100 + i);
     pages.emplace_back(one.texture);

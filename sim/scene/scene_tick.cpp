@@ -169,8 +169,8 @@ TickResult Scene::Impl::Tick(const DeviceState& input) noexcept {
   glm::dvec3 page_W{0, 0, 0};
   StepForces step;
   for (int i = 1; i <= substeps; ++i) {
-    const double share = static_cast<double>(i) / substeps;
-    step = Compute(i == substeps ? tip_W : from_W + share * (tip_W - from_W), v_W);
+    const glm::dvec3 way_W = tip_W - from_W;
+    step = Compute(i == substeps ? tip_W : from_W + static_cast<double>(i) / substeps * way_W, v_W);
     if (i == 1) Observe(tip_W, step);
     Integrate(step);
     pull_W += step.pull_W;
