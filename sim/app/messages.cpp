@@ -217,6 +217,12 @@ std::string Force(const TraceMetrics& total) {
                      Short(total.peak_force, 2));
 }
 
+/// Rounded up: a bound must not be told lower than it is.
+std::string ForceBound(const TrialResult& all) {
+  return fmt::format("Force bound: {} N for an evenly moving hand.",
+                     Short(std::ceil(100 * all.force_bound) / 100, 2));
+}
+
 std::string Time(const TrialResult& all) {
   return fmt::format("Time: {} s of hand time, computed {} times faster.", Short(all.duration, 1),
                      Short(all.real_time_factor, 0));

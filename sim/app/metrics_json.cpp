@@ -20,6 +20,7 @@ Json MetricsJson(const TraceMetrics& metrics) {
 
 Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   Json json = MetricsJson(result.score.total);
+  json["force_bound_n"] = result.force_bound;
   json["energy_out_uj"] = 1e6 * result.energy_out;
   json["faults"] = result.faults;
   if (with_real_time_factor) json["real_time_factor"] = result.real_time_factor;

@@ -187,6 +187,7 @@ void SayTrace(const TraceOptions& options, const Trace& trace, const TrialResult
   console.Result(say::LeftGroove(total, style));
   SayWeakest(trace, console);
   console.Result(say::Force(total));
+  console.Result(say::ForceBound(all));
   console.Result(say::Energy(all));
   console.Result(say::Time(all));
   if (!trace.pictures.empty()) console.Result(say::PictureIn());

@@ -10,6 +10,7 @@
 
 #include "devices/simulated_stylus.h"
 #include "sim/app/metrics_json.h"
+#include "sim/scene/bound.h"
 #include "sim/scene/record.h"
 #include "sim/scene/scene.h"
 #include "textures/resources.h"
@@ -123,6 +124,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   TrialResult result;
   for (const IntendedStroke& stroke : strokes) result.stroke_length += LengthOf(stroke);
   result.remarks = scene.remarks();
+  result.force_bound = ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
   TraceScorer scorer(std::move(strokes), setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
   const auto start = std::chrono::steady_clock::now();
@@ -153,6 +155,7 @@ TrialResult Merged(const std::vector<TrialResult>& pages) {
     all.ticks += page.ticks;
     all.faults += page.faults;
     all.energy_out = std::max(all.energy_out, page.energy_out);
+    all.force_bound = std::max(all.force_bound, page.force_bound);
     elapsed += page.duration / page.real_time_factor;
     coverage += m.coverage * page.stroke_length;
     total.mean_error += m.mean_error * page.stroke_length;

@@ -13,6 +13,14 @@ TEST(Messages, NeverRoundCoverageUpToAWhole) {
   EXPECT_EQ(say::TraceOutcome(result, 1, true), "Blank page: 100 percent covered, 1 letter.");
 }
 
+TEST(Messages, RoundTheForceBoundUp) {
+  TrialResult result;
+  result.force_bound = 4.341;
+  EXPECT_EQ(say::ForceBound(result), "Force bound: 4.35 N for an evenly moving hand.");
+  result.force_bound = 3;
+  EXPECT_EQ(say::ForceBound(result), "Force bound: 3 N for an evenly moving hand.");
+}
+
 TEST(Messages, CountInWords) {
   TraceMetrics total;
   EXPECT_EQ(say::LeftGroove(total, {}), "Left the groove: never.");

@@ -43,6 +43,21 @@ TEST_F(TraceCommand, CoversTheLettersAndStaysInTheGrooves) {
   EXPECT_GE(total["peak_force_n"], total["mean_force_n"]);
 }
 
+TEST_F(TraceCommand, TellsTheForceBound) {
+  const nlohmann::json proxy = TraceJson({}, "L")["total"];
+  // Integral of |h| of the coupling, 200 e^(-100 t) cos(100 t) for 1000 N/m, 10 N s/m and 50 g, is
+  // 1 + 2 e^(-pi/2) / (1 - e^-pi); times the cap of 3 N. The steps of 1 ms or less, a tenth of the
+  // coupling's time constant of 10 ms, change it by less than that tenth.
+  const double pi = std::acos(-1.0);
+  const double exact = 3 * (1 + 2 * std::exp(-pi / 2) / (1 - std::exp(-pi)));
+  EXPECT_NEAR(proxy["force_bound_n"], exact, 0.1 * exact);
+  EXPECT_LE(proxy["peak_force_n"], proxy["force_bound_n"]);
+  // Direct: the cap, with friction across it.
+  const nlohmann::json direct =
+      TraceJson({"--render", "direct", "--friction", "0.2", "--quiet"}, "L")["total"];
+  EXPECT_NEAR(direct["force_bound_n"], 3 * std::sqrt(1.04), 1e-12);
+}
+
 TEST_F(TraceCommand, ScoresEachLetterApart) {
   const nlohmann::json json = TraceJson({});
   ASSERT_EQ(json["letters"].size(), 2U);
@@ -129,6 +144,7 @@ TEST_F(TraceCommand, SaysTheOutcomeFirstAndPathsAlone) {
   EXPECT_LE(lines.front().size(), 40U);
   EXPECT_EQ(lines.back(), In("r"));
   EXPECT_NE(std::find(lines.begin(), lines.end(), In("p.svg")), lines.end());
+  EXPECT_NE(outcome.out.find("\nForce bound: "), std::string::npos) << outcome.out;
   ExpectTextFace(outcome.out);
   const std::string svg = ReadAll(In("p.svg"));
   EXPECT_NE(svg.find("<desc>Text: LO. Covered: "), std::string::npos);

@@ -19,6 +19,7 @@ TrialResult Page(double length, double coverage, double mean, double rms, double
   page.score.total.mean_force = coverage;
   page.score.total.excursions = 2;
   page.score.total.max_error = mean * 3;
+  page.force_bound = length;
   return page;
 }
 
@@ -32,6 +33,7 @@ TEST(Merged, WeighsErrorsByLengthAndForceByTime) {
   EXPECT_DOUBLE_EQ(total.duration, 40);
   EXPECT_DOUBLE_EQ(total.max_error, 9e-3);
   EXPECT_EQ(total.excursions, 4U);
+  EXPECT_DOUBLE_EQ(all.force_bound, 3);  // the greatest
   EXPECT_DOUBLE_EQ(all.real_time_factor, 100);
 }
 
