@@ -317,6 +317,14 @@ std::string NamedValue(std::string_view name, std::string_view value) {
   return fmt::format("{}: {}", name, value);
 }
 
+std::string Altered(std::string_view altered, const ReplayResult& replay) {
+  if (replay.first_difference >= replay.ticks) {
+    return fmt::format("{}; what the scene computes from it is unchanged", altered);
+  }
+  return fmt::format("{}; replay differs first at tick {}: {}", altered, replay.first_difference,
+                     replay.column);
+}
+
 std::string OtherField(std::string_view folder) {
   return fmt::format(
       "{}: the page built again is not the one recorded; restore the script's files of then",

@@ -6,6 +6,7 @@
 
 #include "sim/app/trial.h"
 #include "sim/bench/row.h"
+#include "sim/scene/record.h"
 #include "textures/typeset.h"
 
 /// Every sentence of the commands stands here, so that one page shows the program's voice and a
@@ -86,6 +87,7 @@ std::string ReplayWhat(std::string_view text, double size, bool blank);
 std::string ReplayEqual(std::size_t ticks);
 std::string ReplayDiffers(std::size_t tick, std::size_t ticks, std::string_view column);
 std::string NamedValue(std::string_view name, std::string_view value);
+std::string Altered(std::string_view altered, const ReplayResult& replay);
 std::string OtherField(std::string_view folder);
 std::string BadParameters(std::string_view folder, std::string_view cause);
 

@@ -52,6 +52,9 @@ int Run(const ReplayOptions& options, Console& console) {
     throw InputError(say::OtherField(options.folder));
   }
   const ReplayResult replay = Replay(record, field);
+  // An altered record is bad input, whatever the replay gives: bit-equal to what was altered is no
+  // success, and not every column decides what is computed.
+  if (!record.altered.empty()) throw InputError(say::Altered(record.altered, replay));
   const bool equal = replay.first_difference >= replay.ticks;
   if (options.output.json) {
     Json json;

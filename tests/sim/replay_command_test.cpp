@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "sim/scene/record_columns.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {
@@ -12,6 +15,32 @@ class ReplayCommand : public CliTest {
   void Record(const std::vector<std::string>& more = {}, const std::string& text = "IT") {
     const Outcome outcome = RunLine(With({"trace", text, "--record", In("r")}, more));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+
+  /// Turns the last bit of one number in samples.f64.
+  void Flip(std::size_t tick, std::string_view column) {
+    const auto found = std::find(kRecordColumns.begin(), kRecordColumns.end(), column);
+    ASSERT_NE(found, kRecordColumns.end());
+    std::string samples = ReadAll(In("r/samples.f64"));
+    const auto index = static_cast<std::size_t>(found - kRecordColumns.begin());
+    char& byte = samples.at(tick * kRowBytes + 8 * index);
+    byte = static_cast<char>(byte ^ 1);
+    WriteAll(In("r/samples.f64"), samples);
+  }
+
+  /// One line on what is altered, and no result; with --check also what the replay came to.
+  void ExpectAltered(const std::string& replayed) {
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{"--check"}, std::vector<std::string>{"--check", "--json"},
+          std::vector<std::string>{}}) {
+      const Outcome outcome = RunLine(With({"replay", In("r")}, more));
+      EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+      EXPECT_EQ(outcome.err.rfind(In("r/samples.f64") + ": altered within ticks ", 0), 0U);
+      const bool checked = !more.empty();
+      EXPECT_EQ(outcome.err.find(replayed) != std::string::npos, checked) << outcome.err;
+    }
   }
 };
 
@@ -55,25 +84,43 @@ TEST_F(ReplayCommand, SameSeedWritesTheSameSamples) {
   EXPECT_EQ(ReadAll(In("r/samples.f64")), first);
 }
 
-TEST_F(ReplayCommand, CheckNamesTheFirstTickThatDiffers) {
+TEST_F(ReplayCommand, RefusesAnAlteredRecordAndCheckNamesTheFirstTickThatDiffers) {
   Record();
-  const nlohmann::json sheet = nlohmann::json::parse(ReadAll(In("r/trial.json")));
-  std::string samples = ReadAll(In("r/samples.f64"));
-  const std::size_t ticks = RunLine({"replay", In("r"), "--json"}).Json()["ticks"];
-  const std::size_t row = samples.size() / ticks;
-  ASSERT_EQ(samples.size() % ticks, 0U);
-  // The last bit of the tip's x position as put in at tick 700 differs: what comes out differs
-  // there.
-  const std::size_t input_x = 700 * row + 8;
-  samples[input_x] = static_cast<char>(samples[input_x] ^ 1);
-  WriteAll(In("r/samples.f64"), samples);
-  const Outcome outcome = RunLine({"replay", In("r"), "--check"});
+  Flip(700, "device_x_m");  // the last bit of what was put in: what comes out differs there
+  ExpectAltered("replay differs first at tick 700: tip_x_m");
+}
+
+TEST_F(ReplayCommand, RefusesARecordAlteredWhereNothingIsComputed) {
+  Record();
+  for (const char* column : {"phase", "stroke"}) {
+    Flip(700, column);
+    ExpectAltered("what the scene computes from it is unchanged");
+    Flip(700, column);  // back again
+  }
+  EXPECT_EQ(RunLine({"replay", In("r"), "--check"}).code, 0);
+}
+
+TEST_F(ReplayCommand, ReportsTheFirstTickOfARecordThatIsWholeButComesOutOtherwise) {
+  Record();
+  // As another processor's rounding would: one output is another's, and the record is sound.
+  const moontrace::Record record = ReadRecord(In("r"));
+  Scene scene = Scene::FromXml(record.model_xml, "model.xml", record.options);
+  scene.SetState(record.state);
+  Recorder recorder(In("other"), record.head, scene);
+  for (std::size_t tick = 0; tick < record.rows.size(); ++tick) {
+    RecordRow row = record.rows[tick];
+    if (tick == 700) row.output.force_P.z += 1e-9;
+    recorder.Add(row);
+  }
+  recorder.Finish(record.result_json, false);
+  const Outcome outcome = RunLine({"replay", In("other"), "--check"});
   EXPECT_EQ(outcome.code, 1) << outcome.out << outcome.err;
   EXPECT_EQ(outcome.out.rfind("Replay differs first at tick 700 of ", 0), 0U) << outcome.out;
-  const Outcome json = RunLine({"replay", In("r"), "--check", "--json"});
+  const Outcome json = RunLine({"replay", In("other"), "--check", "--json"});
+  EXPECT_EQ(json.code, 1);
   EXPECT_EQ(json.Json()["first_difference"], 700);
-  // Without --check an altered record is refused.
-  EXPECT_EQ(RunLine({"replay", In("r")}).code, 3);
+  EXPECT_EQ(json.Json()["column"], "force_z_n");
+  EXPECT_FALSE(json.Json()["bit_equal"]);
 }
 
 TEST_F(ReplayCommand, WantsAFolder) {
