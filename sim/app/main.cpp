@@ -1,6 +1,5 @@
-#include <signal.h>  // sigaction: a signal must end a wait for standard input
-
 #include <atomic>
+#include <csignal>  // POSIX: sigaction too, as a signal must end a wait for standard input
 #include <iostream>
 #include <string>
 #include <vector>
@@ -27,6 +26,10 @@ void StopOn(int signal_number) {
 int main(int argc, char** argv) {
   StopOn(SIGINT);
   StopOn(SIGTERM);
+  // A limit on file sizes and a reader who left are failures of writing, with their line and their
+  // clean-up, not sudden deaths.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
   moontrace::Console console(std::cin, std::cout, std::cerr, &stop_asked);
   return moontrace::RunCli(std::vector<std::string>(argv + 1, argv + argc), console);
 }

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# What only the real program can show: signals that the system sends to whoever cannot write.
+# Usage: program_test.sh MOONTRACE
+set -u
+program=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+expect() {  # expect WHAT CONDITION...
+  local what=$1
+  shift
+  if "$@"; then return; fi
+  printf 'FAILED: %s; exit code %s\n' "$what" "$code"
+  sed 's/^/  said: /' "$work/said"
+  failures=$((failures + 1))
+}
+code_is() { [ "$code" = "$1" ]; }
+one_line() { [ "$(wc -l <"$work/said")" = 1 ]; }
+nothing_left() { [ -z "$(ls "$work/out")" ]; }
+
+limited() {  # limited KIB ARGUMENT...: runs the program, which may write files of so many at most
+  local kib=$1
+  shift
+  rm -rf "$work/out"
+  mkdir "$work/out"
+  (
+    ulimit -f "$kib"
+    exec "$program" "$@" 2>"$work/said" >/dev/null
+  )
+  code=$?
+}
+
+limited 64 trace IT --record "$work/out/record"  # about 1 MB of samples
+expect 'a record beyond the limit lacks room' code_is 4
+expect 'a record beyond the limit gives one line' one_line
+expect 'a record beyond the limit leaves nothing' nothing_left
+
+limited 1 page "THE QUICK BROWN FOX" --picture "$work/out/page.svg"
+expect 'a picture beyond the limit lacks room' code_is 4
+expect 'a picture beyond the limit gives one line' one_line
+expect 'a picture beyond the limit leaves nothing' nothing_left
+
+mkfifo "$work/pipe"
+exec 3<>"$work/pipe" 4>"$work/pipe" 3>&-  # a pipe that nobody reads
+"$program" page IT >&4 2>"$work/said"
+code=$?
+exec 4>&-
+expect 'a pipe that nobody reads lacks a reader' code_is 4
+expect 'a pipe that nobody reads gives one line' one_line
+
+[ "$failures" = 0 ]
