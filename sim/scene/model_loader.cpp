@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 
@@ -56,10 +57,14 @@ std::vector<std::string> GeomNames(const mjModel& m) {
   return names;
 }
 
+std::string PlaceOf(const Label& label, const std::string& name) {
+  return fmt::format("{}: label on '{}'", name, OneLine(label.geom));
+}
+
 /// The geom a label names, checked: it exists and has a flat page.
 int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
   const int geom = mj_name2id(&m, mjOBJ_GEOM, label.geom.c_str());
-  const std::string place = fmt::format("{}: label on '{}'", name, OneLine(label.geom));
+  const std::string place = PlaceOf(label, name);
   if (geom < 0) {
     const std::string nearest = NearestWord(label.geom, GeomNames(m));
     throw InputError(place + ": no such geom; " +
@@ -83,11 +88,16 @@ PagePlace FindPage(const mjModel& m, const Label& label, const std::string& name
   return page;
 }
 
-/// Turns the geom about its own x axis through the page's origin, the far edge (+y) up.
-void Tilt(mjModel& m, const PagePlace& page, double tilt) {
+/// Turns the geom about its own x axis through the page's origin, the far edge (+y) up. A body that
+/// can move keeps its inertia where it was, so its geom must not turn.
+void Tilt(mjModel& m, const PagePlace& page, double tilt, const std::string& place) {
   if (tilt == 0) return;
-  mjtNum* pos = m.geom_pos + 3 * page.geom;
-  mjtNum* quat = m.geom_quat + 4 * page.geom;
+  if (page.moves) {
+    throw InputError(place + ": its body can move, so the page cannot be tilted on it; tilt the " +
+                     "body in the model, or leave the tilt out");
+  }
+  mjtNum* pos = m.geom_pos + std::ptrdiff_t{3} * page.geom;
+  mjtNum* quat = m.geom_quat + std::ptrdiff_t{4} * page.geom;
   const mjtNum turn[4] = {std::cos(tilt / 2), std::sin(tilt / 2), 0, 0};
   const mjtNum origin_G[3] = {page.origin_G.x, page.origin_G.y, page.origin_G.z};
   mjtNum tilted_G[3], before_B[3], after_B[3], tilted_quat[4];
@@ -118,7 +128,8 @@ ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
   if (proxy.body < 0) throw InputError(place + "is not a body; take the name away");
   const int b = proxy.body;
   const int joint = m.body_jntadr[b];
-  bool free = m.body_parentid[b] == 0 && m.body_jntnum[b] == 3 && m.body_quat[4 * b] == 1;
+  bool free =
+      m.body_parentid[b] == 0 && m.body_jntnum[b] == 3 && m.body_quat[std::ptrdiff_t{4} * b] == 1;
   for (int i = 0; free && i < 3; ++i) free = IsFreeSlide(m, joint + i, i);
   if (!free) {
     throw InputError(place + "not free to slide; give it, in the world, three slide joints x, y, " +
@@ -162,7 +173,7 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
                                          loaded.labels.size(), loaded.labels.front().geom));
   }
   loaded.page = FindPage(m, loaded.labels.front(), name);
-  Tilt(m, loaded.page, tilt);
+  Tilt(m, loaded.page, tilt, PlaceOf(loaded.labels.front(), name));
   loaded.proxy = FindProxy(m, name);
   if (KeepAwake(m)) {
     loaded.remarks.push_back("sleeping is turned off: forces on a sleeping body are lost");
@@ -174,8 +185,9 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
 }
 
 Pose PoseOfPage(const mjData& d, const PagePlace& page) noexcept {
-  const mjtNum* p = d.geom_xpos + 3 * page.geom;
-  const mjtNum* R = d.geom_xmat + 9 * page.geom;  // row by row; glm goes column by column
+  const mjtNum* p = d.geom_xpos + std::ptrdiff_t{3} * page.geom;
+  // row by row; glm goes column by column
+  const mjtNum* R = d.geom_xmat + std::ptrdiff_t{9} * page.geom;
   const Pose X_WG{glm::dmat3(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]),
                   glm::dvec3(p[0], p[1], p[2])};
   return {X_WG.R, ToWorld(X_WG, page.origin_G)};

@@ -40,7 +40,8 @@ struct LoadedModel {
 
 /// Compiles a model and finds what carries Moon in it. `folder` is where the files it names lie
 /// (empty: the current folder); `name` begins every message. The page geom is turned by `tilt`
-/// [rad] about the page's lower edge. Throws InputError as Scene::Load says.
+/// [rad] about the page's lower edge, which a body that can move does not allow. Throws InputError
+/// as Scene::Load says.
 ///
 /// A label stands on a plane, or on a box: MuJoCo fixes planes to the world, so a sheet that can be
 /// pushed is a box, whose upper face is the page's plane. Like the desk around a sheet, the plane

@@ -177,6 +177,22 @@ TEST_F(ModelLoader, LabelsMustFindAFlatGeom) {
   EXPECT_TRUE(Holds(LoadError(xml), "'ball'"));
 }
 
+TEST_F(ModelLoader, TiltsNoPageWhoseBodyCanMove) {
+  const std::string xml =
+      "<mujoco><custom><text name='moontrace:sheet' data='{}'/></custom><worldbody>"
+      "<body>JOINT<geom name='sheet' type='box' size='0.1 0.1 0.01'/></body></worldbody></mujoco>";
+  const auto with = [&xml](const std::string& joint) {
+    return std::string(xml).replace(xml.find("JOINT"), 5, joint);
+  };
+  for (const char* joint : {"<freejoint/>", "<joint type='hinge'/>"}) {
+    const std::string text = ErrorOf([&] { LoadModel(with(joint), "", "m.xml", 0.1); });
+    EXPECT_TRUE(IsOneLine(text) && Holds(text, "m.xml: label on 'sheet': its body can move"))
+        << text;
+    EXPECT_EQ(LoadError(with(joint)), "");  // level it is taken
+  }
+  EXPECT_EQ(ErrorOf([&] { LoadModel(with(""), "", "m.xml", 0.1); }), "");
+}
+
 TEST_F(ModelLoader, SeveralLabelsAreKeptInOrderAndTheFirstIsFelt) {
   std::string xml = ModelWith("", "<geom name='lid' type='plane' pos='0 0 1' size='1 1 1'/>");
   xml.insert(xml.find("</custom>"), "<text name='moontrace:lid:1' data='{text=\"B\"}'/>");
