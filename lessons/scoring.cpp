@@ -183,9 +183,8 @@ TraceScorer::~TraceScorer() = default;
 TraceScorer::TraceScorer(TraceScorer&&) noexcept = default;
 TraceScorer& TraceScorer::operator=(TraceScorer&&) noexcept = default;
 
-void TraceScorer::Add(const TraceSample& given) {
+void TraceScorer::Add(TraceSample sample) {
   State& state = *state_;
-  TraceSample sample = given;
   const glm::dvec3 p = sample.tip_P;
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) sample.in_contact = false;
   bool counted = false;

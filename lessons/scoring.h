@@ -67,7 +67,7 @@ class TraceScorer {
   TraceScorer& operator=(TraceScorer&&) noexcept;
 
   /// Throws std::out_of_range for a stroke that was not given.
-  void Add(const TraceSample& sample);
+  void Add(TraceSample sample);
   TraceScore Finish() const;
 
  private:

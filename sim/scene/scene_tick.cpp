@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "sim/scene/scene_impl.h"
 
@@ -66,7 +67,7 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   const mjModel& m = *loaded.m;
   if (direct()) PlaceProxy(tip_W, v_W);
   if (loaded.proxy.handle_mocap >= 0) {
-    mjtNum* handle = d->mocap_pos + 3 * loaded.proxy.handle_mocap;
+    mjtNum* handle = d->mocap_pos + std::ptrdiff_t{3} * loaded.proxy.handle_mocap;
     for (int i = 0; i < 3; ++i) handle[i] = tip_W[i];
   }
   mj_step1(&m, d.get());
