@@ -41,7 +41,7 @@ double Positive(const TomlTable& table, const std::string& key, double most) {
 }
 
 std::vector<double> ReadGrades(const TomlTable& table) {
-  const std::vector<double> grades = table.Numbers("grades");
+  std::vector<double> grades = table.Numbers("grades");
   double before = 0;
   for (const double grade : grades) {
     if (!(grade > before)) table.Fail("grades", "not ascending from above 0; order them");

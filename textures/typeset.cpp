@@ -189,7 +189,7 @@ PageSpec FindPage(const std::string& name) {
                     "like 120x90",
                     Shown(name)));
   }
-  const PageSpec page{"custom", width_mm / 1000, height_mm / 1000, kCustomMargin};
+  PageSpec page{"custom", width_mm / 1000, height_mm / 1000, kCustomMargin};
   CheckPage(page);
   return page;
 }

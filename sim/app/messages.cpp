@@ -381,7 +381,7 @@ std::string DemoBelowBar(double size) {
 }
 
 std::string BenchLine(const BenchRow& row) {
-  const std::string figure = fmt::format("{}: {:.4g} {}", row.name, row.value, row.unit);
+  std::string figure = fmt::format("{}: {:.4g} {}", row.name, row.value, row.unit);
   if (!row.holds) return figure;
   return fmt::format("{}: {}, {}.", *row.holds ? "Holds" : "Missed", figure, row.bar);
 }

@@ -61,11 +61,11 @@ void AddOptions(CLI::App& app, FeelOptions& options);
 
 /// A number option in the user's unit, times `scale`, from `low` to `high` in the user's unit.
 void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double low,
-               double high, double scale, const std::string& help);
+               double high, double scale, const std::string& description);
 void AddSeed(CLI::App& app, std::uint64_t& seed);
 /// A file or folder.
 void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
-             const std::string& help);
+             const std::string& description);
 
 /// Reads a finite number. Throws UsageError (none) or InputError (not finite, out of range).
 double ReadNumber(const std::string& option, const std::string& given, double low, double high);

@@ -6,7 +6,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
 
 #include "devices/simulated_stylus.h"
 #include "sim/app/metrics_json.h"
@@ -112,7 +111,8 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   const TextureField field = PageField(*setup.page, *setup.script, setup.style, setup.blank);
   Scene scene = Scene::Load(setup.model_path, setup.scene);
   scene.SetField(&field);
-  std::vector<IntendedStroke> strokes = IntendedStrokes(*setup.page, *setup.script, setup.style);
+  const std::vector<IntendedStroke> strokes =
+      IntendedStrokes(*setup.page, *setup.script, setup.style);
   const Pose X_WP = scene.X_WP();
   const Plan plan = MakeOraclePlan(strokes, setup.plan, X_WP);
   const std::unique_ptr<Device> stylus =
@@ -125,7 +125,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   for (const IntendedStroke& stroke : strokes) result.stroke_length += LengthOf(stroke);
   result.remarks = scene.remarks();
   result.force_bound = ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
-  TraceScorer scorer(std::move(strokes), setup.page->glyphs.size());
+  TraceScorer scorer(strokes, setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
   const auto start = std::chrono::steady_clock::now();
   RunTicks(setup, plan, scene, *stylus, scorer, recorder.get(), result);

@@ -67,9 +67,9 @@ std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& 
   return Dump(json);
 }
 
-TrialParameters ReadParameters(const std::string& text, const std::string& folder) {
+TrialParameters ReadParameters(const std::string& json_text, const std::string& folder) {
   try {
-    const Json json = Json::parse(text);
+    const Json json = Json::parse(json_text);
     TrialParameters parameters;
     parameters.text = json.at("text");
     parameters.script = json.at("script");

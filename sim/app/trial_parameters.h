@@ -24,6 +24,6 @@ struct TrialParameters {
 std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& setup);
 
 /// Reads them back. Throws InputError naming `folder`.
-TrialParameters ReadParameters(const std::string& json, const std::string& folder);
+TrialParameters ReadParameters(const std::string& json_text, const std::string& folder);
 
 }  // namespace moontrace
