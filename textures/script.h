@@ -31,7 +31,8 @@ struct Contraction {
   std::string print;               ///< folded lower-case text it stands for
   std::vector<std::string> signs;  ///< glyph names
   double grade = 1;                ///< used at this grade and above
-  enum class Where { kAnywhere, kWholeWord, kWordEnd } where = Where::kAnywhere;
+  /// kPartOfWord: with a letter before or behind it, for a sign that alone means another word.
+  enum class Where { kAnywhere, kWholeWord, kPartOfWord, kWordEnd } where = Where::kAnywhere;
 };
 
 /// A tactile script: glyphs from an SVG 1.1 stroke font, rules from the TOML file of the same name.

@@ -90,10 +90,13 @@ Contraction ReadContraction(const TomlTable& table, const Names& names) {
     contraction.where = Contraction::Where::kAnywhere;
   } else if (where == "whole-word") {
     contraction.where = Contraction::Where::kWholeWord;
+  } else if (where == "part-of-word") {
+    contraction.where = Contraction::Where::kPartOfWord;
   } else if (where == "word-end") {
     contraction.where = Contraction::Where::kWordEnd;
   } else {
-    table.Fail("where", "'" + OneLine(where, 24) + "' is none of anywhere, whole-word, word-end");
+    table.Fail("where", "'" + OneLine(where, 24) +
+                            "' is none of anywhere, whole-word, part-of-word, word-end");
   }
   table.FailUnknown();
   return contraction;

@@ -55,8 +55,34 @@ std::string Became(const std::vector<FoldedChar>& line, std::size_t at) {
   return became;
 }
 
-bool IsLetterAt(const std::vector<FoldedChar>& line, std::size_t at) {
-  return at < line.size() && line[at].letter;
+// The neighbours that a reader sees: what has no mark in print is passed over. Null at the ends.
+const FoldedChar* Before(const std::vector<FoldedChar>& line, std::size_t at) {
+  while (at > 0 && line[at - 1].kind == FoldedChar::Kind::kNothing) --at;
+  return at > 0 ? &line[at - 1] : nullptr;
+}
+
+const FoldedChar* From(const std::vector<FoldedChar>& line, std::size_t at) {
+  while (at < line.size() && line[at].kind == FoldedChar::Kind::kNothing) ++at;
+  return at < line.size() ? &line[at] : nullptr;
+}
+
+bool IsLetter(const FoldedChar* c) { return c != nullptr && c->letter; }
+
+bool IsWritten(const FoldedChar* c) { return c != nullptr && c->kind == FoldedChar::Kind::kSign; }
+
+// Whether a group may be written between these neighbours.
+bool Stands(Contraction::Where where, const FoldedChar* before, const FoldedChar* behind) {
+  switch (where) {
+    case Contraction::Where::kAnywhere:
+      return true;
+    case Contraction::Where::kWholeWord:
+      return !IsLetter(before) && !IsLetter(behind);
+    case Contraction::Where::kPartOfWord:
+      return (IsLetter(before) && IsWritten(before)) || (IsLetter(behind) && IsWritten(behind));
+    case Contraction::Where::kWordEnd:
+      return IsLetter(before) && !IsLetter(behind);
+  }
+  return false;
 }
 
 }  // namespace
@@ -102,13 +128,7 @@ const SignWriter::Group* SignWriter::Match(const std::vector<FoldedChar>& line, 
       same = line[i].kind == FoldedChar::Kind::kSign && line[i].code == group.print[i - at];
     }
     if (!same) continue;
-    const bool letter_before = at > 0 && IsLetterAt(line, at - 1);
-    const bool letter_behind = IsLetterAt(line, end);
-    const bool stands =
-        group.where == Contraction::Where::kAnywhere ||
-        (group.where == Contraction::Where::kWholeWord && !letter_before && !letter_behind) ||
-        (group.where == Contraction::Where::kWordEnd && letter_before && !letter_behind);
-    if (stands || !active_only) return &group;
+    if (!active_only || Stands(group.where, Before(line, at), From(line, end))) return &group;
   }
   return nullptr;
 }

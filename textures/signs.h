@@ -29,11 +29,12 @@ struct Sign {
 /// read in one way only. The script itself has no mark for the end of a number: letters a to j
 /// that follow a digit directly ("3d") read as digits in Moon, here as on paper.
 ///
-/// Contractions: at each place the longest group of the grade that fits there. Word means letters;
-/// a group at a word's end needs a letter before it. A group written as several signs gives its
-/// range to the first, the others have an empty range at its end. The script's protect mark before
-/// a group (of any grade) keeps it spelled out and is not shown; anywhere else it is a character
-/// like others.
+/// Contractions: at each place the longest group of the grade that fits there. Word means letters,
+/// and what has no mark in print (a soft hyphen) does not part them; a group at a word's end needs
+/// a letter before it, a part of a word one that has a sign before or behind it. A group written as
+/// several signs gives its range to the first, the others have an empty range at its end. The
+/// script's protect mark before a group (of any grade) keeps it spelled out and is not shown;
+/// anywhere else it is a character like others.
 class SignWriter {
  public:
   /// Throws InputError: an unknown grade or form of h (naming the known ones), a rule that names a

@@ -225,8 +225,9 @@ TEST(MoonScript, KnowsWhatGradeOneIsCertainOf) {
   for (const Contraction& contraction : Moon().contractions) {
     if (contraction.grade > 1) continue;
     ASSERT_EQ(contraction.signs.size(), 1U);
-    const bool anywhere = contraction.where == Contraction::Where::kAnywhere;
-    rules.push_back(contraction.print + (anywhere ? "*" : "") + "=" + contraction.signs[0]);
+    const bool part = contraction.where == Contraction::Where::kPartOfWord;
+    ASSERT_TRUE(part || contraction.where == Contraction::Where::kWholeWord);
+    rules.push_back(contraction.print + (part ? "*" : "") + "=" + contraction.signs[0]);
     EXPECT_EQ(contraction.grade, 1);
   }
   EXPECT_EQ(rules, (std::vector<std::string>{"and=and", "the=th", "th*=th"}));

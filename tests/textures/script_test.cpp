@@ -91,7 +91,7 @@ TEST(ParseScript, NamesPlaceCauseAndCureOfABrokenRule) {
   EXPECT_EQ(RulesError("[[contractions]]\nprint = 'th'\nsigns = ['ht']\ngrade = 1\n"),
             "small.toml:9:9: signs: no glyph 'ht' in the font; did you mean 'h'?");
   EXPECT_EQ(RulesError("[[contractions]]\nprint = 'th'\nsigns = ['th']\ngrade = 1\nwhere = 'x'\n"),
-            "small.toml:11:9: where: 'x' is none of anywhere, whole-word, word-end");
+            "small.toml:11:9: where: 'x' is none of anywhere, whole-word, part-of-word, word-end");
   EXPECT_EQ(RulesError("[[contractions]]\nprint = ''\n"),
             "small.toml:8:9: print: empty; give the letters it stands for");
   EXPECT_EQ(RulesError("[[contractions]]\nprint = 'th'\nsigns = []\n"),

@@ -43,6 +43,21 @@ TEST(Contractions, FollowTheReferenceAtGrade1) {
   EXPECT_EQ(Names("and,the."), "and comma th stop");
 }
 
+// The sign TH alone is "the": whoever reads it must not meet it for two letters of their own.
+TEST(Contractions, OfAPartOfAWordNeedALetterBesideThem) {
+  EXPECT_EQ(Names("th"), "t h");
+  EXPECT_EQ(Names("a th, the"), "a _ t h comma _ th");
+  EXPECT_EQ(Names("4th"), "numeral d t h");
+  EXPECT_EQ(Names("bath"), "b a th");
+  EXPECT_EQ(Names("\u65E5th"), "t h");  // what is missing does not stand beside it
+}
+
+TEST(Contractions, AreNotPartedFromTheirWordByASoftHyphen) {
+  EXPECT_EQ(Names("ba\u00ADthe"), "b a th e");
+  EXPECT_EQ(Names("ba\u00ADth"), "b a th");
+  EXPECT_EQ(Names("and\u00ADes"), "a n d e s");
+}
+
 TEST(Contractions, AreSpelledOutBelowTheirGrade) {
   EXPECT_EQ(Names("and the bath", 0.5), "a n d _ t h e _ b a t h");
 }

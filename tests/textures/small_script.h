@@ -35,7 +35,7 @@ inline Script SmallScript() {
   script.numeral_sign = "numeral";
   script.folds = {{U';', ","}, {U'\u00E6', "ae"}, {U'\u00F6', "oe"}, {U'\u2014', " - "}};
   using Where = Contraction::Where;
-  script.contractions = {{"th", {"th"}, 1, Where::kAnywhere},
+  script.contractions = {{"th", {"th"}, 1, Where::kPartOfWord},
                          {"and", {"and"}, 1, Where::kWholeWord},
                          {"the", {"th"}, 1, Where::kWholeWord},
                          {"ing", {"mark", "g"}, 1, Where::kWordEnd}};
