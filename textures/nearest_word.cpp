@@ -28,8 +28,13 @@ std::string NearestWord(std::string_view word, const std::vector<std::string>& c
   // Longer words come from broken files, not from slips of the finger; this bounds the time.
   constexpr std::size_t kLongestWord = 64;
   std::string nearest;
-  if (word.size() > kLongestWord) return nearest;
-  std::size_t best = (word.size() + 1) / 2 + 1;
+  if (word.empty() || word.size() > kLongestWord) return nearest;
+  for (const std::string& candidate : candidates) {
+    if (candidate.compare(0, word.size(), word) != 0) continue;
+    if (nearest.empty() || candidate.size() < nearest.size()) nearest = candidate;
+  }
+  if (!nearest.empty()) return nearest;
+  std::size_t best = word.size() / 2 + 1;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > kLongestWord) continue;
     const std::size_t distance = EditDistance(word, candidate);
