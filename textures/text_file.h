@@ -19,6 +19,12 @@ TextPlace PlaceOf(std::string_view text, std::size_t offset);
 /// that foreign text can stand in a one-line message.
 std::string OneLine(std::string_view text, std::size_t limit = 60);
 
+/// Characters (code points, not bytes) of UTF-8, however it is broken.
+std::size_t CountCharacters(std::string_view utf8) noexcept;
+
+/// Letters A to Z made small, for words and endings that may be written either way.
+std::string LowerCase(std::string_view text);
+
 /// Reads a whole file. Throws InputError (path, cause, cure): missing, a folder, unreadable, more
 /// than `max_bytes`.
 std::string ReadTextFile(const std::string& path, std::size_t max_bytes);

@@ -5,18 +5,9 @@
 #include <ostream>
 
 #include "sim/app/messages.h"
+#include "textures/text_file.h"
 
 namespace moontrace {
-
-namespace {
-
-std::size_t Characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
-}
-
-}  // namespace
 
 std::string Wrapped(std::string_view text, std::size_t columns) {
   std::string lines;
@@ -25,7 +16,7 @@ std::string Wrapped(std::string_view text, std::size_t columns) {
     const std::size_t space = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, space);
     text.remove_prefix(std::min(space + 1, text.size()));
-    const std::size_t length = Characters(word);
+    const std::size_t length = CountCharacters(word);
     if (used > 0 && used + 1 + length > columns) {
       lines += '\n';
       used = 0;

@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "textures/text_file.h"
+
 namespace moontrace {
-
-namespace {
-
-std::size_t Characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  }));
-}
-
-}  // namespace
 
 std::vector<TextMark> TextBlock(std::string_view words, glm::dvec2 top_left, double width,
                                 double height, Color color) {
@@ -30,7 +22,7 @@ std::vector<TextMark> TextBlock(std::string_view words, glm::dvec2 top_left, dou
     const std::string_view word = words.substr(0, space);
     words.remove_prefix(std::min(space + 1, words.size()));
     if (word.empty()) continue;
-    if (!line.empty() && Characters(line) + 1 + Characters(word) > room) end_line();
+    if (!line.empty() && CountCharacters(line) + 1 + CountCharacters(word) > room) end_line();
     if (!line.empty()) line += ' ';
     line += word;
   }

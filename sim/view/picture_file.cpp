@@ -9,6 +9,7 @@
 #include "sim/view/cairo_writer.h"
 #include "sim/view/svg_writer.h"
 #include "textures/error.h"
+#include "textures/text_file.h"
 
 namespace moontrace {
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 enum class PictureKind { kSvg, kPng, kPdf };
 
 PictureKind KindOf(const std::string& path) {
-  const std::string ending = fs::path(path).extension().string();
+  const std::string ending = LowerCase(fs::path(path).extension().string());
   if (ending == ".svg") return PictureKind::kSvg;
   if (ending == ".png") return PictureKind::kPng;
   if (ending == ".pdf") return PictureKind::kPdf;

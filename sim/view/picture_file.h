@@ -7,8 +7,9 @@
 
 namespace moontrace {
 
-/// Throws before any work is done: InputError for an ending other than .svg, .png, .pdf; LackError
-/// for a kind this build cannot write, a folder that is not there, a place that cannot be written.
+/// Throws before any work is done: InputError for an ending other than .svg, .png, .pdf (capitals
+/// too); LackError for a kind this build cannot write, a folder that is not there, a place that
+/// cannot be written.
 void CheckPicturePath(const std::string& path);
 
 /// Writes the drawing in the kind that the path's ending names. First to a sibling, then renamed:
