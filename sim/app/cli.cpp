@@ -29,12 +29,15 @@ namespace {
 
 using Args = std::vector<std::string>;
 
-std::vector<std::string> OptionNames(const CLI::App& app) {
-  std::vector<std::string> names{"--help"};
+/// The option nearest to what was given; dashes do not count, they are the same in all.
+std::string NearestOption(const CLI::App& app, std::string_view given) {
+  std::vector<std::string> names{"help"};
   for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back(fmt::format("--{}", name));
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
   }
-  return names;
+  given.remove_prefix(std::min(given.find_first_not_of('-'), given.size()));
+  const std::string nearest = NearestWord(given, names);
+  return nearest.empty() ? nearest : "--" + nearest;
 }
 
 /// What CLI11 did not know: an option (named with its nearest) or an argument too many.
@@ -49,7 +52,7 @@ void RefuseSpare(const CLI::App& app) {
       throw UsageError(say::SpareArgument(given, app.get_name()));
     }
     const std::string name = given.substr(0, given.find('='));
-    throw UsageError(say::UnknownOption(name, app.get_name(), NearestWord(name, OptionNames(app))));
+    throw UsageError(say::UnknownOption(name, app.get_name(), NearestOption(app, name)));
   }
 }
 
