@@ -49,4 +49,24 @@ exec 4>&-
 expect 'a pipe that nobody reads lacks a reader' code_is 4
 expect 'a pipe that nobody reads gives one line' one_line
 
+# A stop request while nobody writes into the pipe that is to be read.
+"$program" page --file "$work/pipe" >/dev/null 2>"$work/said" &
+reader=$!
+catches_term() { (((0x$(awk '/^SigCgt/ {print $2}' "/proc/$reader/status") >> 14) & 1)); }
+for _ in {1..100}; do
+  sleep 0.1
+  catches_term && break
+done
+sleep 0.5  # from there to the pipe
+kill -TERM "$reader"
+for _ in {1..100}; do
+  kill -0 "$reader" 2>/dev/null || break
+  sleep 0.1
+done
+kill -KILL "$reader" 2>/dev/null
+wait "$reader"
+code=$?
+expect 'a stop request ends a wait for a pipe' code_is 130
+expect 'a stop request gives one line' one_line
+
 [ "$failures" = 0 ]

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "textures/character_name.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -41,8 +42,10 @@ void Note(std::vector<Replacement>& list, std::size_t& count, std::string_view t
           std::size_t line_number, const FoldedChar& c, std::string became) {
   ++count;
   if (list.size() >= kMostReplacements) return;
-  list.push_back(
-      {Shown(text.substr(c.begin, c.end - c.begin)), std::move(became), line_number, c.column});
+  // A part of what a character became ("ae") has no range of its own.
+  const std::string was =
+      c.begin < c.end ? std::string(text.substr(c.begin, c.end - c.begin)) : ToUtf8(c.code);
+  list.push_back({Shown(was), std::move(became), line_number, c.column, CharacterName(was)});
 }
 
 // What one character of the text, at `at` in the line, was written as.
@@ -91,7 +94,10 @@ SignWriter::SignWriter(const Script& script, double grade, const std::string& h_
     : script_(script), h_glyph_(FindForm(script, h_form)) {
   CheckGrade(script, grade);
   for (const auto& sign : script.signs) signs_.emplace(sign.first, Glyph(sign.second));
-  for (const auto& digit : script.digits) digits_.emplace(digit.first, Glyph(digit.second));
+  for (const auto& digit : script.digits) {
+    digits_.emplace(digit.first, Glyph(digit.second));
+    read_as_.emplace(Glyph(digit.second), digit.first);
+  }
   if (!digits_.empty()) numeral_ = Glyph(script.numeral_sign);
   for (const Contraction& contraction : script.contractions) {
     Group group;
@@ -150,6 +156,7 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
                        Typeset& typeset) const {
   using Kind = FoldedChar::Kind;
   bool in_number = false, in_word = false;  // in_word: a sign other than a hyphen since the space
+  bool reads_on = false;                    // the next sign reads as a digit if it can
   std::size_t spelled = line.size();        // where the protect mark forbids a group
   for (std::size_t at = 0; at < line.size();) {
     const FoldedChar& c = line[at];
@@ -175,6 +182,12 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
       signs.push_back({digit->second, c.begin, c.end});
     } else if (c.kind == Kind::kSign) {
       signs.push_back({signs_.at(c.code), c.begin, c.end});
+      const auto read_as = read_as_.find(signs.back().glyph);
+      reads_on = reads_on && read_as != read_as_.end();
+      if (reads_on) {
+        Note(typeset.doubtful, typeset.doubtful_count, text, line_number, c,
+             ToUtf8(read_as->second));
+      }
       const bool hyphen_behind = at + 1 < line.size() && line[at + 1].code == U'-';
       signs.back().break_after = c.code == U'-' && in_word && !hyphen_behind;
     } else if (c.kind == Kind::kSpace) {
@@ -182,6 +195,8 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
     } else if (c.kind == Kind::kMissing) {
       Note(typeset.missing, typeset.missing_count, text, line_number, c, {});
     }
+    if (group || c.kind == Kind::kSpace) reads_on = false;
+    if (is_digit) reads_on = true;
     in_number = is_digit;
     in_word = c.kind != Kind::kSpace && (in_word || (c.kind == Kind::kSign && c.code != U'-'));
     at += length;

@@ -27,7 +27,8 @@ struct Sign {
 /// Numbers: the numeral sign stands once before each run of digits, and again after anything else,
 /// so 3.14 has two. The reference is certain of runs only ("1989", "207"); a repeated sign can be
 /// read in one way only. The script itself has no mark for the end of a number: letters a to j
-/// that follow a digit directly ("3d") read as digits in Moon, here as on paper.
+/// that follow a digit directly ("3d") read as digits in Moon, here as on paper, and are noted as
+/// doubtful.
 ///
 /// Contractions: at each place the longest group of the grade that fits there. Word means letters,
 /// and what has no mark in print (a soft hyphen) does not part them; a group at a word's end needs
@@ -41,8 +42,8 @@ class SignWriter {
   /// glyph which the script lacks.
   SignWriter(const Script& script, double grade, const std::string& h_form);
 
-  /// Appends the signs of one line of the text. `typeset` takes note of what was folded and of what
-  /// is missing; `line_number` from 1.
+  /// Appends the signs of one line of the text. `typeset` takes note of what was folded, is missing
+  /// or doubtful; `line_number` from 1.
   void Write(std::string_view text, std::size_t line_number, const std::vector<FoldedChar>& line,
              std::vector<Sign>& signs, Typeset& typeset) const;
 
@@ -61,7 +62,8 @@ class SignWriter {
   const Script& script_;
   std::string h_glyph_;  // what the sign "h" is drawn as
   std::unordered_map<char32_t, std::uint32_t> signs_, digits_;
-  std::vector<Group> groups_;  // longest first
+  std::unordered_map<std::uint32_t, char32_t> read_as_;  // glyph -> digit, behind a number
+  std::vector<Group> groups_;                            // longest first
   std::uint32_t numeral_ = 0;
 };
 

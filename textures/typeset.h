@@ -64,12 +64,13 @@ struct TextPage {
   std::size_t lines = 0;
 };
 
-/// Something the script has no sign for, or wrote otherwise.
+/// Something the script has no sign for, wrote otherwise, or cannot tell from something else.
 struct Replacement {
   std::string was;         ///< the character(s) as in the text; a control character as "U+001B"
   std::string became;      ///< empty: left out
   std::size_t line = 0;    ///< of the source text, from 1
   std::size_t column = 0;  ///< in characters (code points), from 1
+  std::string name{};      ///< of `was` by CharacterName, where it has one
 };
 
 struct Typeset {
@@ -77,9 +78,10 @@ struct Typeset {
   PageSpec page;
   std::vector<TextPage> pages;
   /// Written by another sign of the same meaning (é -> e), and those with no form: left out. The
-  /// lists keep the first 1000, the counts are of all.
-  std::vector<Replacement> folded, missing;
-  std::size_t folded_count = 0, missing_count = 0;
+  /// lists keep the first 1000, the counts are of all. Doubtful are letters that the script cannot
+  /// tell from digits, as they follow a number directly ("3a" reads 31); became: the digit.
+  std::vector<Replacement> folded, missing, doubtful;
+  std::size_t folded_count = 0, missing_count = 0, doubtful_count = 0;
 };
 
 /// Sets UTF-8 text, by the rules of fold.h and signs.h. The first base line is one em below the top

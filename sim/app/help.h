@@ -29,7 +29,7 @@ inline constexpr const char* kText = "the text; - reads standard input.";
 inline constexpr const char* kFile = "read the text from this file; - is standard input.";
 inline constexpr const char* kJson = "write one JSON object instead of words.";
 inline constexpr const char* kQuiet = "no remarks, only results and errors.";
-inline constexpr const char* kSize = "height of the letters in mm, 0.1 to 1000. Default 12.";
+inline constexpr const char* kSize = "height of the letters in mm, 1 to 1000. Default 12.";
 inline constexpr const char* kWidth =
     "width of the groove in mm. Default 0.1165 of the size, more below 8 mm.";
 inline constexpr const char* kDepth =
@@ -55,7 +55,8 @@ inline constexpr const char* kLaw = "potential (conserves energy) or paper. Defa
 inline constexpr const char* kModel =
     "an MJCF model whose first moontrace label carries the text; keys of the label count unless "
     "given here.";
-inline constexpr const char* kFriction = "Coulomb friction, 0 to 2. Default 0.";
+inline constexpr const char* kFriction =
+    "Coulomb friction, from 0 to less than 0.9 over the steepest slope. Default 0.";
 inline constexpr const char* kPress = "press of the hand in N. Default 1, embossed 0.2.";
 inline constexpr const char* kSpeed = "greatest speed along a stroke in mm/s. Default 40.";
 inline constexpr const char* kPicture =

@@ -21,6 +21,7 @@ std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest);
 std::string SpareArgument(std::string_view given, std::string_view command);
 std::string ValueMissing(std::string_view option);
+std::string ValueEmpty(std::string_view option);
 std::string NotANumber(std::string_view option, std::string_view given);
 std::string NotAWholeNumber(std::string_view option, std::string_view given);
 std::string OutOfRange(std::string_view option, std::string_view given, double low, double high);
@@ -49,6 +50,7 @@ std::string PageLine(std::size_t page, std::size_t pages, std::size_t line, std:
 std::string LinesLeftOut(std::size_t count);
 std::string Folded(const Replacement& replacement);
 std::string Missing(const Replacement& replacement);
+std::string Doubtful(const Replacement& replacement);
 std::string MoreReplacements(std::size_t count);
 std::string PictureIn();
 std::string RecordIn();
@@ -64,6 +66,8 @@ std::string Time(const TrialResult& all);
 std::string Energy(const TrialResult& all);
 std::string WeakestLetter(std::string_view text, std::size_t number, double coverage);
 std::string DirectWillBuzz(const DirectBound& bound);
+std::string RidgesPushAside();
+std::string FrictionHampers(double friction);
 std::string Faults(const TrialResult& all);
 
 // The bench.

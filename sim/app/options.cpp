@@ -55,7 +55,8 @@ bool ParseNumber(std::string_view text, double& value) {
   return !text.empty() && read.ec == std::errc() && read.ptr == text.data() + text.size();
 }
 
-PageSpec ParsePage(const std::string& given) {
+PageSpec ParsePage(const std::string& as_given) {
+  const std::string given = LowerCase(as_given);
   if (given == "a4") return {"a4", 0.210, 0.297, 0.015};
   if (given == "a5") return {"a5", 0.148, 0.210, 0.015};
   // What common desktop arms reach.
@@ -65,7 +66,7 @@ PageSpec ParsePage(const std::string& given) {
   double height = 0;
   if (by == std::string::npos || !ParseNumber(std::string_view(given).substr(0, by), width) ||
       !ParseNumber(std::string_view(given).substr(by + 1), height)) {
-    throw UsageError(say::NotAPage(given));
+    throw UsageError(say::NotAPage(as_given));
   }
   width = ReadNumber("width of --page", given.substr(0, by), 1, kLongest);
   height = ReadNumber("height of --page", given.substr(by + 1), 1, kLongest);
@@ -107,7 +108,12 @@ void AddSeed(CLI::App& app, std::uint64_t& seed) {
 void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
              const std::string& description) {
   AddValue(
-      app, name, type, [&path](const std::string& given) { path = given; }, description);
+      app, name, type,
+      [name, &path](const std::string& given) {
+        if (given.empty()) throw UsageError(say::ValueEmpty(name));
+        path = given;
+      },
+      description);
 }
 
 void AddOptions(CLI::App& app, OutputOptions& options) {
@@ -123,7 +129,7 @@ void AddOptions(CLI::App& app, TextOptions& options) {
 }
 
 void AddOptions(CLI::App& app, StyleOptions& options) {
-  AddNumber(app, "--size-mm", options.size, 0.1, kLongest, kMillimetre, help::kSize);
+  AddNumber(app, "--size-mm", options.size, 1, kLongest, kMillimetre, help::kSize);
   AddNumber(app, "--width-mm", options.width, 0.001, kLongest, kMillimetre, help::kWidth);
   AddNumber(app, "--depth-mm", options.depth, 0.001, kLongest, kMillimetre, help::kDepth);
   AddNumber(app, "--rounding-mm", options.rounding, 0.0001, kLongest, kMillimetre, help::kRounding);
@@ -190,7 +196,12 @@ std::string ReadText(const TextOptions& options, const std::string& command, Con
     if (console.in().bad()) throw InputError(say::CannotReadInput());
     return text;
   }
-  return ReadTextFile(options.file, kMaxTextBytes);
+  try {
+    return ReadTextFile(options.file, kMaxTextBytes);
+  } catch (const InputError&) {
+    console.CheckStop();  // the signal ended a wait for a pipe: that is no fault of the file
+    throw;
+  }
 }
 
 Script ScriptOf(const StyleOptions& options, const Label* label) {

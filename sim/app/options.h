@@ -63,7 +63,7 @@ void AddOptions(CLI::App& app, FeelOptions& options);
 void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double low,
                double high, double scale, const std::string& description);
 void AddSeed(CLI::App& app, std::uint64_t& seed);
-/// A file or folder.
+/// A file or folder. An empty one is a UsageError: it would read as not given.
 void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
              const std::string& description);
 

@@ -43,16 +43,19 @@ Json TypesetJson(const Typeset& set, const Script& script) {
                    {"margin_mm", kMillimetres * set.page.margin}};
   json["folded"] = ReplacementsJson(set.folded);
   json["missing"] = ReplacementsJson(set.missing);
+  json["doubtful"] = ReplacementsJson(set.doubtful);
   return json;
 }
 
 void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line) {
-  const auto say_all = [&say_line](const std::vector<Replacement>& list, auto sentence) {
+  const auto say_all = [&say_line](const std::vector<Replacement>& list, std::size_t count,
+                                   auto sentence) {
     for (std::size_t i = 0; i < std::min(list.size(), kMostSaid); ++i) say_line(sentence(list[i]));
-    if (list.size() > kMostSaid) say_line(say::MoreReplacements(list.size() - kMostSaid));
+    if (count > kMostSaid) say_line(say::MoreReplacements(count - kMostSaid));
   };
-  say_all(set.missing, [](const Replacement& r) { return say::Missing(r); });
-  say_all(set.folded, [](const Replacement& r) { return say::Folded(r); });
+  say_all(set.missing, set.missing_count, [](const Replacement& r) { return say::Missing(r); });
+  say_all(set.folded, set.folded_count, [](const Replacement& r) { return say::Folded(r); });
+  say_all(set.doubtful, set.doubtful_count, [](const Replacement& r) { return say::Doubtful(r); });
 }
 
 std::string Dump(const Json& json) {

@@ -66,7 +66,42 @@ TEST(Cli, UnknownOptionIsUsageAndNamesTheNearestInEveryCommand) {
     EXPECT_NE(outcome.err.find("did you mean --json?"), std::string::npos) << outcome.err;
     EXPECT_TRUE(outcome.out.empty());
   }
-  EXPECT_NE(RunLine({"page", "A", "--sise-mm=12"}).err.find("--size-mm"), std::string::npos);
+  EXPECT_NE(RunLine({"page", "A", "--sise-mm=12"}).err.find("mean --size-mm?"), std::string::npos);
+}
+
+TEST(Cli, UnknownOptionNamesTheOneItBeginsAndNoneThatIsFar) {
+  EXPECT_NE(RunLine({"page", "A", "--size"}).err.find("mean --size-mm?"), std::string::npos);
+  EXPECT_NE(RunLine({"page", "A", "-size"}).err.find("mean --size-mm?"), std::string::npos);
+  for (const char* far : {"--xyz", "-Z", "--verbose"}) {
+    const Outcome outcome = RunLine({"page", "A", far});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err.find("did you mean"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(Cli, EmptyPathsAreUsageAndNameTheOption) {
+  for (const std::vector<std::string>& args :
+       {std::vector<std::string>{"page", "A", "--picture", ""},
+        {"page", "--file", ""},
+        {"trace", "A", "--record", ""},
+        {"trace", "A", "--picture", ""},
+        {"demo", "--folder", ""}}) {
+    const Outcome outcome = RunLine(args);
+    EXPECT_EQ(outcome.code, 2) << args[args.size() - 2];
+    EXPECT_EQ(outcome.err.rfind(args[args.size() - 2] + " is empty", 0), 0U) << outcome.err;
+  }
+}
+
+TEST(Cli, HelpTellsTheLimitsThatHold) {
+  const Outcome help = RunLine({"trace", "--help"});
+  EXPECT_NE(help.out.find("height of the letters in mm, 1 to 1000."), std::string::npos);
+  EXPECT_EQ(RunLine({"page", "I", "--size-mm", "1"}).code, 0);
+  for (const char* beyond : {"0.99", "0.05", "1001"}) {
+    const Outcome outcome = RunLine({"page", "I", "--size-mm", beyond});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.err.find("write a number from 1 to 1000"), std::string::npos) << outcome.err;
+  }
+  EXPECT_NE(help.out.find("less than 0.9 over the steepest"), std::string::npos) << help.out;
 }
 
 TEST(Cli, OptionWithoutItsValueIsUsage) {

@@ -48,6 +48,44 @@ TEST_F(PageCommand, SaysWhatWasReplacedAndLeftOutWithItsPlace) {
   EXPECT_EQ(json["missing"][0]["column"], 6);
 }
 
+TEST_F(PageCommand, SaysInWordsWhatCannotBeSeenOrHeard) {
+  const Outcome outcome = RunLine({"page",
+                                   "a \xE2\x80\x98"
+                                   "b\xE2\x80\x8B"
+                                   "c\x01"});
+  for (const char* line :
+       {"Replaced: left single quotation mark (U+2018) by apostrophe, line 1, character 3.",
+        "Left out: zero width space (U+200B), line 1, character 5.",
+        "Left out: U+0001, no sign for it, line 1, character 7."}) {
+    EXPECT_NE(outcome.out.find(Wrapped(line)), std::string::npos) << outcome.out;
+  }
+}
+
+TEST_F(PageCommand, SaysWhichLettersReadAsDigits) {
+  const Outcome outcome = RunLine({"page", "3a"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(
+      outcome.out.find("Doubtful: \"a\" directly after a number reads as 1, line 1, character 2."),
+      std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(PageJson({}, "3a")["doubtful"][0]["became"], "1");
+  EXPECT_TRUE(PageJson({}, "3 a")["doubtful"].empty());
+  EXPECT_NE(RunLine({"trace", "3a"}).err.find("Doubtful: \"a\""), std::string::npos);
+}
+
+TEST_F(PageCommand, ListsTwentyReplacementsAndCountsTheRest) {
+  std::string text;
+  for (int i = 0; i < 1500; ++i) text += "\xC3\xA9";
+  EXPECT_NE(RunLine({"page", text}).out.find("And 1480 more of this kind;"), std::string::npos);
+}
+
+TEST_F(PageCommand, TakesPapersAndEndingsInCapitals) {
+  EXPECT_EQ(PageJson({"--page", "A5"})["paper"], PageJson({"--page", "a5"})["paper"]);
+  EXPECT_EQ(PageJson({"--page", "120X80"})["paper"], PageJson({"--page", "120x80"})["paper"]);
+  ASSERT_EQ(RunLine({"page", "I", "--picture", In("P.SVG")}).code, 0);
+  EXPECT_EQ(ReadAll(In("P.SVG")).rfind("<?xml", 0), 0U);
+}
+
 TEST_F(PageCommand, JsonGivesEachGlyphItsPlaceAndSource) {
   const nlohmann::json json = PageJson({});
   EXPECT_EQ(json["signs"], 5);
@@ -145,6 +183,7 @@ TEST_F(PageCommand, ListsAHundredLinesAndCountsTheRest) {
 TEST_F(PageCommand, StopsWhenAskedTo) {
   const std::atomic<bool> stop{true};
   EXPECT_EQ(RunLine({"page", "-"}, "A", &stop).code, 130);
+  EXPECT_EQ(RunLine({"page", "--file", In("none")}, "", &stop).code, 130);
   EXPECT_EQ(RunLine({"page", "A", "--json"}, "", &stop).code, 130);
   EXPECT_EQ(RunLine({"page", "A", "--picture", In("p.svg")}, "", &stop).code, 130);
   ExpectOnly({});

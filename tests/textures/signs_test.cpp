@@ -122,6 +122,40 @@ TEST(Numbers, CannotTellALetterThatFollowsDirectly) {
   EXPECT_EQ(Names("3d"), "numeral c d");  // as 34: Moon has no sign that ends a number
 }
 
+// The letters a to j as "became" says, the same as the numbers' test above: j is 0.
+std::string Doubtful(std::string_view text) {
+  std::string result;
+  for (const Replacement& r : Write(text).notes.doubtful) {
+    result += r.was + "=" + r.became + "@" + std::to_string(r.column) + " ";
+  }
+  return result;
+}
+
+TEST(Notes, TellWhichLettersReadAsDigits) {
+  EXPECT_EQ(Doubtful("3a"), "a=1@2 ");
+  EXPECT_EQ(Doubtful("x 12Hj"), "H=8@5 j=0@6 ");
+  EXPECT_EQ(Doubtful("3\u00E9"), "\u00E9=5@2 ");
+  EXPECT_EQ(Doubtful("3\u00E6"), "\u00E6=1@2 e=5@2 ");
+  EXPECT_EQ(Doubtful("3\u00ADa 3\u65E5"
+                     "b"),
+            "a=1@3 b=2@7 ");  // nothing is seen between them
+  EXPECT_EQ(Write("3a").notes.doubtful_count, 1u);
+}
+
+TEST(Notes, DoubtNoLetterThatANumberDoesNotReach) {
+  EXPECT_EQ(Doubtful("a 3 a 3xa 3-a 3k a3 3the"), "");
+  EXPECT_EQ(Doubtful("3ka"), "");   // k ends the number
+  EXPECT_EQ(Doubtful("3and"), "");  // the sign AND
+}
+
+TEST(Notes, NameWhatCannotBeSeen) {
+  const Written written = Write("ab\u200B");
+  ASSERT_EQ(written.notes.folded.size(), 1u);
+  EXPECT_EQ(written.notes.folded[0].was, "U+200B");
+  EXPECT_EQ(written.notes.folded[0].name, "zero width space (U+200B)");
+  EXPECT_EQ(written.notes.folded[0].became, "");
+}
+
 TEST(Numbers, DoNotRunIntoRaisedDigits) { EXPECT_EQ(Names("10\u00B2"), "numeral a j numeral b"); }
 
 TEST(Numbers, HaveASignWithAnEmptyRangeAtTheFirstDigit) {
