@@ -269,8 +269,8 @@ std::string RidgesPushAside() {
 /// Figures: "Sphinx of black quartz" at 12 mm, seed 1.
 std::string FrictionHampers(double friction) {
   return fmt::format(
-      "Friction {} makes tracing worse: a pangram at 12 mm is covered to 100 percent at 0.05, 94 "
-      "at 0.15, 69 at 0.3.",
+      "Friction {} makes tracing worse: 22 characters at 12 mm are covered to 100 percent at 0.05, "
+      "93 at 0.15, 69 at 0.3.",
       Short(friction, 3));
 }
 
