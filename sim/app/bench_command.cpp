@@ -1,6 +1,7 @@
 #include "sim/app/bench_command.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "sim/app/messages.h"
 #include "sim/bench/row.h"
@@ -26,23 +27,25 @@ Json RowJson(const BenchRow& row) {
 void AddOptions(CLI::App& app, BenchOptions& options) { AddOptions(app, options.output); }
 
 int Run(const BenchOptions& options, Console& console) {
-  Json rows = Json::array();
-  std::size_t bars = 0, missed = 0;
-  for (BenchRows (*part)() : {BenchField, BenchPaper, BenchPhysics, BenchTracing}) {
-    for (const BenchRow& row : part()) {
-      rows.push_back(RowJson(row));
-      if (!options.output.json) console.Result(say::BenchLine(row));
-
-      bars += row.holds ? 1 : 0;
-      missed += row.holds && !*row.holds ? 1 : 0;
-    }
+  console.Remark(say::BenchBegins());
+  BenchRows rows;
+  for (BenchRows (*part)() : {BenchField, BenchPhysics, BenchTracing, BenchPaper}) {
+    for (BenchRow& row : part()) rows.push_back(std::move(row));
     if (console.stop() != nullptr && *console.stop()) throw Interrupted();
   }
   if (options.output.json) {
-    console.Json(rows.dump(2));
-  } else {
-    console.Result(say::BenchOutcome(bars, missed));
+    Json json = Json::array();
+    for (const BenchRow& row : rows) json.push_back(RowJson(row));
+    console.Json(json.dump(2));
+    return exit_code::kGood;
   }
+  std::size_t bars = 0, missed = 0;
+  for (const BenchRow& row : rows) {
+    bars += row.holds ? 1 : 0;
+    missed += row.holds && !*row.holds ? 1 : 0;
+  }
+  console.Result(say::BenchOutcome(bars, missed));
+  for (const BenchRow& row : rows) console.Result(say::BenchLine(row));
   return exit_code::kGood;
 }
 

@@ -262,15 +262,16 @@ std::string DirectWillBuzz(const DirectBound& bound) {
 }
 
 std::string RidgesPushAside() {
-  return "Ridges push a point aside, and the simulated hand cannot follow them: expect a poor "
-         "trace. Grooves, without --embossed, can be followed.";
+  return "Ridges push a point aside, and the simulated hand cannot follow them: a poor trace is "
+         "to be expected. Grooves, without --embossed, can be followed.";
 }
 
-/// Figures: "Sphinx of black quartz" at 12 mm, seed 1.
+/// Figures: "Sphinx of black quartz" (part of a pangram) at 12 mm, seed 1.
 std::string FrictionHampers(double friction) {
   return fmt::format(
-      "Friction {} makes tracing worse: 22 characters at 12 mm are covered to 100 percent at 0.05, "
-      "93 at 0.15, 69 at 0.3.",
+      "Friction {} makes tracing worse: a short text at 12 mm is covered to 100 percent at 0.05, "
+      "93 at "
+      "0.15, 69 at 0.3.",
       Short(friction, 3));
 }
 
@@ -409,6 +410,8 @@ std::string DemoBelowBar(double size) {
   return fmt::format("the demo lost the {} mm letters: below 98 percent covered",
                      Short(kMillimetres * size, 1));
 }
+
+std::string BenchBegins() { return "Measuring: this takes about a quarter of a minute."; }
 
 std::string BenchLine(const BenchRow& row) {
   std::string figure = fmt::format("{}: {:.4g} {}", row.name, row.value, row.unit);

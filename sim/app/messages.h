@@ -71,6 +71,7 @@ std::string FrictionHampers(double friction);
 std::string Faults(const TrialResult& all);
 
 // The bench.
+std::string BenchBegins();
 std::string BenchLine(const BenchRow& row);
 std::string BenchOutcome(std::size_t bars, std::size_t missed);
 

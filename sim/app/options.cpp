@@ -57,10 +57,7 @@ bool ParseNumber(std::string_view text, double& value) {
 
 PageSpec ParsePage(const std::string& as_given) {
   const std::string given = LowerCase(as_given);
-  if (given == "a4") return {"a4", 0.210, 0.297, 0.015};
-  if (given == "a5") return {"a5", 0.148, 0.210, 0.015};
-  // What common desktop arms reach.
-  if (given == "workspace") return {"workspace", 0.160, 0.120, 0.005};
+  if (given == "a4" || given == "a5" || given == "workspace") return FindPage(given);
   const std::size_t by = given.find('x');
   double width = 0;
   double height = 0;
@@ -68,9 +65,9 @@ PageSpec ParsePage(const std::string& as_given) {
       !ParseNumber(std::string_view(given).substr(by + 1), height)) {
     throw UsageError(say::NotAPage(as_given));
   }
-  width = ReadNumber("width of --page", given.substr(0, by), 1, kLongest);
-  height = ReadNumber("height of --page", given.substr(by + 1), 1, kLongest);
-  return {"custom", kMillimetre * width, kMillimetre * height, 0.015};
+  ReadNumber("width of --page", given.substr(0, by), 1, kLongest);
+  ReadNumber("height of --page", given.substr(by + 1), 1, kLongest);
+  return FindPage(given);
 }
 
 }  // namespace

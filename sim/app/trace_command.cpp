@@ -33,24 +33,43 @@ struct Trace {
   std::vector<std::string> pictures, records;
 };
 
-std::optional<Label> FirstLabel(const FeelOptions& feel) {
+/// What a model gives for the text: its first label, and the room on that label's geom.
+struct ModelPage {
+  Label label;
+  glm::dvec2 extent{0, 0};  ///< [m]
+};
+std::optional<ModelPage> PageOfModel(const FeelOptions& feel) {
   if (feel.model.empty()) return std::nullopt;
-  return Scene::Load(feel.model, feel.scene).labels().front();
+  const Scene scene = Scene::Load(feel.model, feel.scene);
+  return ModelPage{scene.labels().front(), scene.page_extent()};
+}
+
+/// The sheet cut to the geom that carries it. A margin made for paper would leave no room on a mug.
+PageSpec CutTo(glm::dvec2 extent, PageSpec sheet, bool margin_given) {
+  constexpr double kLabelMargin = 0.001;  // [m]
+  const bool cut = extent.x < sheet.width || extent.y < sheet.height;
+  if (cut && !margin_given) sheet.margin = kLabelMargin;
+  sheet.width = std::min(sheet.width, extent.x);
+  sheet.height = std::min(sheet.height, extent.y);
+  return sheet;
 }
 
 /// Text, script and pages; what the command line leaves open comes from the model's first label.
 Trace SetUp(const TraceOptions& options, Console& console) {
-  const std::optional<Label> label = FirstLabel(options.feel);
-  const Label* from = label ? &*label : nullptr;
+  const std::optional<ModelPage> model = PageOfModel(options.feel);
+  const Label* from = model ? &model->label : nullptr;
   Trace trace;
   const bool given = options.text.text || !options.text.file.empty();
-  trace.text = !given && label && !label->text.empty() ? label->text
-                                                       : ReadText(options.text, "trace", console);
+  trace.text = !given && from != nullptr && !from->text.empty()
+                   ? from->text
+                   : ReadText(options.text, "trace", console);
   trace.script = ScriptOf(options.style, from);
-  trace.script_name =
-      options.style.script.value_or(label && label->script ? *label->script : trace.script.name);
+  trace.script_name = options.style.script.value_or(
+      from != nullptr && from->script ? *from->script : trace.script.name);
   const TypeStyle style = StyleOf(options.style, options.layout, trace.script, from);
-  trace.set = SetText(trace.text, trace.script, style, PageOf(options.layout));
+  PageSpec sheet = PageOf(options.layout);
+  if (model) sheet = CutTo(model->extent, sheet, options.layout.margin.has_value());
+  trace.set = SetText(trace.text, trace.script, style, sheet);
   const std::size_t signs = CountSigns(trace.set);
   if (signs > kMostSigns) throw InputError(say::TooLong(signs, kMostSigns));
   return trace;
@@ -223,6 +242,12 @@ int Run(const TraceOptions& options, Console& console) {
   WarnOfDirect(options, trace, console);
   for (std::size_t page = 0; page < trace.set.pages.size(); ++page) {
     TracePage(options, page, console, trace);
+  }
+  if (trace.set.style.relief == Relief::kEmbossed && !options.blank) {
+    console.Remark(say::RidgesPushAside());
+  }
+  if (options.feel.scene.friction > 0.1) {
+    console.Remark(say::FrictionHampers(options.feel.scene.friction));
   }
   const TrialResult all = Merged(trace.pages);
   if (options.output.json) {

@@ -39,11 +39,8 @@ double OfLetter(const BenchPage& page, const Glyph& glyph) {
     p = box.min + glm::dvec2(share(random), share(random)) * (box.max - box.min);
   }
   const Surface surface;
-  std::vector<double> times;
-  for (int i = 0; i < 9; ++i) {
-    times.push_back(SecondsOf([&] { Keep(ForcesAt(surface, field, points)); }));
-  }
-  return 1e6 * Median(times) / static_cast<double>(kPositions);
+  const double time = MedianSecondsOf(9, [&] { Keep(ForcesAt(surface, field, points)); });
+  return 1e6 * time / static_cast<double>(kPositions);
 }
 
 }  // namespace
@@ -65,12 +62,9 @@ BenchRows BenchPaper() {
   const TextureField field(page.texture);
   const Surface surface;
   const std::vector<glm::dvec2> points = PointsInLetters(page, 400000, 21);
-  std::vector<double> times;
-  for (int i = 0; i < 9; ++i) {
-    times.push_back(SecondsOf([&] { Keep(ForcesAt(surface, field, points)); }));
-  }
+  const double time = MedianSecondsOf(9, [&] { Keep(ForcesAt(surface, field, points)); });
   rows.push_back(AtLeast("forces a second, page of 64 x 30 (the paper, 1998: 15000)",
-                         static_cast<double>(points.size()) / Median(times), "1/s", 15e6));
+                         static_cast<double>(points.size()) / time, "1/s", 15e6));
   return rows;
 }
 

@@ -25,6 +25,14 @@ double SecondsOf(Work&& work) {
   return Now() - begin;
 }
 
+/// Median time of `runs` goes [s].
+template <class Work>
+double MedianSecondsOf(int runs, Work&& work) {
+  std::vector<double> times(static_cast<std::size_t>(runs));
+  for (double& time : times) time = SecondsOf(work);
+  return Median(times);
+}
+
 /// Times of two pieces of work, done by turns so that a busy machine slows both.
 struct Turns {
   double first = 0;   ///< median [s]

@@ -85,6 +85,17 @@ PagePlace FindPage(const mjModel& m, const Label& label, const std::string& name
   page.moves = m.body_weldid[page.body] != 0;
   const bool box = m.geom_type[page.geom] == mjGEOM_BOX;
   page.origin_G = {label.at.x, label.at.y, box ? m.geom_size[3 * page.geom + 2] : 0.0};
+  for (int axis = 0; axis < 2; ++axis) {
+    // a plane's half size of zero means that it has no edge
+    const double half = m.geom_size[3 * page.geom + axis];
+    page.extent[axis] = half > 0 ? half - label.at[axis] : std::numeric_limits<double>::infinity();
+    if (half > 0 && !(std::abs(label.at[axis]) <= half && page.extent[axis] > 0)) {
+      throw InputError(
+          fmt::format("{}: at_mm lies outside the geom, which reaches from {:g} to {:g} mm along "
+                      "{}; move it in",
+                      PlaceOf(label, name), -1e3 * half, 1e3 * half, axis == 0 ? 'x' : 'y'));
+    }
+  }
   return page;
 }
 

@@ -27,6 +27,7 @@ struct PagePlace {
   int body = 0;
   bool moves = false;            ///< its body can be pushed
   glm::dvec3 origin_G{0, 0, 0};  ///< the page's, in the geom's frame; the axes are the geom's [m]
+  glm::dvec2 extent{0, 0};  ///< from there to the geom's far edges, infinite if it has none [m]
 };
 
 struct LoadedModel {

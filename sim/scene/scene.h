@@ -43,6 +43,8 @@ class Scene {
 
   const std::vector<Label>& labels() const;  ///< of the model's <custom>, in order
   Pose X_WP() const;                         ///< where the page lies now
+  /// From the page's origin to the far edges of its geom; infinite where it has none [m].
+  glm::dvec2 page_extent() const;
   const SceneOptions& options() const;
   /// The MJCF that MuJoCo was given, number for number: includes expanded, proxy inserted, folders
   /// of meshes and textures absolute. What a record keeps. (MuJoCo's own saving rounds to six

@@ -118,7 +118,7 @@ constexpr const char* kLooseBox = R"(<mujoco>
   <custom><text name="moontrace:box" data="{at_mm = [-105, -150]}"/></custom>
   <worldbody>
     <geom name="floor" type="plane" size="1 1 0.1"/>
-    <body pos="0 0 0.02"><freejoint/><geom name="box" type="box" size="0.1 0.1 0.02" mass="2"/></body>
+    <body pos="0 0 0.02"><freejoint/><geom name="box" type="box" size="0.105 0.15 0.02" mass="2"/></body>
   </worldbody>
 </mujoco>)";
 

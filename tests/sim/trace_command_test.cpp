@@ -204,6 +204,25 @@ TEST_F(TraceCommand, ModelsLabelGivesTextAndLettersAndTheCommandLineOverrides) {
   EXPECT_NEAR(over["size_mm"], 14.0, 1e-9);
 }
 
+TEST_F(TraceCommand, TextIsWrappedToTheGeomThatCarriesIt) {
+  // 0.2 m from the label's corner to the far edge, 1 mm margins: one letter of 100 mm a line
+  WriteAll(In("sign.xml"), Model("at_mm=[0,0]"));
+  const nlohmann::json json = TraceJson({"--model", In("sign.xml"), "--size-mm", "100"}, "II LL");
+  EXPECT_NEAR(json["paper"]["width_mm"], 200, 1e-9);
+  EXPECT_NEAR(json["paper"]["height_mm"], 200, 1e-9);
+  EXPECT_EQ(json["pages"], 3);  // of one line each: II, L, L
+  const Outcome large = RunLine({"trace", "WWW", "--model", In("sign.xml"), "--size-mm", "300"});
+  EXPECT_EQ(large.code, 3);
+  EXPECT_NE(large.err.find("198 mm"), std::string::npos) << large.err;
+}
+
+TEST_F(TraceCommand, ALabelBesideItsGeomIsRefused) {
+  WriteAll(In("sign.xml"), Model("text='I', at_mm=[9000,0]"));
+  const Outcome outcome = RunLine({"trace", "--model", In("sign.xml")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("at_mm lies outside the geom"), std::string::npos) << outcome.err;
+}
+
 TEST_F(TraceCommand, ModelWithoutATextNeedsOne) {
   WriteAll(In("sign.xml"), Model("size_mm=20"));
   EXPECT_EQ(RunLine({"trace", "--model", In("sign.xml")}).code, 2);
