@@ -43,7 +43,8 @@ inline constexpr const char* kHForm = "form of H: crescent, arc, pocket or rever
 inline constexpr const char* kGrade = "contractions: 0.5 none, 1 all that are certain.";
 inline constexpr const char* kPaper =
     "a4, a5, workspace (160 by 120 mm) or width x height in mm like 120x80. Default a4.";
-inline constexpr const char* kMargin = "margin on all sides in mm. Default 15 on a4 and a5, else 10.";
+inline constexpr const char* kMargin =
+    "margin on all sides in mm. Default 15 on a4 and a5, else 10.";
 inline constexpr const char* kLetterGap = "added between letters in mm. Default 0.";
 inline constexpr const char* kWordGap = "added between words in mm. Default 0.";
 inline constexpr const char* kLinePitch = "from base line to base line in mm. Default 1.8 sizes.";

@@ -15,7 +15,8 @@ std::size_t CountSigns(const Typeset& set);
 /// Letters, paper and replacements as JSON, without the pages.
 Json TypesetJson(const Typeset& set, const Script& script);
 
-/// Each character that was left out, replaced or is doubtful, the first 20 of each kind, then how many more.
+/// Each character that was left out, replaced or is doubtful, the first 20 of each kind, then how
+/// many more.
 void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line);
 
 /// On one line; bytes that are not UTF-8 (of a path) are replaced.
