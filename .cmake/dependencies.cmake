@@ -11,6 +11,10 @@ pkg_check_modules(cairo QUIET IMPORTED_TARGET cairo)
 if(NOT cairo_FOUND)
   message(STATUS "cairo is missing: pictures can be written as SVG only")
 endif()
+pkg_check_modules(hidapi QUIET IMPORTED_TARGET hidapi-hidraw)
+if(NOT hidapi_FOUND)
+  message(STATUS "hidapi is missing: haptic devices on USB cannot be used")
+endif()
 
 find_package(mujoco 2.2.2 REQUIRED)
 # Debian's target names a qhull include folder that only libqhull-dev brings and no public header

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "devices/device.h"
+#include "devices/profile.h"
+
+namespace moontrace {
+
+/// A device that is plugged in, or a kind that always is.
+struct DeviceEntry {
+  std::string name;  ///< what `--device` takes, unique in the list
+  DeviceProfile profile;
+  std::string path;     ///< of the HID node or plug-in
+  std::string problem;  ///< why it cannot be opened and what mends it, one line; empty if it can
+};
+
+/// What is there: HID devices that a profile or their descriptor recognises. Never throws for a
+/// device's sake.
+std::vector<DeviceEntry> ListDevices();
+
+/// How a device wants to be used.
+struct DeviceRequest {
+  std::string name;     ///< of an entry, or `plugin:PATH`
+  double tick = 0.001;  ///< [s]
+  double press = 1;     ///< for devices without a third axis [N]
+};
+
+/// Opens a device. Throws DeviceError; an unknown name lists the nearest.
+std::unique_ptr<Device> OpenDevice(const DeviceRequest& request);
+
+}  // namespace moontrace

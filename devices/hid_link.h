@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace moontrace {
+
+/// A report as it crosses the wire, with its number in byte 0 where the device numbers them.
+struct HidReport {
+  static constexpr std::size_t kMostBytes = 128;
+  double time = 0;          ///< when it was read, steady clock [s]
+  std::uint32_t count = 0;  ///< how many of its kind came before it
+  std::uint16_t size = 0;   ///< as it arrived; what is beyond kMostBytes is cut off
+  std::array<std::uint8_t, kMostBytes> bytes{};
+  std::span<const std::uint8_t> span() const noexcept;
+};
+
+/// How a link behaves; set by each kind of device.
+struct HidLinkOptions {
+  /// Numbers of the input reports that are kept, each in its own mailbox; empty: the device does
+  /// not number its reports and every report goes into mailbox 0.
+  std::vector<std::uint8_t> inputs;
+  std::size_t outputs = 1;  ///< places of newest-value output reports
+  /// An output that has not changed is sent again after this time: what keeps a device's dead-man
+  /// quiet. 0: only changes are sent [s].
+  double repeat_every = 0;
+  /// Sent over and over at this period, whatever else happens (PID: effect operation start) [s].
+  std::vector<HidReport> renewed;
+  double renew_every = 0.015;
+  std::vector<HidReport> farewell;  ///< the last things sent when the link closes
+};
+
+/// A HID device behind two I/O threads, one for each direction, each with a handle of its own. The
+/// tick talks to mailboxes only.
+class HidLink {
+ public:
+  /// Throws DeviceError if the device cannot be opened.
+  HidLink(const std::string& path, HidLinkOptions options);
+  /// Sends zeroes and farewells as far as the device takes them within 0.1 s, then closes. A device
+  /// whose write never returns is left to a thread that owns all it needs.
+  ~HidLink();
+
+  /// The tick: the newest report of mailbox `input`, if one came since the last call.
+  bool Take(std::size_t input, HidReport& report) noexcept;
+  /// The tick: what output `place` holds from now on. Only the newest is sent.
+  void Put(std::size_t place, std::span<const std::uint8_t> report) noexcept;
+  /// False once a read or write failed: the device is gone for good.
+  bool IsAlive() const noexcept;
+  /// How long the write that is under way has been waiting [s]; 0 if none is. A deaf device shows
+  /// here.
+  double WaitingWrite() const noexcept;
+
+ private:
+  struct Impl;
+  std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace moontrace
