@@ -2,41 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "sim/app/words.h"
 #include "textures/character_name.h"
 #include "textures/text_file.h"
 
 namespace moontrace::say {
 
 namespace {
-
-constexpr double kMillimetres = 1e3;
-
-std::string Counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-/// "never", "once", "3 times".
-std::string Times(std::size_t count) {
-  if (count == 0) return "never";
-  return count == 1 ? "once" : fmt::format("{} times", count);
-}
-
-/// At most `decimals`, no needless zeros.
-std::string Short(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
-}
-
-/// Never rounded up to a whole: 99.96 percent is not "100".
-std::string Percent(double share) {
-  return Short(std::floor(1000 * share + 1e-9) / 10, 1) + " percent";
-}
 
 std::string_view Relief(const TypeStyle& style) {
   return style.relief == Relief::kEngraved ? "groove" : "ridge";
@@ -365,50 +337,6 @@ std::string OtherField(std::string_view folder) {
 std::string BadParameters(std::string_view folder, std::string_view cause) {
   return fmt::format("{}/trial.json: parameters cannot be used ({}); record the trial again",
                      folder, OneLine(cause));
-}
-
-std::string DemoWelcome(std::string_view word) {
-  return fmt::format("Welcome to Moontrace. A simulated stylus will trace the word {}.", word);
-}
-
-std::string DemoWhatMoonIs() {
-  return "Moon is a script of lines and curves, read by touch: here, as grooves.";
-}
-
-std::string DemoHand() {
-  return "The simulated hand trembles and drifts; only the groove keeps it on the letters.";
-}
-
-std::string DemoCovered() {
-  return "Covered is the share of all strokes that the stylus went along.";
-}
-
-std::string DemoSize(double size, const TrialResult& result) {
-  const TraceMetrics& total = result.score.total;
-  const std::string left = total.excursions == 0
-                               ? "never left the groove"
-                               : fmt::format("left the groove {}", Times(total.excursions));
-  return fmt::format("{} mm letters: {} covered, mean error {} mm, {}.",
-                     Short(kMillimetres * size, 1), Percent(total.coverage),
-                     Short(kMillimetres * total.mean_error, 3), left);
-}
-
-std::string DemoBlank(double size, const TrialResult& result) {
-  return fmt::format("Blank page: {} covered, mean error {} mm, same hand at {} mm.",
-                     Percent(result.score.total.coverage),
-                     Short(kMillimetres * result.score.total.mean_error, 2),
-                     Short(kMillimetres * size, 1));
-}
-
-std::string DemoWhyBlank() { return "So it is the grooves that guide the hand."; }
-
-std::string DemoPictures() { return "Pictures of all this are in the folder:"; }
-
-std::string DemoNext() { return "Next, try your own text: moontrace trace \"your name\""; }
-
-std::string DemoBelowBar(double size) {
-  return fmt::format("the demo lost the {} mm letters: below 98 percent covered",
-                     Short(kMillimetres * size, 1));
 }
 
 std::string BenchBegins() { return "Measuring: this takes about a quarter of a minute."; }

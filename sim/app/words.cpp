@@ -1,0 +1,31 @@
+#include "sim/app/words.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace moontrace::say {
+
+std::string Counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string Times(std::size_t count) {
+  if (count == 0) return "never";
+  return count == 1 ? "once" : fmt::format("{} times", count);
+}
+
+std::string Short(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string Percent(double share) {
+  return Short(std::floor(1000 * share + 1e-9) / 10, 1) + " percent";
+}
+
+}  // namespace moontrace::say

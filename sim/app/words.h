@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+/// The words that many sentences share.
+namespace moontrace::say {
+
+inline constexpr double kMillimetres = 1e3;
+
+std::string Counted(std::size_t count, std::string_view one, std::string_view many);
+/// "never", "once", "3 times".
+std::string Times(std::size_t count);
+/// At most `decimals`, no needless zeros.
+std::string Short(double value, int decimals);
+/// Never rounded up to a whole: 99.96 percent is not "100".
+std::string Percent(double share);
+
+}  // namespace moontrace::say
