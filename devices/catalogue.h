@@ -17,9 +17,10 @@ struct DeviceEntry {
   std::string problem;  ///< why it cannot be opened and what mends it, one line; empty if it can
 };
 
-/// What is there: HID devices that a profile or their descriptor recognises. Never throws for a
-/// device's sake.
-std::vector<DeviceEntry> ListDevices();
+/// What is there: HID devices that a profile or their descriptor recognises. `profiles` is the
+/// folder that holds the profiles (devices/profiles of the program's data). Throws DeviceError where
+/// a profile is broken, never for a device's sake.
+std::vector<DeviceEntry> ListDevices(const std::string& profiles);
 
 /// How a device wants to be used.
 struct DeviceRequest {
@@ -28,7 +29,8 @@ struct DeviceRequest {
   double press = 1;     ///< for devices without a third axis [N]
 };
 
-/// Opens a device. Throws DeviceError; an unknown name lists the nearest.
-std::unique_ptr<Device> OpenDevice(const DeviceRequest& request);
+/// Opens a device; `profiles` as above. Throws DeviceError; an unknown name is told with the names
+/// that are there, nearest first.
+std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::string& profiles);
 
 }  // namespace moontrace
