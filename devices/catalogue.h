@@ -17,9 +17,12 @@ struct DeviceEntry {
   std::string problem;  ///< why it cannot be opened and what mends it, one line; empty if it can
 };
 
+/// Every profile of a folder, by name. Throws DeviceError: no such folder, a broken profile.
+std::vector<DeviceProfile> LoadProfiles(const std::string& folder);
+
 /// What is there: HID devices that a profile or their descriptor recognises. `profiles` is the
-/// folder that holds the profiles (devices/profiles of the program's data). Throws DeviceError where
-/// a profile is broken, never for a device's sake.
+/// folder that holds the profiles (devices/profiles of the program's data). Throws DeviceError
+/// where a profile is broken, never for a device's sake.
 std::vector<DeviceEntry> ListDevices(const std::string& profiles);
 
 /// How a device wants to be used.

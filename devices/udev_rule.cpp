@@ -1,0 +1,48 @@
+#include "devices/udev_rule.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace moontrace {
+namespace {
+
+// The number must be below 73, where uaccess is evaluated.
+constexpr const char* kHead =
+    "# Haptic devices that Moontrace knows: whoever sits at the computer may open them.\n"
+    "# Made from the ids in devices/profiles; boards with borrowed ids are left out.\n"
+    "# Without a local seat (ssh, container) write GROUP=\"plugdev\", MODE=\"0660\" for TAG.\n";
+
+}  // namespace
+
+std::string UdevRule(const DeviceProfile::Id& id) {
+  return fmt::format(
+      "KERNEL==\"hidraw*\", SUBSYSTEM==\"hidraw\", KERNELS==\"*:{:04X}:{:04X}.*\", "
+      "TAG+=\"uaccess\"",
+      id.vendor, id.product);
+}
+
+std::string UdevCure(const DeviceProfile::Id& id) {
+  return fmt::format(
+      "put the line {} into /etc/udev/rules.d/70-moontrace-hid.rules, run \"udevadm control "
+      "--reload-rules\" as root, and plug the device in again",
+      UdevRule(id));
+}
+
+std::string UdevFile(const std::vector<DeviceProfile>& profiles) {
+  std::map<std::pair<std::uint16_t, std::uint16_t>, std::string> titles;
+  for (const DeviceProfile& profile : profiles) {
+    for (const DeviceProfile::Id& id : profile.ids) {
+      if (id.own) titles.emplace(std::pair(id.vendor, id.product), profile.title);
+    }
+  }
+  std::string file = kHead;
+  for (const auto& [id, title] : titles) {
+    file += fmt::format("\n# {}\n{}\n", title, UdevRule({id.first, id.second, true}));
+  }
+  return file;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "devices/profile.h"
+
+namespace moontrace {
+
+/// The udev line that lets whoever sits at the computer open the HID device of these ids, on any
+/// transport (USB, Bluetooth, virtual): the HID parent is called BUS:VVVV:PPPP.NNNN.
+std::string UdevRule(const DeviceProfile::Id& id);
+
+/// What mends a refused permission, in one line: the rule, its file, and how it takes effect.
+std::string UdevCure(const DeviceProfile::Id& id);
+
+/// The file `devices/udev/70-moontrace-hid.rules` that these profiles make. It holds only ids that
+/// belong to haptic devices (Id::own), in ascending order: a generic board's id would open other
+/// people's devices too.
+std::string UdevFile(const std::vector<DeviceProfile>& profiles);
+
+}  // namespace moontrace
