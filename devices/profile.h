@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +13,48 @@
 namespace moontrace {
 
 enum class DeviceKind { kPid, kWoodenHaptics, kRawHid, kPuck, kPlugin };
+
+/// One axis of a device as one axis of frame D.
+struct AxisMap {
+  std::uint16_t usage = 0;  ///< HID usage of the generic desktop page, 0x30 X to 0x38 wheel
+  double sign = 1;          ///< -1: it grows the other way
+};
+
+/// kPid: how a stick becomes the tip, and what presses the tip onto the page.
+struct StickMap {
+  enum class Press { kSetting, kButton, kAxis };
+  AxisMap right{0x30, 1};  ///< x of frame D
+  AxisMap away{0x31, -1};  ///< y of frame D: HID's Y grows towards the person
+  Press press = Press::kSetting;
+  int press_button = 0;         ///< kButton: presses while held; 0 is the first
+  AxisMap press_axis{0x36, 1};  ///< kAxis: from its least, no press, to its most, the full one
+};
+
+/// kWoodenHaptics: three bodies A (turns about the upright), B and C (swing in the plane that A has
+/// turned), each driven through a capstan by a motor with an encoder. Maker's frame M: x from the
+/// base towards the person, y to the right, z up.
+struct ArmGeometry {
+  std::array<double, 3> link{};            ///< base to shoulder, body B, body C [m]
+  std::array<double, 3> reduction{};       ///< turns of the motor for one of the body
+  std::array<double, 3> counts{};          ///< encoder counts for one turn of the motor
+  std::array<double, 3> encoder_sign{};    ///< of the body's angle as counts grow
+  std::array<double, 3> current_sign{};    ///< of the body's torque as the current grows
+  std::array<double, 3> motor_constant{};  ///< [N m/A]
+  double peak_current = 0;                 ///< [A]
+  glm::dvec3 origin_M{0, 0, 0};            ///< middle of the workspace [m]
+  std::array<double, 3> rest{};            ///< angles of A, B, C in which it is homed [rad]
+  std::size_t report_bytes = 8;            ///< of its input report; tells the generations apart
+};
+
+/// kPuck: how a deflected puck moves the tip.
+struct PuckMap {
+  double full_scale = 350;  ///< greatest count of an axis
+  double dead_zone = 0;     ///< counts that are rest
+  double top_speed = 0;     ///< of the tip at full deflection [m/s]
+  /// Which of the puck's translations (0, 1, 2) moves x, y, z of frame D, and which way.
+  std::array<int, 3> axis{0, 1, 2};
+  std::array<double, 3> sign{1, 1, 1};
+};
 
 /// What is known of a device beforehand: `devices/profiles/NAME.toml`.
 struct DeviceProfile {
@@ -28,9 +73,13 @@ struct DeviceProfile {
   double force_step = 0;        ///< resolution [N]
   double coulomb_friction = 0;  ///< f_c [N]
   double velocity_cutoff = 0;   ///< of the velocity filter [Hz]; 0: none
+  StickMap stick;               ///< kPid
+  ArmGeometry arm;              ///< kWoodenHaptics
+  PuckMap puck;                 ///< kPuck
 };
 
-/// Reads a profile. Throws DeviceError with file:line:column.
+/// Reads a profile. Throws DeviceError with file:line:column, for an unknown key the nearest one.
+/// Keys carry their unit; CONTRIBUTING.md lists them.
 DeviceProfile LoadProfile(const std::string& path);
 DeviceProfile ParseProfile(std::string_view text, const std::string& name);
 
@@ -39,7 +88,9 @@ DeviceProfile ParseProfile(std::string_view text, const std::string& name);
 /// Abbott and Okamura 2005; Diolaiti et al. 2006). Terms whose data are unknown (0) do not count.
 double StableStiffness(const DeviceProfile& profile);
 
-/// The limits a loop needs, with `stiffness` the stable one and `late_ticks` from delay and rate.
+/// The limits a loop needs, with `stiffness` the stable one and `late_ticks` the whole ticks of
+/// `tick` [s] by which the force's period and the delay outlast the tick it is computed in; at
+/// least one, since a force written in a tick is felt in the next.
 DeviceLimits LimitsOf(const DeviceProfile& profile, double tick);
 
 }  // namespace moontrace
