@@ -29,9 +29,13 @@ struct HidLinkOptions {
   /// An output that has not changed is sent again after this time: what keeps a device's dead-man
   /// quiet. 0: only changes are sent [s].
   double repeat_every = 0;
-  /// Sent over and over at this period, whatever else happens (PID: effect operation start) [s].
+  /// Sent over and over at this period while the tick puts something (PID: effect operation start)
+  /// [s].
   std::vector<HidReport> renewed;
   double renew_every = 0.015;
+  /// Nothing is repeated or renewed once the tick has put nothing for this long [s], so that the
+  /// device's own dead-man lets go of a program that hangs.
+  double stale_after = 0.02;
   std::vector<HidReport> farewell;  ///< the last things sent when the link closes
 };
 
@@ -51,6 +55,8 @@ class HidLink {
   void Put(std::size_t place, std::span<const std::uint8_t> report) noexcept;
   /// False once a read or write failed: the device is gone for good.
   bool IsAlive() const noexcept;
+  /// Reports that came with a number none of `inputs` has: such a device talks garbage.
+  std::uint32_t Strays() const noexcept;
   /// How long the write that is under way has been waiting [s]; 0 if none is. A deaf device shows
   /// here.
   double WaitingWrite() const noexcept;

@@ -26,7 +26,9 @@ bool HidIsBuiltIn();
 /// Everything that is plugged in. Needs no permission. Never throws for a device's sake.
 std::vector<HidInfo> ListHid();
 
-/// The report descriptor of a listed device. Throws DeviceError: not readable.
+/// The report descriptor of a listed device, at most 4096 bytes. Needs no permission. For tests,
+/// the environment variable MOONTRACE_HIDRAW_SYSFS names a folder that is read instead of
+/// /sys/class/hidraw. Throws DeviceError: not readable.
 std::vector<std::uint8_t> ReportDescriptorOf(const std::string& path);
 
 /// One open handle. One thread at a time: for reading and writing at once open the path twice.
