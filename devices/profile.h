@@ -25,6 +25,9 @@ struct StickMap {
   enum class Press { kSetting, kButton, kAxis };
   AxisMap right{0x30, 1};  ///< x of frame D
   AxisMap away{0x31, -1};  ///< y of frame D: HID's Y grows towards the person
+  /// At the tip when the magnitude is greatest [N]; where it is unknown, rather too much: then the
+  /// true force is below the wanted one. The tip's way between an axis's ends is the workspace.
+  double full_force = 10;
   Press press = Press::kSetting;
   int press_button = 0;         ///< kButton: presses while held; 0 is the first
   AxisMap press_axis{0x36, 1};  ///< kAxis: from its least, no press, to its most, the full one
