@@ -88,12 +88,15 @@ Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
   Reset({0, 0, 0.02});
 }
 
-void Scene::Impl::SetField(const TextureField* new_field) {
+int Scene::Impl::CheckField(const TextureField* new_field) const {
   const TextureField& next = new_field != nullptr ? *new_field : flat;
   CheckFriction(options, next.greatest_slope());
-  const int steps = StepsFor(options, next, loaded.proxy.mass);
-  field = &next;
-  substeps = steps;
+  return StepsFor(options, next, loaded.proxy.mass);
+}
+
+void Scene::Impl::SetField(const TextureField* new_field) {
+  substeps = CheckField(new_field);
+  field = new_field != nullptr ? new_field : &flat;
   loaded.m->opt.timestep = options.tick / substeps;
   memory.stored_jumped = 1;
   remarks = loaded.remarks;
@@ -137,6 +140,11 @@ Scene Scene::FromXml(const std::string& xml, const std::string& name, const Scen
 }
 
 void Scene::SetField(const TextureField* field) { impl_->SetField(field); }
+int Scene::CheckField(const TextureField* field) const { return impl_->CheckField(field); }
+void Scene::SwapField(const TextureField* field, int substeps) noexcept {
+  impl_->SwapField(field, substeps);
+}
+void Scene::Restart() noexcept { impl_->Restart(); }
 TickResult Scene::Tick(const DeviceState& input) noexcept { return impl_->Tick(input); }
 void Scene::Reset(glm::dvec3 tip_P) { impl_->Reset(tip_P); }
 

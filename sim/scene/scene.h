@@ -33,6 +33,16 @@ class Scene {
   /// outside the tick); `field` must outlive its use here.
   void SetField(const TextureField* field);
 
+  /// What SetField checks, without setting anything: the sub-steps that a tick takes on this field
+  /// (nullptr: flat paper). Any thread, also while another ticks.
+  int CheckField(const TextureField* field) const;
+  /// SetField for the tick: unchecked, without an allocation, lock or exception. `substeps` is what
+  /// CheckField gave for this field. The next tick starts afresh, see Restart.
+  void SwapField(const TextureField* field, int substeps) noexcept;
+  /// The next tick starts afresh, as the first did: the proxy at the tip, nothing wound up. For a
+  /// tip that was moved by something else than a hand: another device, another place of the page.
+  void Restart() noexcept;
+
   /// One tick: coupling and page force into qfrc_applied between mj_step1 and mj_step2, removed
   /// again. The device's frame D is the world's. Fails to zero force. No allocation, lock or
   /// exception.

@@ -42,6 +42,9 @@ struct Scene::Impl {
   Impl(LoadedModel loaded_model, const SceneOptions& scene_options, const std::string& name);
 
   void SetField(const TextureField* new_field);
+  int CheckField(const TextureField* new_field) const;
+  void SwapField(const TextureField* new_field, int new_substeps) noexcept;
+  void Restart() noexcept;
   void Reset(glm::dvec3 tip_P);
   TickResult Tick(const DeviceState& input) noexcept;
 

@@ -139,18 +139,31 @@ void Scene::Impl::Idle() noexcept {
   }
 }
 
-/// Zero force, the proxy at rest at the tip; the next good tick starts afresh.
-TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
-  PlaceProxy(tip_W, {0, 0, 0});
+void Scene::Impl::SwapField(const TextureField* new_field, int new_substeps) noexcept {
+  field = new_field != nullptr ? new_field : &flat;
+  substeps = new_substeps;
+  loaded.m->opt.timestep = options.tick / substeps;
+  Restart();
+}
+
+void Scene::Impl::Restart() noexcept {
+  const glm::dvec3 tip_W = memory.tip_W;
   const PassivityObserver observer = memory.observer;
   memory = TickMemory();
   memory.observer = observer;
   memory.tip_W = tip_W;
+}
+
+/// Zero force, the proxy at rest at the tip; the next good tick starts afresh.
+TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
+  PlaceProxy(tip_W, {0, 0, 0});
+  memory.tip_W = tip_W;
+  Restart();
   TickResult result;
   result.fault = true;
   const glm::dvec3 tip_P = FromWorld(PoseOfPage(*d, loaded.page), tip_W);
   if (IsSane(tip_P, 1e300)) result.tip_P = result.proxy_P = tip_P;
-  result.energy_out = observer.energy_out();
+  result.energy_out = memory.observer.energy_out();
   return result;
 }
 
