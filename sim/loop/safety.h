@@ -6,13 +6,15 @@
 #include <glm/glm.hpp>
 
 #include "devices/device.h"
+#include "sim/loop/motor_heat.h"
 
 namespace moontrace {
 
-/// What the safety stage did; each is counted, logged and told once a second at most.
+/// What the safety stage did; each is counted, logged and told once a second at most. An event that
+/// goes on, or comes again within 0.1 s, is one occurrence and is counted once.
 enum class SafetyEvent : std::uint8_t {
   kNotANumber,  ///< force or position was no number
-  kJump,        ///< the tip moved absurdly far within a tick
+  kJump,        ///< the tip moved absurdly far, or says that it moves absurdly fast
   kForceCap,    ///< more than the device's peak was asked for
   kRateCap,     ///< a rise was slowed
   kPowerCap,    ///< more power than the device may give
@@ -22,7 +24,7 @@ enum class SafetyEvent : std::uint8_t {
   kNotReady,      ///< the device says that its motors are off
   kPhysicsFault,  ///< MuJoCo warned, or the scene failed to zero
   kStopped,       ///< stop was asked for; zero until someone agrees to go on
-  kLateLoop,      ///< the watchdog saw no tick
+  kLateLoop,      ///< no tick for so long that the watchdog has let the device go
 };
 inline constexpr std::size_t kSafetyEvents = 12;
 
@@ -36,30 +38,75 @@ struct SafetyInput {
   bool stop = false;   ///< asks for a stop (level: while true nothing goes on)
   bool go_on = false;  ///< the learner agrees to go on after a stop (edge)
   bool ramp = false;   ///< begins a ramp-in: start, page change, reconnection (edge)
-  bool hold = false;   ///< force is allowed only while held, and it is not held
+  bool hold = false;   ///< hold-to-feel, and the button is not held: no force
 };
 
 struct SafetyResult {
   glm::dvec3 force{0, 0, 0};    ///< to be commanded, frame D [N]
-  std::uint32_t events = 0;     ///< bit per SafetyEvent of this tick
+  std::uint32_t events = 0;     ///< bit per SafetyEvent that is true in this tick
   glm::dvec3 heat{0, 0, 0};     ///< per axis, 1 = the modelled limit
   glm::dvec3 ceiling{0, 0, 0};  ///< per axis [N]
   bool stopped = false;         ///< waits for `go_on`
 };
 
+/// Fastest that a hand moves the tip; what is faster is a fault of the device [m/s]. A step of the
+/// tip may take 1 to 3 ms of it (5 to 15 mm), whatever the gap between two reports.
+inline constexpr double kFastestHand = 5;
+/// Force that counts as felt when the device is silent [N].
+inline constexpr double kFeltForce = 0.2;
+/// A tick later than this has found the device let go by the watchdog [s].
+inline constexpr double kWatchdogTime = 0.005;
+
 /// The last stage before the device: a pure function of its state and input, without allocation,
-/// lock or exception. It lies above the field's own cap and acts seldom. Whatever happens, a fall
-/// towards zero is never delayed.
+/// lock or exception. It lies above the field's own cap and acts seldom. In this order:
+///
+/// 1. Zero at once for what is no number, a jump, silence, a device lost or not ready, a fault of
+///    the scene, a late loop, a stop, a button let go (`hold`), and until a first report has come.
+///    When the cause is gone the force ramps in again.
+/// 2. Ramp-in: times 3u^2 - 2u^3 of the share u of the ramp's time that has passed.
+/// 3. On each axis by itself: the ceiling (peak, or what a warm motor may give), then the rate: a
+///    rise by at most `force_rate` from the last command, from zero when the sign has changed.
+/// 4. Power: all axes times one factor, so that force times velocity is within `peak_power`. The
+///    velocity is the device's, else the last step of its position.
+///
+/// So a fall towards zero is never delayed: each axis is at most what is wanted of it.
 class Safety {
  public:
   /// `tick` [s] between calls. `ramp_time` [s] of a ramp-in, at most 0.3.
-  Safety(const DeviceLimits& limits, double tick, double ramp_time = 0.25);
+  Safety(const DeviceLimits& limits, double tick, double ramp_time = 0.25) noexcept;
   SafetyResult Advance(const SafetyInput& input) noexcept;
 
+  /// Occurrences so far, by SafetyEvent.
   const std::array<std::uint64_t, kSafetyEvents>& counts() const noexcept { return counts_; }
 
  private:
-  // implementer's choice: value members only
+  double Elapsed(double time) noexcept;
+  std::uint32_t Faults(const SafetyInput& input, double elapsed) noexcept;
+  bool TakeReading(const SafetyInput& input) noexcept;
+  glm::dvec3 Shape(glm::dvec3 wanted, std::uint32_t& events) noexcept;
+  double ShapeAxis(int axis, double wanted, bool& hot, std::uint32_t& events) const noexcept;
+  bool IsResting(bool hot) noexcept;
+  void Count(std::uint32_t events) noexcept;
+
+  DeviceLimits limits_;
+  double tick_ = 0.001;      ///< [s]
+  double ramp_time_ = 0.25;  ///< [s]
+  double ramp_ = 0;          ///< of it that has passed [s]
+  double clock_ = 0;         ///< time passed since the first tick [s]
+  double time_ = 0;          ///< of the last tick, as given [s]
+  bool begun_ = false;
+  bool read_ = false;         ///< a report has come since the device was there
+  double since_read_ = 0;     ///< time since then [s]
+  glm::dvec3 p_{0, 0, 0};     ///< newest [m]
+  glm::dvec3 step_{0, 0, 0};  ///< the way between the last two reports [m]
+  double step_time_ = 0;      ///< and its time [s]
+  glm::dvec3 v_{0, 0, 0};     ///< [m/s]
+  bool silent_ = false;
+  bool stopped_ = false;
+  bool resting_ = false;
+  std::array<MotorHeat, 3> heat_{};
+  glm::dvec3 force_{0, 0, 0};                 ///< last commanded [N]
+  std::array<double, kSafetyEvents> last_{};  ///< `clock_` when each was last true [s]
   std::array<std::uint64_t, kSafetyEvents> counts_{};
 };
 

@@ -1,0 +1,186 @@
+#include "sim/loop/safety.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moontrace {
+namespace {
+
+constexpr double kLeastRate = 3000;      ///< [N/s]: slower rises would round off a groove's edge
+constexpr double kLongestRamp = 0.3;     ///< [s]
+constexpr double kLeastStepTime = 1e-3;  ///< [s]: reports may bunch, see kFastestHand
+constexpr double kMostStepTime = 3e-3;
+constexpr double kSameOccurrence = 0.1;  ///< [s]
+constexpr double kRestBegins = 0.5;      ///< heat, of the modelled limit
+constexpr double kRestEnds = 0.3;
+constexpr double kRounding = 1e-9;  ///< above a cap that is no excess yet, relative
+
+constexpr std::uint32_t Bit(SafetyEvent event) noexcept {
+  return 1U << static_cast<unsigned>(event);
+}
+
+bool IsFinite(glm::dvec3 v) noexcept {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool IsFinite(const SafetyInput& input) noexcept {
+  return IsFinite(input.force) && IsFinite(input.device.p_D) && std::isfinite(input.time) &&
+         (!input.device.velocity_known || IsFinite(input.device.v_D));
+}
+
+/// Not below zero; what is no number gives nothing.
+double Sane(double value) noexcept { return value > 0 ? value : 0; }
+
+}  // namespace
+
+Safety::Safety(const DeviceLimits& limits, double tick, double ramp_time) noexcept
+    : limits_(limits), tick_(Sane(tick)), ramp_time_(std::min(Sane(ramp_time), kLongestRamp)) {
+  limits_.peak_force = Sane(limits.peak_force);
+  limits_.peak_power = Sane(limits.peak_power);
+  limits_.force_rate = limits.force_rate > kLeastRate ? limits.force_rate : kLeastRate;
+  limits_.silence = Sane(limits.silence);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!limits_.pushes[axis]) continue;
+    heat_[static_cast<std::size_t>(axis)] = MotorHeat(limits_.peak_force, limits_.continuous_force,
+                                                      limits_.heat_time, tick_ + kWatchdogTime);
+  }
+  last_.fill(-1);
+}
+
+/// Time since the last tick; a clock that stands still, runs back or is no number counts a tick.
+double Safety::Elapsed(double time) noexcept {
+  const double passed = time - time_;
+  const bool sane = begun_ && std::isfinite(passed) && passed > 0;
+  if (std::isfinite(time)) time_ = time;
+  begun_ = true;
+  return sane ? passed : tick_;
+}
+
+/// Takes the newest position and finds the velocity. False: the tip jumped.
+bool Safety::TakeReading(const SafetyInput& input) noexcept {
+  bool plausible = true;
+  if (input.status == DeviceStatus::kOk) {
+    const glm::dvec3 step = read_ ? input.device.p_D - p_ : glm::dvec3(0, 0, 0);
+    const double most = kFastestHand * std::clamp(since_read_, kLeastStepTime, kMostStepTime);
+    plausible = input.ramp || glm::length(step) <= most;  // another place is no jump after a ramp
+    step_ = plausible && !input.ramp ? step : glm::dvec3(0, 0, 0);
+    step_time_ = std::max(since_read_, tick_);
+    p_ = input.device.p_D;
+    read_ = true;
+    silent_ = false;
+    since_read_ = 0;
+  }
+  // without news the tip can have moved less than its last step
+  const double step_time = std::max(step_time_, since_read_);
+  v_ = step_time > 0 ? step_ / step_time : glm::dvec3(0, 0, 0);
+  if (input.device.velocity_known) {
+    v_ = input.device.v_D;
+    plausible = plausible && glm::length(v_) <= kFastestHand;
+  }
+  return plausible;
+}
+
+/// What forbids any force in this tick, as bits.
+std::uint32_t Safety::Faults(const SafetyInput& input, double elapsed) noexcept {
+  std::uint32_t events = 0;
+  since_read_ += elapsed;
+  if (elapsed > tick_ + kWatchdogTime) events |= Bit(SafetyEvent::kLateLoop);
+  if (input.status == DeviceStatus::kLost || input.status == DeviceStatus::kNotReady) {
+    const bool lost = input.status == DeviceStatus::kLost;
+    events |= Bit(lost ? SafetyEvent::kDeviceLost : SafetyEvent::kNotReady);
+    read_ = silent_ = false;  // it may come back elsewhere
+    since_read_ = 0;
+    step_ = v_ = {0, 0, 0};
+  }
+  if (!IsFinite(input)) {
+    events |= Bit(SafetyEvent::kNotANumber);
+  } else if (!TakeReading(input)) {
+    events |= Bit(SafetyEvent::kJump);
+  }
+  const bool felt = glm::length(force_) > kFeltForce;
+  if (felt && since_read_ > limits_.silence) silent_ = true;
+  if (silent_) events |= Bit(SafetyEvent::kSilence);
+  if (input.physics_fault) events |= Bit(SafetyEvent::kPhysicsFault);
+  if (input.stop) {
+    stopped_ = true;
+  } else if (input.go_on) {
+    stopped_ = false;
+  }
+  if (stopped_) events |= Bit(SafetyEvent::kStopped);
+  return events;
+}
+
+/// `wanted` cut to the axis' ceiling and rate. `hot`: a warm motor's ceiling cut it.
+double Safety::ShapeAxis(int axis, double wanted, bool& hot, std::uint32_t& events) const noexcept {
+  if (!limits_.pushes[axis]) return 0;
+  const double ceiling = heat_[static_cast<std::size_t>(axis)].Ceiling();
+  double size = std::abs(wanted);
+  if (size > limits_.peak_force * (1 + kRounding)) events |= Bit(SafetyEvent::kForceCap);
+  if (ceiling < limits_.peak_force && size > ceiling) hot = true;
+  size = std::min(size, ceiling);
+  const double before = wanted * force_[axis] > 0 ? std::abs(force_[axis]) : 0;
+  const double most = before + limits_.force_rate * tick_;
+  if (size > most * (1 + kRounding)) events |= Bit(SafetyEvent::kRateCap);
+  return std::copysign(std::min(size, most), wanted);
+}
+
+glm::dvec3 Safety::Shape(glm::dvec3 wanted, std::uint32_t& events) noexcept {
+  const double u = ramp_ < ramp_time_ ? ramp_ / ramp_time_ : 1;
+  ramp_ += tick_;
+  wanted *= u * u * (3 - 2 * u);
+  glm::dvec3 force{0, 0, 0};
+  bool hot = false;
+  for (int axis = 0; axis < 3; ++axis) force[axis] = ShapeAxis(axis, wanted[axis], hot, events);
+  if (IsResting(hot)) events |= Bit(SafetyEvent::kResting);
+  const double power = glm::dot(force, v_);
+  if (power > limits_.peak_power) {
+    events |= Bit(SafetyEvent::kPowerCap);
+    force *= limits_.peak_power / power;
+  }
+  return force;
+}
+
+/// Whether the learner should be told that the motors rest: begins when a warm motor had to be
+/// spared, ends when all have cooled.
+bool Safety::IsResting(bool hot) noexcept {
+  double warmest = 0;
+  for (const MotorHeat& motor : heat_) warmest = std::max(warmest, motor.heat());
+  resting_ = (resting_ && warmest > kRestEnds) || (hot && warmest > kRestBegins);
+  return resting_;
+}
+
+void Safety::Count(std::uint32_t events) noexcept {
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    if ((events & (1U << i)) == 0) continue;
+    if (last_[i] < 0 || clock_ - last_[i] > kSameOccurrence) ++counts_[i];
+    last_[i] = clock_;
+  }
+}
+
+SafetyResult Safety::Advance(const SafetyInput& input) noexcept {
+  const double elapsed = Elapsed(input.time);
+  clock_ += std::min(elapsed, 1.0);  // it counts occurrences: a leap is no matter, overflow is
+  for (std::size_t i = 0; i < 3; ++i) {
+    heat_[i].Advance(force_[static_cast<int>(i)], elapsed);
+  }
+  SafetyResult result;
+  result.events = Faults(input, elapsed);
+  const bool zero = result.events != 0 || input.hold || !read_;
+  if (zero || input.ramp) ramp_ = 0;
+  if (zero) {
+    if (IsResting(false)) result.events |= Bit(SafetyEvent::kResting);
+  } else {
+    result.force = Shape(input.force, result.events);
+  }
+  force_ = result.force;
+  for (int axis = 0; axis < 3; ++axis) {
+    const MotorHeat& motor = heat_[static_cast<std::size_t>(axis)];
+    result.heat[axis] = motor.heat();
+    result.ceiling[axis] = motor.Ceiling();
+  }
+  result.stopped = stopped_;
+  Count(result.events);
+  return result;
+}
+
+}  // namespace moontrace
