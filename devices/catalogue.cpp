@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "devices/device_error.h"
 #include "devices/hid_port.h"
+#include "devices/plugin_device.h"
 
 namespace moontrace {
 namespace {
@@ -89,6 +91,10 @@ std::vector<DeviceEntry> ListDevices(const std::string& profiles) {
 }
 
 std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::string& profiles) {
+  constexpr std::string_view kPlugin = "plugin:";
+  if (request.name.compare(0, kPlugin.size(), kPlugin) == 0) {
+    return MakePluginDevice(request.name.substr(kPlugin.size()), request.tick);
+  }
   const std::vector<DeviceEntry> entries = ListDevices(profiles);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&request](const auto& e) { return e.name == request.name; });
