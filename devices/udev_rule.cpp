@@ -12,7 +12,7 @@ namespace {
 // The number must be below 73, where uaccess is evaluated.
 constexpr const char* kHead =
     "# Haptic devices that Moontrace knows: whoever sits at the computer may open them.\n"
-    "# Made from the ids in devices/profiles; boards with borrowed ids are left out.\n"
+    "# Made from the ids in devices/profiles; boards with borrowed ids and pucks are left out.\n"
     "# Without a local seat (ssh, container) write GROUP=\"plugdev\", MODE=\"0660\" for TAG.\n";
 
 }  // namespace
@@ -34,6 +34,7 @@ std::string UdevCure(const DeviceProfile::Id& id) {
 std::string UdevFile(const std::vector<DeviceProfile>& profiles) {
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::string> titles;
   for (const DeviceProfile& profile : profiles) {
+    if (profile.kind == DeviceKind::kPuck) continue;
     for (const DeviceProfile::Id& id : profile.ids) {
       if (id.own) titles.emplace(std::pair(id.vendor, id.product), profile.title);
     }

@@ -15,8 +15,8 @@ std::string UdevRule(const DeviceProfile::Id& id);
 std::string UdevCure(const DeviceProfile::Id& id);
 
 /// The file `devices/udev/70-moontrace-hid.rules` that these profiles make. It holds only ids that
-/// belong to haptic devices (Id::own), in ascending order: a generic board's id would open other
-/// people's devices too.
+/// belong to haptic devices, in ascending order: a generic board's id (Id::own is false) would open
+/// other people's devices too, and a puck pushes nothing.
 std::string UdevFile(const std::vector<DeviceProfile>& profiles);
 
 }  // namespace moontrace
