@@ -57,26 +57,22 @@ double Safety::Elapsed(double time) noexcept {
 }
 
 /// Takes the newest position and finds the velocity. False: the tip jumped.
-bool Safety::TakeReading(const SafetyInput& input) noexcept {
+bool Safety::TakeReading(const SafetyInput& input, double elapsed) noexcept {
+  const bool fresh = input.status == DeviceStatus::kOk;
   bool plausible = true;
-  if (input.status == DeviceStatus::kOk) {
-    const glm::dvec3 step = read_ ? input.device.p_D - p_ : glm::dvec3(0, 0, 0);
+  if (fresh) {
     const double most = kFastestHand * std::clamp(since_read_, kLeastStepTime, kMostStepTime);
-    plausible = input.ramp || glm::length(step) <= most;  // another place is no jump after a ramp
-    step_ = plausible && !input.ramp ? step : glm::dvec3(0, 0, 0);
-    step_time_ = std::max(since_read_, tick_);
+    // another place is no jump after a ramp
+    plausible = !read_ || input.ramp || glm::distance(input.device.p_D, p_) <= most;
+    if (!read_ || input.ramp || !plausible) velocity_.Restart();
     p_ = input.device.p_D;
     read_ = true;
     silent_ = false;
     since_read_ = 0;
   }
-  // without news the tip can have moved less than its last step
-  const double step_time = std::max(step_time_, since_read_);
-  v_ = step_time > 0 ? step_ / step_time : glm::dvec3(0, 0, 0);
-  if (input.device.velocity_known) {
-    v_ = input.device.v_D;
-    plausible = plausible && glm::length(v_) <= kFastestHand;
-  }
+  velocity_.Advance(elapsed, fresh, p_);
+  v_ = input.device.velocity_known ? input.device.v_D : velocity_.v();
+  if (input.device.velocity_known) plausible = plausible && glm::length(v_) <= kFastestHand;
   return plausible;
 }
 
@@ -90,11 +86,10 @@ std::uint32_t Safety::Faults(const SafetyInput& input, double elapsed) noexcept 
     events |= Bit(lost ? SafetyEvent::kDeviceLost : SafetyEvent::kNotReady);
     read_ = silent_ = false;  // it may come back elsewhere
     since_read_ = 0;
-    step_ = v_ = {0, 0, 0};
   }
   if (!IsFinite(input)) {
     events |= Bit(SafetyEvent::kNotANumber);
-  } else if (!TakeReading(input)) {
+  } else if (!TakeReading(input, elapsed)) {
     events |= Bit(SafetyEvent::kJump);
   }
   const bool felt = glm::length(force_) > kFeltForce;

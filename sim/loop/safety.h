@@ -7,6 +7,7 @@
 
 #include "devices/device.h"
 #include "sim/loop/motor_heat.h"
+#include "sim/loop/tip_velocity.h"
 
 namespace moontrace {
 
@@ -67,7 +68,7 @@ inline constexpr double kWatchdogTime = 0.005;
 /// 3. On each axis by itself: the ceiling (peak, or what a warm motor may give), then the rate: a
 ///    rise by at most `force_rate` from the last command, from zero when the sign has changed.
 /// 4. Power: all axes times one factor, so that force times velocity is within `peak_power`. The
-///    velocity is the device's, else the last step of its position.
+///    velocity is the device's, else TipVelocity's.
 ///
 /// So a fall towards zero is never delayed: each axis is at most what is wanted of it.
 class Safety {
@@ -82,7 +83,7 @@ class Safety {
  private:
   double Elapsed(double time) noexcept;
   std::uint32_t Faults(const SafetyInput& input, double elapsed) noexcept;
-  bool TakeReading(const SafetyInput& input) noexcept;
+  bool TakeReading(const SafetyInput& input, double elapsed) noexcept;
   glm::dvec3 Shape(glm::dvec3 wanted, std::uint32_t& events) noexcept;
   double ShapeAxis(int axis, double wanted, bool& hot, std::uint32_t& events) const noexcept;
   bool IsResting(bool hot) noexcept;
@@ -95,12 +96,11 @@ class Safety {
   double clock_ = 0;         ///< time passed since the first tick [s]
   double time_ = 0;          ///< of the last tick, as given [s]
   bool begun_ = false;
-  bool read_ = false;         ///< a report has come since the device was there
-  double since_read_ = 0;     ///< time since then [s]
-  glm::dvec3 p_{0, 0, 0};     ///< newest [m]
-  glm::dvec3 step_{0, 0, 0};  ///< the way between the last two reports [m]
-  double step_time_ = 0;      ///< and its time [s]
-  glm::dvec3 v_{0, 0, 0};     ///< [m/s]
+  bool read_ = false;      ///< a report has come since the device was there
+  double since_read_ = 0;  ///< time since then [s]
+  glm::dvec3 p_{0, 0, 0};  ///< newest [m]
+  TipVelocity velocity_;
+  glm::dvec3 v_{0, 0, 0};  ///< of the tip, known or found [m/s]
   bool silent_ = false;
   bool stopped_ = false;
   bool resting_ = false;
