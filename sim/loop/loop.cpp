@@ -1,0 +1,142 @@
+#include "sim/loop/loop.h"
+
+#include <chrono>
+#include <exception>
+#include <future>
+#include <utility>
+
+#include "sim/loop/pacing.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr int kReopenEvery = 500;  ///< [ms]
+constexpr int kPoll = 1;           ///< [ms]
+
+/// As the safety stage sees a late loop: a period and kWatchdogTime more. [ns]
+std::int64_t Silence(double rate) {
+  return static_cast<std::int64_t>(1e9 * (1 / rate + kWatchdogTime));
+}
+
+}  // namespace
+
+Loop::Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_ptr<Device> device,
+           DeviceSource source, const DevicePlace& place, const LoopOptions& options)
+    : options_(options),
+      mail_(options.rate),
+      watchdog_(Silence(options.rate)),
+      field_(std::move(field)),
+      tick_(std::move(scene), *field_, std::move(device), place, options, mail_),
+      source_(std::move(source)) {
+  std::promise<std::string> begun;
+  std::future<std::string> priority = begun.get_future();
+  ticking_ = true;
+  ticker_ = std::thread([this, &begun] {
+    begun.set_value(AskForPriority());
+    TickOn();
+    ticking_ = false;
+  });
+  not_realtime_ = priority.get();
+  if (not_realtime_.empty()) not_realtime_ = memory_lock_.problem();
+  watcher_ = std::thread([this] { Watch(); });
+  supervisor_ = std::thread([this] { Supervise(); });
+}
+
+Loop::~Loop() { End(); }
+
+void Loop::TickOn() {
+  Pacing pacing(clock_, options_.rate);
+  const std::int64_t start = clock_.Now();
+  while (!ending_.load(std::memory_order_relaxed)) {
+    const Wake wake = pacing.Wait();
+    const bool late = watchdog_.Beat(wake.time);
+    tick_.Run(1e-9 * static_cast<double>(wake.time - start), late);
+    ++report_.ticks;
+    report_.lost_ticks += wake.lost;
+    report_.lateness.Add(1e-3 * static_cast<double>(wake.lateness));
+    report_.cost.Add(1e-3 * static_cast<double>(clock_.Now() - wake.time));
+  }
+  tick_.Release();
+}
+
+bool Loop::SleepUnlessEnding(int milliseconds) {
+  std::unique_lock lock(mutex_);
+  wake_.wait_for(lock, std::chrono::milliseconds(milliseconds), [this] { return ending_.load(); });
+  return !ending_;
+}
+
+void Loop::Watch() {
+  AskForPriority(1);
+  while (SleepUnlessEnding(kPoll)) {
+    if (watchdog_.Look(clock_.Now())) late_loops_.fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
+void Loop::Supervise() {
+  bool lost = false;
+  int waited = 0;
+  while (SleepUnlessEnding(kPoll)) {
+    // destroying and opening may block for long: here nobody waits for it
+    const std::unique_ptr<Device> worn(mail_.worn.exchange(nullptr, std::memory_order_acquire));
+    if (worn != nullptr) {
+      lost = true;
+      waited = kReopenEvery;
+    }
+    if (!lost || (waited += kPoll) < kReopenEvery) continue;
+    waited = 0;
+    Reopen();
+    lost = !WhyLost().empty();
+  }
+}
+
+void Loop::Reopen() {
+  std::string why;
+  try {
+    std::unique_ptr<Device> device = source_();
+    mail_.fresh.store(device.release(), std::memory_order_release);
+  } catch (const std::exception& error) {
+    why = error.what();
+  }
+  const std::lock_guard lock(mutex_);
+  why_lost_ = std::move(why);
+}
+
+std::string Loop::WhyLost() const {
+  const std::lock_guard lock(mutex_);
+  return why_lost_;
+}
+
+void Loop::ChangePage(PageChange change) {
+  PostedPage posted;
+  posted.field = change.field.get();
+  posted.substeps = tick_.scene().CheckField(posted.field);
+  posted.page = change.page;
+  posted.anchor = change.anchor;
+  posted.device = std::move(change.device);
+  mail_.wanted_page.store(&posted, std::memory_order_release);
+  while (mail_.done_page.exchange(nullptr, std::memory_order_acquire) != &posted) {
+    if (!ticking_) return;  // nothing is felt any more: the new page goes as it came
+    std::this_thread::sleep_for(std::chrono::milliseconds(kPoll));
+  }
+  field_ = std::move(change.field);
+}
+
+void Loop::End() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (ending_.exchange(true)) return;
+  }
+  wake_.notify_all();
+  for (std::thread* thread : {&ticker_, &watcher_, &supervisor_}) {
+    if (thread->joinable()) thread->join();
+  }
+  delete mail_.fresh.exchange(nullptr);
+  delete mail_.worn.exchange(nullptr);
+  report_.late_loops = late_loops_;
+  report_.samples_dropped = mail_.samples.dropped();
+  report_.events_dropped = mail_.events.dropped();
+  report_.safety_counts = tick_.safety().counts();
+}
+
+}  // namespace moontrace

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "sim/loop/clock.h"
+#include "sim/loop/device_place.h"
+#include "sim/loop/histogram.h"
+#include "sim/loop/loop_mail.h"
+#include "sim/loop/loop_tick.h"
+#include "sim/loop/loop_types.h"
+#include "sim/loop/realtime.h"
+#include "sim/loop/watchdog.h"
+#include "sim/scene/scene.h"
+
+namespace moontrace {
+
+/// Opens the device again after it was lost. Throws DeviceError while it is not there. Called by a
+/// thread of the loop that is not the tick's; may block.
+using DeviceSource = std::function<std::unique_ptr<Device>()>;
+
+/// How a loop has run. Durations in microseconds.
+struct LoopReport {
+  std::uint64_t ticks = 0;
+  std::uint64_t lost_ticks = 0;  ///< periods without a tick: a late tick skips what it missed
+  Histogram lateness;            ///< of each tick, after its deadline
+  Histogram cost;                ///< from a tick's begin to its end
+  std::uint64_t late_loops = 0;  ///< silences that the watchdog saw
+  std::uint64_t samples_dropped = 0, events_dropped = 0;
+  std::array<std::uint64_t, kSafetyEvents> safety_counts{};
+};
+
+/// The haptic loop: owns scene, device and the thread that ticks at an even rate, with two more
+/// beside it: one watches for silence, one opens a lost device again every 0.5 s. Ends with zero
+/// force.
+class Loop {
+ public:
+  /// Starts ticking. `scene`'s tick is 1 / options.rate. Throws as Scene::SetField.
+  Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_ptr<Device> device,
+       DeviceSource source, const DevicePlace& place, const LoopOptions& options);
+  ~Loop();
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  /// Zero force at once, until GoOn. Any thread.
+  void Stop() noexcept { mail_.stop.store(true, std::memory_order_relaxed); }
+  void GoOn() noexcept { mail_.go_on.store(true, std::memory_order_relaxed); }
+
+  /// Lets another page be felt: the force fades to zero, the pages are swapped, the force ramps in,
+  /// all within 0.3 s. Returns once the old page is out of use (it is freed here) or the loop has
+  /// ended. One thread at a time. Throws as Scene::SetField; then all stays as it is.
+  void ChangePage(PageChange change);
+
+  /// The newest tick, if there was one since the last call. One thread at a time: a viewer's. The
+  /// loop never waits for it.
+  bool TakeSnapshot(LoopSnapshot& snapshot) noexcept { return mail_.snapshot.Take(snapshot); }
+  /// The next event, the next sample. One thread at a time each.
+  bool TakeEvent(LoopEvent& event) noexcept { return mail_.events.Pop(event); }
+  bool TakeSample(LoopSample& sample) noexcept { return mail_.samples.Pop(sample); }
+
+  /// Empty if the loop has real-time priority and locked memory, else why not, one sentence.
+  const std::string& not_realtime() const { return not_realtime_; }
+  /// No tick for longer than the watchdog allows, now. Any thread.
+  bool silent() const noexcept { return watchdog_.silent(); }
+  /// Why a lost device could not be opened again at the last try; empty if it was. Any thread.
+  std::string WhyLost() const;
+
+  /// Zero force, threads ended; then the report is final. Again: nothing.
+  void End();
+  const LoopReport& report() const { return report_; }
+
+ private:
+  void TickOn();
+  void Watch();
+  void Supervise();
+  void Reopen();
+  bool SleepUnlessEnding(int milliseconds);
+
+  LoopOptions options_;
+  LoopMail mail_;
+  Watchdog watchdog_;
+  MemoryLock memory_lock_;
+  std::unique_ptr<const TextureField> field_;  ///< in use
+  LoopTick tick_;
+  DeviceSource source_;
+  SteadyClock clock_;
+  std::string not_realtime_;
+  LoopReport report_;
+  std::atomic<bool> ticking_{false};  ///< the thread is there
+  std::atomic<bool> ending_{false};
+  std::atomic<std::uint64_t> late_loops_{0};
+  mutable std::mutex mutex_;  ///< never taken by the tick: for sleeping threads and `why_lost_`
+  std::condition_variable wake_;
+  std::string why_lost_;
+  std::thread ticker_, watcher_, supervisor_;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,252 @@
+#include "sim/loop/loop_tick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace moontrace {
+
+namespace {
+
+/// The force goes to zero over this time before a page change; with the ramp-in of 0.25 s that
+/// follows, the whole change is felt for less than 0.3 s.
+constexpr double kFadeTime = 0.03;
+/// Lifted so far for so long, nothing is felt of a page that moves.
+constexpr double kLiftedHeight = 0.003;  ///< [m]
+constexpr double kLiftedTime = 0.2;      ///< [s]
+constexpr double kToldEvery = 1;         ///< [s]
+
+bool IsFinite(glm::dvec3 v) noexcept {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool IsFinite(const DeviceState& state) noexcept {
+  return IsFinite(state.p_D) && (!state.velocity_known || IsFinite(state.v_D));
+}
+
+}  // namespace
+
+LoopTick::LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Device> device,
+                   const DevicePlace& place, const LoopOptions& options, LoopMail& mail)
+    : scene_(std::move(scene)),
+      device_(std::move(device)),
+      limits_(device_->Limits()),
+      options_(options),
+      mail_(mail),
+      home_(place),
+      place_(place),
+      field_(&field),
+      pressing_{options.press},
+      safety_(limits_, scene_.options().tick),
+      tick_(scene_.options().tick) {
+  scene_.SetField(field_);
+  told_at_.fill(-kToldEvery);
+}
+
+void LoopTick::Run(double time, bool late) noexcept {
+  time_ = time;
+  ++ticks_;
+  TakeMail();
+  SafetyInput input;
+  if (posted_ != nullptr && fade_ <= 0) {
+    TakePage();
+    ramp_ = true;
+  }
+  input.status = Read();
+  input.time = time;
+  const bool usable = device_ != nullptr && begun_ && IsFinite(state_);
+  const TickResult felt = usable ? Feel() : TickResult{};
+  last_ = felt;
+  flowing_ = usable && !felt.fault;
+  if (!usable) Restart();
+  input.device = state_;
+  input.physics_fault = felt.fault;
+  if (posted_ != nullptr) fade_ = std::max(0.0, fade_ - tick_ / kFadeTime);
+  input.force = fade_ * ForceToDevice(place_, felt.force_W);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!limits_.pushes[axis]) input.force[axis] = 0;
+  }
+  input.ramp = ramp_ || late;
+  ramp_ = false;
+  HandleButtons(time, input);
+
+  const SafetyResult safe = safety_.Advance(input);
+  Write(safe.force);
+  if (flowing_) ReturnPage(felt);
+  // what sprang was not a hand: the proxy must not be drawn after it
+  if ((safe.events & (1U << static_cast<unsigned>(SafetyEvent::kJump))) != 0) Restart();
+  TellSafety(safe.events);
+  if (was_stopped_ && !safe.stopped) Tell(LoopEventKind::kWentOn);
+  was_stopped_ = safe.stopped;
+  Publish(felt, safe);
+}
+
+void LoopTick::Release() noexcept {
+  if (device_ != nullptr) device_->Write({0, 0, 0});
+}
+
+void LoopTick::TakeMail() noexcept {
+  if (posted_ == nullptr) posted_ = mail_.wanted_page.exchange(nullptr, std::memory_order_acquire);
+  if (device_ != nullptr) return;
+  Device* fresh = mail_.fresh.exchange(nullptr, std::memory_order_acquire);
+  if (fresh == nullptr) return;
+  device_.reset(fresh);
+  begun_ = false;
+  ramp_ = true;
+  buttons_ = ButtonState{};
+  Restart();
+  Tell(LoopEventKind::kDeviceBack);
+}
+
+/// The swap itself, at zero force: the last command was zero and this tick begins a ramp-in.
+void LoopTick::TakePage() noexcept {
+  PostedPage& posted = *posted_;
+  const DevicePlace before = place_;
+  place_ = home_;
+  if (posted.anchor && begun_ && IsFinite(state_)) {
+    const PageAnchor& anchor = *posted.anchor;
+    const Pose X_WP = scene_.X_WP();
+    const glm::dvec2 tip_P(FromWorld(X_WP, ToWorld(before, state_).p_D));
+    const glm::dvec2 under = anchor.to_P + anchor.ratio * (tip_P - anchor.from_P);
+    const glm::dvec2 now(FromWorld(X_WP, ToWorld(place_, state_).p_D));
+    place_.origin_W += TurnToWorld(X_WP, glm::dvec3(under - now, 0));
+  }
+  field_ = posted.field;
+  page_ = posted.page;
+  scene_.SwapField(posted.field, posted.substeps);
+  flowing_ = false;
+  if (posted.device != nullptr) {
+    if (device_ != nullptr) device_->Write({0, 0, 0});
+    std::swap(device_, posted.device);
+    begun_ = false;
+  }
+  fade_ = 1;
+  lifted_ = 0;
+  posted_ = nullptr;
+  Tell(LoopEventKind::kPageChanged);
+  mail_.done_page.store(&posted, std::memory_order_release);
+}
+
+DeviceStatus LoopTick::Read() noexcept {
+  if (device_ == nullptr) return DeviceStatus::kLost;
+  const DeviceStatus status = device_->Read(state_);
+  if (status == DeviceStatus::kOk) begun_ = true;
+  if (status == DeviceStatus::kLost) Lose();
+  if (status != DeviceStatus::kLost && written_ == DeviceStatus::kNotReady) return written_;
+  return status;
+}
+
+TickResult LoopTick::Feel() noexcept {
+  DeviceState world = ToWorld(place_, state_);
+  if (!limits_.measures.z) {
+    const SceneOptions& options = scene_.options();
+    world = Pressed(world, scene_.X_WP(), flowing_ ? &last_ : nullptr,
+                    pressing_.PressOf(state_.p_D.z, options.coupling_stiffness), options, *field_);
+  }
+  return scene_.Tick(world);
+}
+
+void LoopTick::HandleButtons(double time, SafetyInput& input) noexcept {
+  input.stop = mail_.stop.exchange(false, std::memory_order_relaxed);
+  input.go_on = mail_.go_on.exchange(false, std::memory_order_relaxed);
+  const std::uint32_t held = begun_ && device_ != nullptr ? state_.buttons : 0;
+  input.hold = options_.hold_to_feel && (held & 1U) == 0;
+  switch (AdvanceButtons(buttons_, held, time, options_.hold_to_feel)) {
+    case ButtonAction::kNone:
+      break;
+    case ButtonAction::kSay:
+      Tell(LoopEventKind::kSay);
+      break;
+    case ButtonAction::kBookmark:
+      Tell(LoopEventKind::kBookmark);
+      break;
+    case ButtonAction::kStop:
+      input.stop = true;
+      break;
+  }
+}
+
+void LoopTick::Write(glm::dvec3 f_D) noexcept {
+  if (device_ == nullptr) return;
+  written_ = device_->Write(f_D);
+  if (written_ == DeviceStatus::kLost) Lose();
+}
+
+/// A lost device is given zero once more, for what that is worth, and handed to who destroys it.
+void LoopTick::Lose() noexcept {
+  device_->Write({0, 0, 0});
+  written_ = DeviceStatus::kOk;
+  begun_ = false;
+  mail_.worn.store(device_.release(), std::memory_order_release);
+}
+
+/// The next tick of the scene begins at the tip, whatever was before.
+void LoopTick::Restart() noexcept {
+  scene_.Restart();
+  flowing_ = false;
+}
+
+/// After a change under a resting hand the page may lie partly beyond the device's reach. It goes
+/// back while the hand is in the air, where nothing of it is felt.
+void LoopTick::ReturnPage(const TickResult& felt) noexcept {
+  const bool lifted = limits_.measures.z && felt.tip_P.z > kLiftedHeight;
+  lifted_ = lifted ? lifted_ + tick_ : 0;
+  if (lifted_ < kLiftedTime || place_.origin_W == home_.origin_W) return;
+  place_ = home_;
+  ramp_ = true;
+  Restart();
+  Tell(LoopEventKind::kPageBack);
+}
+
+void LoopTick::Tell(LoopEventKind kind) noexcept {
+  LoopEvent event;
+  event.kind = kind;
+  event.time = time_;
+  event.page = page_;
+  event.tip_P = last_.tip_P;
+  mail_.events.Push(event);
+}
+
+void LoopTick::TellSafety(std::uint32_t events) noexcept {
+  const std::uint32_t begun = events & ~told_;
+  told_ = events;
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    if ((begun & (1U << i)) == 0 || time_ - told_at_[i] < kToldEvery) continue;
+    told_at_[i] = time_;
+    LoopEvent event;
+    event.safety = static_cast<SafetyEvent>(i);
+    event.time = time_;
+    event.page = page_;
+    event.tip_P = last_.tip_P;
+    mail_.events.Push(event);
+  }
+}
+
+void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe) noexcept {
+  LoopSnapshot snapshot;
+  snapshot.tick = ticks_;
+  snapshot.time = time_;
+  snapshot.page = page_;
+  snapshot.device = state_;
+  snapshot.present = device_ != nullptr;
+  snapshot.stopped = safe.stopped;
+  snapshot.tip_P = felt.tip_P;
+  snapshot.proxy_P = felt.proxy_P;
+  snapshot.force_D = safe.force;
+  snapshot.depth = felt.depth;
+  snapshot.heat = safe.heat;
+  snapshot.safety_counts = safety_.counts();
+  mail_.snapshot.Put(snapshot);
+  if (device_ == nullptr || !begun_) return;
+  LoopSample sample;
+  sample.time = time_;
+  sample.page = page_;
+  sample.tip_P = felt.tip_P;
+  sample.force_P = TurnFromWorld(scene_.X_WP(), place_.R_WD * safe.force);
+  sample.energy_out = felt.energy_out;
+  sample.in_contact = felt.depth > 0;
+  sample.fault = felt.fault;
+  mail_.samples.Push(sample);
+}
+
+}  // namespace moontrace

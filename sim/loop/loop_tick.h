@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "devices/device.h"
+#include "sim/loop/button.h"
+#include "sim/loop/device_place.h"
+#include "sim/loop/loop_mail.h"
+#include "sim/loop/loop_types.h"
+#include "sim/loop/pressing.h"
+#include "sim/loop/safety.h"
+#include "sim/scene/scene.h"
+
+namespace moontrace {
+
+/// One tick of the loop, without threads and without a clock of its own: read device, frame D to W,
+/// scene, safety, write device, publish. Run allocates nothing, locks nothing, throws nothing and
+/// makes no system call.
+class LoopTick {
+ public:
+  /// `field` and `mail` must outlive the ticks (the field until a page change is done). Throws as
+  /// Scene::SetField.
+  LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Device> device,
+           const DevicePlace& place, const LoopOptions& options, LoopMail& mail);
+
+  /// `time` [s], ascending. `late`: the loop was silent before this tick.
+  void Run(double time, bool late) noexcept;
+
+  /// Zero force, after the last tick.
+  void Release() noexcept;
+
+  const Scene& scene() const { return scene_; }
+  const Safety& safety() const { return safety_; }
+
+ private:
+  void TakeMail() noexcept;
+  void TakePage() noexcept;
+  DeviceStatus Read() noexcept;
+  TickResult Feel() noexcept;
+  void HandleButtons(double time, SafetyInput& input) noexcept;
+  void Write(glm::dvec3 f_D) noexcept;
+  void Lose() noexcept;
+  void Restart() noexcept;
+  void ReturnPage(const TickResult& felt) noexcept;
+  void Tell(LoopEventKind kind) noexcept;
+  void TellSafety(std::uint32_t events) noexcept;
+  void Publish(const TickResult& felt, const SafetyResult& safe) noexcept;
+
+  Scene scene_;
+  std::unique_ptr<Device> device_;  ///< none while lost
+  DeviceLimits limits_;
+  LoopOptions options_;
+  LoopMail& mail_;
+  DevicePlace home_;   ///< where the device stands to the first page
+  DevicePlace place_;  ///< and now
+  const TextureField* field_;
+  Pressing pressing_;
+  Safety safety_;
+  double tick_ = 0.001;  ///< [s]
+
+  DeviceState state_;  ///< newest reading, frame D
+  DeviceStatus written_ = DeviceStatus::kOk;
+  bool begun_ = false;    ///< the present device has been read
+  TickResult last_;       ///< of the scene
+  bool flowing_ = false;  ///< `last_` is of the tick before and of the same place
+  double time_ = 0;
+  std::uint64_t ticks_ = 0;
+  std::uint32_t page_ = 0;
+  PostedPage* posted_ = nullptr;
+  double fade_ = 1;   ///< share of the force that is left before a page change
+  bool ramp_ = true;  ///< the next tick begins a ramp-in
+  bool was_stopped_ = false;
+  double lifted_ = 0;  ///< for so long [s]
+  ButtonState buttons_;
+  std::uint32_t told_ = 0;  ///< safety events of the last tick
+  std::array<double, kSafetyEvents> told_at_{};
+};
+
+}  // namespace moontrace

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "devices/device.h"
+#include "sim/loop/safety.h"
+#include "textures/field.h"
+
+namespace moontrace {
+
+/// What decides a loop beside scene, page and device.
+struct LoopOptions {
+  double rate = 1000;  ///< kSlowestRate to kFastestRate [Hz]; the scene's tick is its inverse
+  double press = 1;    ///< for devices that do not measure z [N]
+  bool hold_to_feel = false;  ///< force only while the first button is held
+};
+
+/// What happened, to be told. Safety events are told when they begin, at most once a second each.
+enum class LoopEventKind : std::uint8_t {
+  kSafety,       ///< see `safety`
+  kDeviceBack,   ///< a lost device was opened again
+  kWentOn,       ///< after a stop
+  kSay,          ///< the button asked where the tip is
+  kBookmark,     ///< the button asked to keep the place
+  kPageChanged,  ///< another page is felt from now on
+  kPageBack,     ///< after a change under the hand: the page lies where it lay, the tip is lifted
+};
+struct LoopEvent {
+  LoopEventKind kind = LoopEventKind::kSafety;
+  SafetyEvent safety = SafetyEvent::kNotANumber;  ///< valid if kSafety
+  double time = 0;                                ///< since the loop began [s]
+  std::uint32_t page = 0;                         ///< PageChange::page
+  glm::dvec3 tip_P{0, 0, 0};                      ///< [m]
+};
+
+/// One tick for scoring.
+struct LoopSample {
+  double time = 0;              ///< since the loop began [s]
+  std::uint32_t page = 0;       ///< PageChange::page
+  glm::dvec3 tip_P{0, 0, 0};    ///< [m]
+  glm::dvec3 force_P{0, 0, 0};  ///< as commanded, after safety [N]
+  double energy_out = 0;        ///< TickResult::energy_out [J]
+  bool in_contact = false;
+  bool fault = false;  ///< MuJoCo's
+};
+
+/// The newest tick, for viewers and voices.
+struct LoopSnapshot {
+  std::uint64_t tick = 0;                       ///< number, from 1
+  double time = 0;                              ///< since the loop began [s]
+  std::uint32_t page = 0;                       ///< PageChange::page
+  DeviceState device;                           ///< frame D
+  bool present = false;                         ///< a device is there
+  bool stopped = false;                         ///< waits for GoOn
+  glm::dvec3 tip_P{0, 0, 0}, proxy_P{0, 0, 0};  ///< [m]
+  glm::dvec3 force_D{0, 0, 0};                  ///< commanded [N]
+  double depth = 0;                             ///< > 0 in contact [m]
+  glm::dvec3 heat{0, 0, 0};                     ///< SafetyResult::heat
+  std::array<std::uint64_t, kSafetyEvents> safety_counts{};
+};
+
+/// Where a page goes under a resting hand: the point `to_P` + `ratio` (tip - `from_P`) of the new
+/// page comes to lie under the tip, which is at `tip` on the old one. With the same letter's
+/// reference points and the ratio of sizes, the very place of the letter that was felt stays under
+/// the tip; with ratio 0 the point `to_P` itself.
+struct PageAnchor {
+  glm::dvec2 from_P{0, 0}, to_P{0, 0};  ///< [m]
+  double ratio = 0;
+};
+
+/// Another page for a running loop.
+struct PageChange {
+  std::unique_ptr<const TextureField> field;
+  std::uint32_t page = 0;            ///< any number; samples and events carry it
+  std::optional<PageAnchor> anchor;  ///< without: the page lies where the first one lay
+  /// A device that comes with the page (a simulated hand with other plans), or none.
+  std::unique_ptr<Device> device;
+};
+
+}  // namespace moontrace
