@@ -41,6 +41,7 @@ struct HandPoint {
 struct HandPath {
   std::vector<HandPoint> points;
   glm::dvec3 press_direction_D{0, 0, -1};  ///< unit, into the page
+  bool repeats = false;  ///< begins again at its end, which should lie where it began
 };
 
 }  // namespace moontrace

@@ -70,6 +70,7 @@ class SimulatedStylus final : public Device {
         relax_(CriticalMotion(hand, tick)),
         tremor_(hand.tremor_rms, hand.tremor_low, hand.tremor_high, tick, Random(seed).Bits()),
         drift_(hand.drift, hand.drift_wavelength, relax_, Random(~seed).Bits()),
+        repeats_(path.repeats && path.points.back().time > path.points.front().time),
         points_(std::move(path.points)),
         forces_(static_cast<std::size_t>(hand.late_ticks) + 1, glm::dvec3(0, 0, 0)) {
     for (HandPoint& point : points_) point.p_D = point.p_D * frame_;
@@ -102,6 +103,11 @@ class SimulatedStylus final : public Device {
 
  private:
   Intent IntentAt(double time) noexcept {
+    while (repeats_ && time - lap_begin_ > points_.back().time) {
+      lap_begin_ += points_.back().time - points_.front().time;
+      next_ = 0;
+    }
+    time -= lap_begin_;
     while (next_ < points_.size() && points_[next_].time <= time) ++next_;
     if (next_ == 0) return {points_.front().p_D, points_.front().press};
     const HandPoint& a = points_[next_ - 1];
@@ -171,6 +177,8 @@ class SimulatedStylus final : public Device {
   TickMotion held_, pressed_, relax_;
   Tremor tremor_;
   Drift drift_;
+  bool repeats_ = false;
+  double lap_begin_ = 0;            ///< when the path began last, repetitions counted [s]
   std::vector<HandPoint> points_;   ///< in the frame of FrameFor
   std::vector<glm::dvec3> forces_;  ///< on their way, a ring
   std::size_t slot_ = 0;

@@ -21,7 +21,7 @@ namespace moontrace {
 /// and damper. Along it, where the path's press is zero, likewise; while it presses, only the press
 /// and the damping act. When press ends the hand holds the height it is at and finds back to the
 /// path's within some 1 / (natural frequency), as the drift fades. Read beyond the path's end keeps
-/// the last aim.
+/// the last aim, unless the path repeats.
 ///
 /// Throws std::invalid_argument: a path that is empty, not finite, not ascending in time or without
 /// a unit press direction, a hand without mass or spring, a tick that is not above zero.

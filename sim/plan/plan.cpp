@@ -204,8 +204,11 @@ Plan MakeOraclePlan(const std::vector<IntendedStroke>& strokes, const PlanOption
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     if (!strokes[i].spine_P.empty()) WriteStroke(writer, strokes[i], i, options);
   }
+  if (options.repeats) writer.GoTo({start, options.clearance}, kShortestHop);
   writer.EndSpan(TracePhase::kAir, 0);
-  return writer.Finish();
+  Plan plan = writer.Finish();
+  plan.path_W.repeats = options.repeats;
+  return plan;
 }
 
 }  // namespace moontrace

@@ -18,6 +18,7 @@ struct PlanOptions {
   double press = 1.0;        ///< [N]
   double settle = 0.10;      ///< rest after landing, before moving on [s]
   double dot_rest = 0.15;    ///< rest on a dot [s]
+  bool repeats = false;      ///< at the end back to the beginning, and over again
 };
 
 /// A plan and what the hand is doing at each moment of it.
