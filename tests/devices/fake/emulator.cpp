@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/devices/fake/arm_emulator.h"
 #include "tests/devices/fake/pid_emulator.h"
+#include "tests/devices/fake/puck_emulator.h"
 #include "tests/devices/fake/raw_emulator.h"
 
 namespace moontrace::fake {
@@ -19,6 +21,10 @@ constexpr Kind kKinds[] = {
     {"pid", [] { return MakePidEmulator(PidVariant::kBits); }},
     {"pid-array", [] { return MakePidEmulator(PidVariant::kArray); }},
     {"moontrace-raw", [] { return MakeRawEmulator(); }},
+    {"woodenhaptics", [] { return MakeArmEmulator(ArmVariant::kWooden); }},
+    {"polhem", [] { return MakeArmEmulator(ArmVariant::kPolhem); }},
+    {"polhem-teensy", [] { return MakeArmEmulator(ArmVariant::kTeensy); }},
+    {"spacemouse", [] { return MakePuckEmulator(); }},
 };
 
 }  // namespace
