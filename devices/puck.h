@@ -29,8 +29,8 @@ glm::dvec3 PuckVelocity(const PuckMap& puck, const PuckState& state) noexcept;
 
 /// Opens a puck; limits for ticks of `tick` [s]. It moves the tip by rate control within its
 /// profile's workspace and pushes nothing. It is silent at rest, which is no fault: it always has a
-/// reading. A puck deflected by more than half a second of silence counts as at rest. Throws
-/// DeviceError.
+/// reading. A puck that was deflected and has been silent for half a second counts as at rest.
+/// Reports of other numbers (a battery's) are none of its business. Throws DeviceError.
 std::unique_ptr<Device> MakePuck(const HidInfo& info, const DeviceProfile& profile, double tick);
 
 }  // namespace moontrace
