@@ -5,18 +5,25 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "devices/device_error.h"
 #include "devices/hid_port.h"
+#include "devices/nearest_name.h"
 #include "devices/plugin_device.h"
+#include "devices/raw_device.h"
 
 namespace moontrace {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// An entry with what the system says of it.
+struct Found {
+  DeviceEntry entry;
+  HidInfo info;
+};
 
 bool HasId(const DeviceProfile& profile, const HidInfo& info) {
   return std::any_of(profile.ids.begin(), profile.ids.end(), [&info](const auto& id) {
@@ -24,36 +31,79 @@ bool HasId(const DeviceProfile& profile, const HidInfo& info) {
   });
 }
 
-/// The profile that a device answers to, if any.
+const DeviceProfile* FirstWithoutIds(const std::vector<DeviceProfile>& profiles, DeviceKind kind) {
+  for (const DeviceProfile& profile : profiles) {
+    if (profile.kind == kind && profile.ids.empty()) return &profile;
+  }
+  return nullptr;
+}
+
+/// The profile that a device answers to, if any. What it says of itself goes before its ids, which
+/// may be borrowed.
 const DeviceProfile* Recognise(const HidInfo& info, const std::vector<DeviceProfile>& profiles) {
+  if (OffersRawProtocol(info)) return FirstWithoutIds(profiles, DeviceKind::kRawHid);
   for (const DeviceProfile& profile : profiles) {
     if (HasId(profile, info)) return &profile;
   }
   return nullptr;
 }
 
-/// Why a device cannot be opened; empty if it can.
-std::string ProblemOf(const std::string& path) {
+/// Opens a device for a moment: its problem if it cannot be opened, its own figures if it has some.
+void Probe(Found& found) {
   try {
-    HidHandle::Open(path);
+    if (found.entry.profile.kind == DeviceKind::kRawHid) {
+      found.entry.profile = WithHello(found.entry.profile, ReadRawHello(found.info.path));
+    } else {
+      HidHandle::Open(found.info.path);
+    }
   } catch (const DeviceError& error) {
-    return error.what();
+    found.entry.problem = error.what();
   }
-  return {};
 }
 
-std::string UnknownName(const std::string& name, const std::vector<DeviceEntry>& entries) {
-  if (entries.empty()) {
-    return fmt::format("{}: no such device, none is plugged in; \"moontrace devices\" says more",
-                       name);
+std::vector<Found> FindAll(const std::string& folder) {
+  const std::vector<DeviceProfile> profiles = LoadProfiles(folder);
+  std::vector<HidInfo> there = ListHid();
+  std::sort(there.begin(), there.end(),
+            [](const HidInfo& a, const HidInfo& b) { return a.path < b.path; });
+  std::map<std::string, int> count;
+  std::vector<Found> all;
+  for (const HidInfo& info : there) {
+    const DeviceProfile* profile = Recognise(info, profiles);
+    if (profile == nullptr) continue;
+    Found found{{profile->name, *profile, info.path, {}}, info};
+    const int number = ++count[profile->name];
+    if (number > 1) found.entry.name += fmt::format("-{}", number);
+    all.push_back(std::move(found));
   }
-  std::string names;
-  for (const DeviceEntry& entry : entries) {
-    names += (names.empty() ? "" : ", ") + entry.name;
-  }
-  return fmt::format("{}: no such device; there are {}; \"moontrace devices\" lists them", name,
-                     names);
+  return all;
 }
+
+[[noreturn]] void RefuseName(const std::string& name, const std::vector<Found>& all) {
+  std::vector<std::string> names;
+  std::string list;
+  for (const Found& found : all) {
+    names.push_back(found.entry.name);
+    list += (list.empty() ? "" : ", ") + found.entry.name;
+  }
+  const std::string nearest = NearestName(name, names);
+  throw DeviceError(fmt::format(
+      "no device is called \"{}\": {}{}; \"moontrace devices\" lists them", name.substr(0, 60),
+      nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest),
+      list.empty() ? "none is plugged in" : "there are " + list));
+}
+
+std::unique_ptr<Device> Open(const Found& found, const DeviceRequest& request) {
+  const DeviceProfile& profile = found.entry.profile;
+  switch (profile.kind) {
+    case DeviceKind::kRawHid:
+      return MakeRawDevice(found.info, profile, request.tick);
+    default:
+      throw DeviceError(found.entry.name + ": this kind of device cannot be driven");
+  }
+}
+
+constexpr std::string_view kPlugin = "plugin:";
 
 }  // namespace
 
@@ -63,9 +113,7 @@ std::vector<DeviceProfile> LoadProfiles(const std::string& folder) {
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (it->path().extension() == ".toml") paths.push_back(it->path().string());
   }
-  if (error) {
-    throw DeviceError(folder + ": cannot be read: install the program again");
-  }
+  if (error) throw DeviceError(folder + ": cannot be read: install the program again");
   std::sort(paths.begin(), paths.end());
   std::vector<DeviceProfile> profiles;
   for (const std::string& path : paths) profiles.push_back(LoadProfile(path));
@@ -73,34 +121,27 @@ std::vector<DeviceProfile> LoadProfiles(const std::string& folder) {
 }
 
 std::vector<DeviceEntry> ListDevices(const std::string& profiles) {
-  const std::vector<DeviceProfile> known = LoadProfiles(profiles);
-  std::vector<HidInfo> there = ListHid();
-  std::sort(there.begin(), there.end(),
-            [](const HidInfo& a, const HidInfo& b) { return a.path < b.path; });
-  std::map<std::string, int> count;
   std::vector<DeviceEntry> entries;
-  for (const HidInfo& info : there) {
-    const DeviceProfile* profile = Recognise(info, known);
-    if (profile == nullptr) continue;
-    DeviceEntry entry{profile->name, *profile, info.path, ProblemOf(info.path)};
-    const int number = ++count[profile->name];
-    if (number > 1) entry.name += fmt::format("-{}", number);
-    entries.push_back(std::move(entry));
+  for (Found& found : FindAll(profiles)) {
+    Probe(found);
+    entries.push_back(std::move(found.entry));
   }
   return entries;
 }
 
+std::string PluginPathOf(const std::string& name) {
+  return name.compare(0, kPlugin.size(), kPlugin) == 0 ? name.substr(kPlugin.size()) : "";
+}
+
 std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::string& profiles) {
-  constexpr std::string_view kPlugin = "plugin:";
   if (request.name.compare(0, kPlugin.size(), kPlugin) == 0) {
-    return MakePluginDevice(request.name.substr(kPlugin.size()), request.tick);
+    return MakePluginDevice(PluginPathOf(request.name), request.tick);
   }
-  const std::vector<DeviceEntry> entries = ListDevices(profiles);
-  const auto entry = std::find_if(entries.begin(), entries.end(),
-                                  [&request](const auto& e) { return e.name == request.name; });
-  if (entry == entries.end()) throw DeviceError(UnknownName(request.name, entries));
-  if (!entry->problem.empty()) throw DeviceError(entry->name + ": " + entry->problem);
-  throw DeviceError(entry->name + ": this kind of device cannot be driven yet");
+  const std::vector<Found> all = FindAll(profiles);
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&request](const auto& f) { return f.entry.name == request.name; });
+  if (found == all.end()) RefuseName(request.name, all);
+  return Open(*found, request);
 }
 
 }  // namespace moontrace

@@ -25,6 +25,9 @@ std::vector<DeviceProfile> LoadProfiles(const std::string& folder);
 /// where a profile is broken, never for a device's sake.
 std::vector<DeviceEntry> ListDevices(const std::string& profiles);
 
+/// PATH of `plugin:PATH`; empty if `name` is of another kind.
+std::string PluginPathOf(const std::string& name);
+
 /// How a device wants to be used.
 struct DeviceRequest {
   std::string name;     ///< of an entry, or `plugin:PATH`

@@ -10,8 +10,10 @@
 #include <new>
 #include <ostream>
 
+#include "devices/device_error.h"
 #include "sim/app/bench_command.h"
 #include "sim/app/demo_command.h"
+#include "sim/app/devices_command.h"
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
 #include "sim/app/page_command.h"
@@ -106,6 +108,7 @@ constexpr Command kCommands[] = {
     {"trace", say::help::kTrace, RunCommand<TraceOptions>},
     {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
+    {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},
 };
 
@@ -154,6 +157,8 @@ int RunCli(const std::vector<std::string>& args, Console& console) {
     return refuse(error.what(), exit_code::kUsage);
   } catch (const InputError& error) {
     return refuse(error.what(), exit_code::kInput);
+  } catch (const DeviceError& error) {
+    return refuse(error.what(), exit_code::kLack);
   } catch (const LackError& error) {
     return refuse(error.what(), exit_code::kLack);
   } catch (const Interrupted&) {

@@ -25,6 +25,10 @@ inline constexpr const char* kReplay = "runs a recorded trace again and compares
 inline constexpr const char* kBench = "measures speed and accuracy against other methods";
 inline constexpr const char* kDemo = "traces a word at four sizes and leaves pictures";
 
+inline constexpr const char* kDevices =
+    "says which devices are there and what they can do, or tries one: devices test NAME";
+inline constexpr const char* kDevicesWords = "nothing, or: test NAME.";
+inline constexpr const char* kUdev = "print the udev rules that the device profiles make.";
 inline constexpr const char* kText = "the text; - reads standard input.";
 inline constexpr const char* kFile = "read the text from this file; - is standard input.";
 inline constexpr const char* kJson = "write one JSON object instead of words.";

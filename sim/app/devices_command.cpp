@@ -1,0 +1,178 @@
+#include "sim/app/devices_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <ostream>
+
+#include "devices/catalogue.h"
+#include "devices/hid_port.h"
+#include "devices/plugin_device.h"
+#include "devices/smallest_letter.h"
+#include "devices/udev_rule.h"
+#include "sim/app/device_check.h"
+#include "sim/app/devices_messages.h"
+#include "sim/app/help.h"
+#include "sim/app/messages.h"
+#include "sim/app/metrics_json.h"
+#include "sim/app/typeset_report.h"
+#include "sim/loop/clock.h"
+#include "textures/resources.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kMillimetres = 1e3;
+
+/// JSON has no infinity: null stands for "without limit" and "none".
+Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json AxesJson(glm::bvec3 axes) {
+  std::string names;
+  for (int i = 0; i < 3; ++i) {
+    if (axes[i]) names += "xyz"[i];
+  }
+  return names;
+}
+
+Json EntryJson(const DeviceEntry& entry) {
+  const DeviceProfile& profile = entry.profile;
+  const DeviceLimits& limits = profile.limits;
+  Json json;
+  json["name"] = entry.name;
+  json["title"] = profile.title;
+  json["path"] = entry.path;
+  json["problem"] = entry.problem.empty() ? Json(nullptr) : Json(entry.problem);
+  json["measures"] = AxesJson(limits.measures);
+  json["pushes"] = AxesJson(limits.pushes);
+  Json workspace = Json::array();
+  for (int i = 0; i < 3; ++i) {
+    workspace.push_back(limits.measures[i] ? Finite(2 * kMillimetres * limits.workspace_D[i])
+                                           : Json(nullptr));
+  }
+  json["workspace_mm"] = workspace;
+  json["buttons"] = limits.buttons;
+  json["peak_force_n"] = Finite(limits.peak_force);
+  json["continuous_force_n"] = Finite(limits.continuous_force);
+  json["stable_stiffness_n_per_m"] = Finite(StableStiffness(profile));
+  json["smallest_letter_mm"] = Finite(kMillimetres * SmallestLetter(profile));
+  json["rate_hz"] = profile.rate;
+  json["delay_ms"] = kMillimetres * profile.delay;
+  json["dead_man_ms"] = limits.dead_man > 0 ? Json(kMillimetres * limits.dead_man) : Json(nullptr);
+  return json;
+}
+
+void SayFigures(const DeviceProfile& profile, Console& console) {
+  console.Result(say::DevicePushes(profile));
+  console.Result(say::DeviceMeasures(profile));
+  console.Result(say::DeviceLetters(profile, SmallestLetter(profile)));
+  console.Result(say::DeviceRate(profile));
+  console.Result(say::DeviceLetsGo(profile));
+}
+
+int List(const DevicesOptions& options, Console& console) {
+  const std::vector<DeviceEntry> entries = ListDevices(ProfilesFolder());
+  if (options.output.json) {
+    Json json;
+    json["hidapi"] = HidIsBuiltIn();
+    json["devices"] = Json::array();
+    for (const DeviceEntry& entry : entries) json["devices"].push_back(EntryJson(entry));
+    console.Json(Dump(json));
+    return exit_code::kGood;
+  }
+  if (entries.empty()) {
+    console.Result(HidIsBuiltIn() ? say::NoDevice() : say::NoHidapi());
+    console.Result(say::WithoutDevice());
+    return exit_code::kGood;
+  }
+  const auto usable = std::count_if(entries.begin(), entries.end(),
+                                    [](const DeviceEntry& e) { return e.problem.empty(); });
+  console.Result(say::DevicesOutcome(entries.size(), static_cast<std::size_t>(usable)));
+  for (const DeviceEntry& entry : entries) {
+    console.Result(say::DeviceLine(entry));
+    SayFigures(entry.profile, console);
+    if (entry.problem.empty()) console.Result(say::TryDevice(entry.name));
+  }
+  return exit_code::kGood;
+}
+
+/// What is known of a device before it is opened; only its name if it is not there.
+DeviceProfile ProfileOfName(const std::string& name) {
+  const std::string plugin = PluginPathOf(name);
+  if (!plugin.empty()) return DescribePlugin(plugin);
+  for (const DeviceEntry& entry : ListDevices(ProfilesFolder())) {
+    if (entry.name == name) return entry.profile;
+  }
+  OpenDevice({name}, ProfilesFolder());  // says what there is instead
+  return {};
+}
+
+std::string_view ResultWord(StepResult result) {
+  if (result == StepResult::kGood) return "good";
+  return result == StepResult::kFailed ? "failed" : "left out";
+}
+
+int Test(const std::string& name, const DevicesOptions& options, Console& console) {
+  const DeviceProfile profile = ProfileOfName(name);
+  SayFigures(profile, console);
+  CheckedDevice checked;
+  checked.name = name;
+  checked.title = profile.title;
+  checked.rests_silent = profile.kind == DeviceKind::kPuck;
+  checked.open = [&name] { return OpenDevice({name}, ProfilesFolder()); };
+  SteadyClock clock;
+  const std::vector<CheckStep> steps = CheckDevice(
+      checked, CheckPlan(), clock,
+      [&](const std::string& line) {
+        if (options.output.json) {
+          console.Remark(line);
+        } else {
+          console.Result(line);
+        }
+      },
+      console);
+
+  std::string failed;
+  std::size_t good = 0;
+  Json json;
+  json["name"] = name;
+  json["steps"] = Json::array();
+  for (const CheckStep& step : steps) {
+    if (step.result == StepResult::kGood) ++good;
+    if (step.result == StepResult::kFailed) failed += (failed.empty() ? "" : ", ") + step.name;
+    Json one;
+    one["step"] = step.name;
+    one["result"] = ResultWord(step.result);
+    json["steps"].push_back(one);
+  }
+  if (options.output.json) console.Json(Dump(json));
+  if (!failed.empty()) throw WorkFailed(say::TestFailed(failed));
+  console.Result(say::TestPassed(good, steps.size() - good));
+  return exit_code::kGood;
+}
+
+}  // namespace
+
+std::string ProfilesFolder() { return ResourcePath("devices/profiles"); }
+
+void AddOptions(CLI::App& app, DevicesOptions& options) {
+  app.add_option("WORDS", options.words, say::help::kDevicesWords);
+  app.add_flag("--udev", options.udev, say::help::kUdev);
+  AddOptions(app, options.output);
+}
+
+int Run(const DevicesOptions& options, Console& console) {
+  const std::vector<std::string>& words = options.words;
+  if (options.udev) {
+    console.out() << UdevFile(LoadProfiles(ProfilesFolder()));
+    return exit_code::kGood;
+  }
+  if (words.empty()) return List(options, console);
+  if (words[0] != "test") throw UsageError(say::UnknownDevicesWord(words[0]));
+  if (words.size() < 2 || words[1].empty()) throw UsageError(say::NoDeviceNamed());
+  if (words.size() > 2) throw UsageError(say::SpareArgument(words[2], "devices test NAME"));
+  return Test(words[1], options, console);
+}
+
+}  // namespace moontrace

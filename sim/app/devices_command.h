@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/app/options.h"
+
+namespace moontrace {
+
+/// `devices`: what is there and what it can do; `devices test NAME`: tries one step by step.
+struct DevicesOptions {
+  OutputOptions output;
+  std::vector<std::string> words;
+  bool udev = false;  ///< print the udev file that the profiles make, for developers
+};
+void AddOptions(CLI::App& app, DevicesOptions& options);
+int Run(const DevicesOptions& options, Console& console);
+
+/// The folder of device profiles that comes with the program.
+std::string ProfilesFolder();
+
+}  // namespace moontrace

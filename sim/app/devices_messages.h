@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+
+#include "devices/catalogue.h"
+
+/// Sentences of `moontrace devices` and `moontrace devices test`; see messages.h.
+namespace moontrace::say {
+
+// The list.
+std::string DevicesOutcome(std::size_t there, std::size_t usable);
+std::string NoDevice();
+std::string NoHidapi();
+std::string WithoutDevice();
+std::string DeviceLine(const DeviceEntry& entry);
+std::string DevicePushes(const DeviceProfile& profile);
+std::string DeviceMeasures(const DeviceProfile& profile);
+std::string DeviceLetters(const DeviceProfile& profile, double smallest);
+std::string DeviceRate(const DeviceProfile& profile);
+std::string DeviceLetsGo(const DeviceProfile& profile);
+std::string TryDevice(std::string_view name);
+std::string NoDeviceNamed();
+std::string UnknownDevicesWord(std::string_view given);
+
+// The test, step by step.
+std::string TestBegins(std::string_view name, std::string_view title);
+std::string TestStep(std::size_t number, std::string_view what);
+std::string MoveAndPress(double seconds, int buttons);
+std::string NoReports();
+std::string PuckAtRest();
+std::string SawPosition(const DeviceLimits& limits, glm::dvec3 low_D, glm::dvec3 high_D,
+                        double reports_a_second);
+std::string SawButtons(std::uint32_t buttons, int count);
+std::string DidNotMove();
+std::string PushesNothing();
+std::string AskForForces(double force);
+std::string ForcesLeftOut();
+std::string Countdown(int seconds, int axis, double sign, double force);
+std::string Pushed(glm::dvec3 way_D);
+std::string AskDirection(int axis, double sign);
+std::string StoppedByButton();
+std::string CapHeld(double asked, double commanded);
+std::string NoNumberHeld();
+std::string CapBroken(double asked, double commanded);
+std::string NeverLetsGo();
+std::string AskDeadMan(double force, double dead_man);
+std::string AskIsGone();
+std::string HeldItNot();
+std::string MotorsOff();
+std::string TestLost();
+std::string TestPassed(std::size_t good, std::size_t left_out);
+std::string TestFailed(std::string_view steps);
+
+}  // namespace moontrace::say

@@ -1,0 +1,65 @@
+#include "sim/bench/device_rig.h"
+
+#include <algorithm>
+
+#include "sim/loop/pressing.h"
+
+namespace moontrace {
+
+namespace {
+
+SampledModel WithHand(const DeviceProfile& profile, const HandModel& hand,
+                      glm::dvec3 hand_stiffness, double tick) {
+  SampledModel model = ModelOf(profile, hand.mass, tick);
+  model.stiffness = hand_stiffness;
+  return model;
+}
+
+}  // namespace
+
+SceneOptions SceneFor(const DeviceProfile& profile) {
+  SceneOptions options;
+  options.coupling_stiffness = std::min(options.coupling_stiffness, StableStiffness(profile));
+  return options;
+}
+
+DeviceRig::DeviceRig(const DeviceProfile& profile, const HandModel& hand, glm::dvec3 hand_stiffness,
+                     const TextureField& field, const SceneOptions& options)
+    : limits_(LimitsOf(profile, options.tick)),
+      tick_(options.tick),
+      press_(hand.press),
+      field_(field),
+      scene_(Scene::Load("", options)),
+      safety_(limits_, options.tick),
+      device_(WithHand(profile, hand, hand_stiffness, options.tick)) {
+  scene_.SetField(&field_);
+}
+
+void DeviceRig::Step(glm::dvec3 hand_force, glm::dvec3 aim) {
+  SafetyInput input;
+  input.status = device_.Read(state_);
+  if (!limits_.measures.z) state_.p_D.z = 0;
+  velocity_.Advance(tick_, input.status == DeviceStatus::kOk, state_.p_D);
+  state_.velocity_known = true;
+  state_.v_D = velocity_.v();
+  const DeviceState tip = limits_.measures.z
+                              ? state_
+                              : Pressed(state_, scene_.X_WP(), ticks_ > 0 ? &felt_ : nullptr,
+                                        press_, scene_.options(), field_);
+  felt_ = scene_.Tick(tip);
+  input.force = felt_.force_W;
+  input.device = state_;
+  input.time = static_cast<double>(ticks_) * tick_;
+  input.physics_fault = felt_.fault;
+  safe_ = safety_.Advance(input);
+  device_.Advance(safe_.force, hand_force, aim);
+  ++ticks_;
+}
+
+void DeviceRig::Follow(glm::dvec3 p, glm::dvec3 next) {
+  device_.Place(p, {0, 0, 0});
+  Step({0, 0, 0}, p);
+  device_.Place(next, {0, 0, 0});
+}
+
+}  // namespace moontrace

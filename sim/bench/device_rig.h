@@ -1,0 +1,51 @@
+#pragma once
+
+#include "devices/hand.h"
+#include "devices/profile.h"
+#include "sim/bench/sampled_device.h"
+#include "sim/loop/safety.h"
+#include "sim/loop/tip_velocity.h"
+#include "sim/scene/scene.h"
+
+namespace moontrace {
+
+/// Scene options for a device: the coupling is no stiffer than what the device holds, above that
+/// all is as usual.
+SceneOptions SceneFor(const DeviceProfile& profile);
+
+/// A device in numbers, the scene and the safety stage, joined as the loop joins them: what comes
+/// out at the hand is what the learner feels. Frames D and W are one.
+class DeviceRig {
+ public:
+  /// `field` must outlive the rig. `hand_stiffness` [N/m] draws the tip to its aim on each axis.
+  DeviceRig(const DeviceProfile& profile, const HandModel& hand, glm::dvec3 hand_stiffness,
+            const TextureField& field, const SceneOptions& options);
+
+  /// One tick under the hand's force [N] and aim [m].
+  void Step(glm::dvec3 hand_force, glm::dvec3 aim);
+
+  /// One tick of a hand that nothing holds up: from `p` to `next` [m], whatever it feels.
+  void Follow(glm::dvec3 p, glm::dvec3 next);
+
+  const SampledDevice& device() const { return device_; }
+  const TickResult& scene_result() const { return felt_; }
+  const SafetyResult& safety_result() const { return safe_; }
+  Pose X_WP() const { return scene_.X_WP(); }
+  void Place(glm::dvec3 p) { device_.Place(p, {0, 0, 0}); }
+
+ private:
+  DeviceLimits limits_;
+  double tick_;
+  double press_;
+  const TextureField& field_;
+  Scene scene_;
+  Safety safety_;
+  SampledDevice device_;
+  TipVelocity velocity_;
+  DeviceState state_;
+  TickResult felt_;
+  SafetyResult safe_;
+  long ticks_ = 0;
+};
+
+}  // namespace moontrace
