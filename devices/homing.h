@@ -52,8 +52,9 @@ class Homing {
 };
 
 /// What a device that needs homing is as well (dynamic_cast from Device). Until kDone its Read says
-/// kNotReady. For the loop: after a reconnection say SentenceOf(NextStep()) whenever it changes
-/// while Read says kNotReady; the rest goes by itself.
+/// kNotReady, and again if it finds itself where no arm can be; the tick that feeds Read and Write
+/// drives the homing, so nothing more is needed than to say SentenceOf(NextStep()) when it changes.
+/// Commands and the loop's reopening thread use OpenHomed (sim/app/device_opening.h).
 class NeedsHoming {
  public:
   virtual ~NeedsHoming() = default;
