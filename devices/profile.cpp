@@ -6,7 +6,7 @@
 namespace moontrace {
 
 double StableStiffness(const DeviceProfile& profile) {
-  const double period = 1 / profile.rate + profile.delay;
+  const double period = 1 / profile.rate + 2 * profile.delay;
   double stiffness = profile.limits.stiffness;
   if (profile.limits.damping > 0) {
     stiffness = std::min(stiffness, 2 * profile.limits.damping / period);

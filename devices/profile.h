@@ -87,8 +87,10 @@ DeviceProfile LoadProfile(const std::string& path);
 DeviceProfile ParseProfile(std::string_view text, const std::string& name);
 
 /// Greatest virtual stiffness a device renders without buzzing [N/m]: the least of 2 b / T, 2 f_c /
-/// step and the maker's figure, T being a period and the delay (mujoco-and-hid reference;
-/// Abbott and Okamura 2005; Diolaiti et al. 2006). Terms whose data are unknown (0) do not count.
+/// step and the maker's figure, T being a period and twice the delay: a force held for a period is
+/// half of it late on average, and the delay adds to that (Colgate and Schenkel 1994; Abbott and
+/// Okamura 2005; `bench --stability` finds the same limit by simulation). Terms whose data are
+/// unknown (0) do not count.
 double StableStiffness(const DeviceProfile& profile);
 
 /// The limits a loop needs, with `stiffness` the stable one and `late_ticks` the whole ticks of

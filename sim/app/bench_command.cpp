@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
+#include "sim/app/help.h"
 #include "sim/app/messages.h"
 #include "sim/bench/row.h"
 
@@ -24,12 +26,24 @@ Json RowJson(const BenchRow& row) {
 
 }  // namespace
 
-void AddOptions(CLI::App& app, BenchOptions& options) { AddOptions(app, options.output); }
+void AddOptions(CLI::App& app, BenchOptions& options) {
+  AddOptions(app, options.output);
+  app.add_flag("--stability", options.stability, say::help::kStability);
+  app.add_flag("--heat", options.heat, say::help::kHeat);
+}
 
 int Run(const BenchOptions& options, Console& console) {
   console.Remark(say::BenchBegins());
   BenchRows rows;
-  for (BenchRows (*part)() : {BenchField, BenchPhysics, BenchTracing, BenchPaper}) {
+  std::vector<BenchRows (*)()> parts;
+  if (options.stability) parts.push_back(BenchStability);
+  if (options.heat) parts.push_back(BenchHeat);
+  if (parts.empty()) {
+    for (const auto part : {BenchField, BenchPhysics, BenchTracing, BenchPaper}) {
+      parts.push_back(part);
+    }
+  }
+  for (const auto part : parts) {
     for (BenchRow& row : part()) rows.push_back(std::move(row));
     if (console.stop() != nullptr && *console.stop()) throw Interrupted();
   }

@@ -76,6 +76,10 @@ inline constexpr const char* kY = "mm up the page.";
 inline constexpr const char* kZ = "mm out of the paper, negative is into it.";
 inline constexpr const char* kFolder = "a folder written by trace --record.";
 inline constexpr const char* kCheck = "exit with 1 unless the replay is equal to the bit.";
+inline constexpr const char* kStability =
+    "instead: the stiffness that devices hold quiet, and the energy they put out.";
+inline constexpr const char* kHeat =
+    "instead: how warm motors become under a resting hand, page level and tilted.";
 inline constexpr const char* kDemoFolder = "where the pictures go. Default moontrace-demo.";
 }  // namespace say::help
 

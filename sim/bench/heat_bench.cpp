@@ -22,7 +22,7 @@ constexpr double kSettled = 1;    ///< the ramp-in is over and the hand has come
 struct Rest {
   double press = 0;     ///< along the page's normal, before the motors rest [N]
   double motor = 0;     ///< of it on the warmest motor [N]
-  double until = 0;     ///< the motors rest [s]; infinite if they need not
+  double until = 0;     ///< the motors must rest [s]; infinite if they need not
   double greatest = 0;  ///< heat, 1 is the modelled limit
 };
 
@@ -68,17 +68,21 @@ BenchRows BenchHeat() {
   BenchRows rows;
   for (const double share : {2.0, 1.0}) {
     const std::string hand = fmt::format("hand of {:g} N", share * continuous);
+    const std::string sloped = hand + ", page tilted 20 degrees";
     const Rest level = RestOn(profile, share * continuous, 0);
     const Rest tilted = RestOn(profile, share * continuous, tilt);
-    rows.push_back(Shown(hand + ", page level: presses with", level.press, "N"));
-    rows.push_back(
-        AtMost(hand + ", page tilted 20 degrees: presses with", tilted.press, "N", level.press));
-    rows.push_back(Shown(hand + ", level: on the warmest motor", level.motor, "N"));
-    rows.push_back(AtMost(hand + ", tilted: on the warmest motor", tilted.motor, "N", level.motor));
-    rows.push_back(Shown(hand + ", level: motors rest after", level.until, "s"));
-    rows.push_back(Shown(hand + ", tilted: motors rest after", tilted.until, "s"));
-    rows.push_back(AtMost(hand + ", level: greatest heat of the limit", level.greatest, "", 1));
-    rows.push_back(AtMost(hand + ", tilted: greatest heat of the limit", tilted.greatest, "", 1));
+    rows.push_back(Shown(hand + ", page level: presses", level.press, "N"));
+    rows.push_back(AtMost(sloped + ": presses", tilted.press, "N", level.press));
+    rows.push_back(Shown(hand + ", page level: warmest motor", level.motor, "N"));
+    rows.push_back(AtMost(sloped + ": warmest motor", tilted.motor, "N", level.motor));
+    if (std::isfinite(level.until)) {
+      rows.push_back(Shown(hand + ", page level: motors rest after", level.until, "s"));
+    }
+    if (std::isfinite(tilted.until)) {
+      rows.push_back(Shown(sloped + ": motors rest after", tilted.until, "s"));
+    }
+    rows.push_back(AtMost(hand + ", page level: heat", level.greatest, "of the limit", 1));
+    rows.push_back(AtMost(sloped + ": heat", tilted.greatest, "of the limit", 1));
   }
   return rows;
 }

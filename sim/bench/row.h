@@ -29,10 +29,16 @@ using BenchRows = std::vector<BenchRow>;
 /// Query of displacement and gradient against a sampled grid of the same page, accuracy, growth,
 /// building.
 BenchRows BenchField();
+/// How warm motors become under a hand that rests on a page, level and tilted by 20 degrees.
+BenchRows BenchHeat();
 /// Reaction forces as the paper measured them: each letter, and a page of 64 x 30 letters.
 BenchRows BenchPaper();
 /// mj_step with and without the field, MuJoCo's own height field of the page, the whole tick.
 BenchRows BenchPhysics();
+/// Stiffness that a sampled device holds, found by simulation, beside the closed-form limits:
+/// stiffness by damping by rate, then every shipped profile that pushes, with the energy it puts
+/// out.
+BenchRows BenchStability();
 /// Energy of closed ways, simulated tracing against the clock, on one core and on all.
 BenchRows BenchTracing();
 

@@ -81,7 +81,7 @@ double WallLimit(double damping, double period, double delay) {
 double GreatestStableWall(SampledModel model) {
   model.position_step = 0;
   double low = 1, high = 1e6;
-  while (high / low > 1.001) {
+  while (high / low > 1.0001) {
     const double middle = std::sqrt(low * high);
     (WallIsQuiet(model, middle) ? low : high) = middle;
   }

@@ -13,7 +13,7 @@ namespace moontrace {
 double WallLimit(double damping, double period, double delay);
 
 /// The greatest stiffness of a wall that the model holds quiet [N/m], by simulation and bisection
-/// to 0.1 percent: the tip, put off its place in the wall, must come back to it. Readings are taken
+/// to 0.01 percent: the tip, put off its place in the wall, must come back to it. Readings are taken
 /// without steps.
 double GreatestStableWall(SampledModel model);
 

@@ -125,10 +125,12 @@ TEST(ParseProfile, RefusesKeysOfAnotherKind) {
 
 TEST(StableStiffness, IsTheLeastOfTheKnownTerms) {
   DeviceProfile profile = ParseProfile(kGood, "some.toml");
-  // 2 b/T = 2 x 2 / (2 ms + 2 ms) = 1000; 2 f_c/step = 2 x 0.01 / 20 um = 1000; the maker's 700.
+  // 2 b/T = 2 x 2 / (2 ms + 2 x 2 ms) = 667; 2 f_c/step = 2 x 0.01 / 20 um = 1000; the maker's 700.
+  EXPECT_NEAR(StableStiffness(profile), 4 / 0.006, 1e-9);
+  profile.delay = 0.001;
   EXPECT_DOUBLE_EQ(StableStiffness(profile), 700);
   profile.limits.stiffness = 5000;
-  profile.delay = 0.006;
+  profile.delay = 0.003;
   EXPECT_NEAR(StableStiffness(profile), 500, 1e-9);  // 4 / 8 ms
   profile.limits.damping = 0;                        // unknown
   EXPECT_NEAR(StableStiffness(profile), 1000, 1e-9);
@@ -141,7 +143,7 @@ TEST(LimitsOf, CountsTheTicksThatAForceIsLate) {
   EXPECT_EQ(LimitsOf(profile, 0.001).late_ticks, 3);  // 2 ms + 2 ms, less the tick itself
   EXPECT_EQ(LimitsOf(profile, 0.0001).late_ticks, 39);
   EXPECT_EQ(LimitsOf(profile, 0.004).late_ticks, 1);
-  EXPECT_DOUBLE_EQ(LimitsOf(profile, 0.001).stiffness, 700);
+  EXPECT_NEAR(LimitsOf(profile, 0.001).stiffness, 4 / 0.006, 1e-9);
 }
 
 TEST(Profiles, ThatAreShippedAreAllReadable) {

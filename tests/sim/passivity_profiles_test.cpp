@@ -24,7 +24,7 @@ TEST(Passivity, OfEveryShippedProfileOverRandomMotion) {
     const double stiffness = SceneFor(profile).coupling_stiffness;
     EXPECT_LE(stiffness, WallLimit(profile.limits.damping, 1 / profile.rate, profile.delay))
         << profile.name;
-    for (unsigned seed = 1; seed <= 3; ++seed) {
+    for (unsigned seed = 1; seed <= 2; ++seed) {
       const EnergyOut energy = EnergyOverRandomMotion(profile, Hand(), stiffness, 60, seed);
       EXPECT_LE(energy.net, energy.bound) << profile.name << ' ' << seed;
       EXPECT_GT(energy.net, 1e-5) << profile.name;    // there was a page, and it pushed back
