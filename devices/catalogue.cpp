@@ -9,10 +9,15 @@
 #include <system_error>
 
 #include "devices/device_error.h"
+#include "devices/hid_descriptor.h"
 #include "devices/hid_port.h"
 #include "devices/nearest_name.h"
+#include "devices/pid_device.h"
+#include "devices/pid_layout.h"
 #include "devices/plugin_device.h"
+#include "devices/puck.h"
 #include "devices/raw_device.h"
+#include "devices/wooden_haptics_device.h"
 
 namespace moontrace {
 namespace {
@@ -31,30 +36,62 @@ bool HasId(const DeviceProfile& profile, const HidInfo& info) {
   });
 }
 
-const DeviceProfile* FirstWithoutIds(const std::vector<DeviceProfile>& profiles, DeviceKind kind) {
-  for (const DeviceProfile& profile : profiles) {
-    if (profile.kind == kind && profile.ids.empty()) return &profile;
+HidDescriptor DescriptorOf(const HidInfo& info) {
+  return ParseHidDescriptor(ReportDescriptorOf(info.path));
+}
+
+bool OffersPid(const HidInfo& info) {
+  try {
+    return SpeaksPid(DescriptorOf(info));
+  } catch (const DeviceError&) {
+    return false;
   }
-  return nullptr;
+}
+
+/// A wireless puck lists its receiver's other halves with the same ids.
+bool IsMultiAxisController(const HidInfo& info) {
+  constexpr std::uint16_t kDesktop = 1, kMultiAxis = 8;
+  return std::any_of(info.usages.begin(), info.usages.end(), [](const auto& usage) {
+    return usage.page == kDesktop && usage.id == kMultiAxis;
+  });
+}
+
+bool Answers(const DeviceProfile& profile, const HidInfo& info) {
+  if (!HasId(profile, info)) return false;
+  if (profile.kind == DeviceKind::kWoodenHaptics) return FitsArm(info, profile);
+  if (profile.kind == DeviceKind::kPuck) return IsMultiAxisController(info);
+  return true;
 }
 
 /// The profile that a device answers to, if any. What it says of itself goes before its ids, which
 /// may be borrowed.
 const DeviceProfile* Recognise(const HidInfo& info, const std::vector<DeviceProfile>& profiles) {
-  if (OffersRawProtocol(info)) return FirstWithoutIds(profiles, DeviceKind::kRawHid);
+  const auto first_without_ids = [&profiles](DeviceKind kind) -> const DeviceProfile* {
+    for (const DeviceProfile& profile : profiles) {
+      if (profile.kind == kind && profile.ids.empty()) return &profile;
+    }
+    return nullptr;
+  };
+  if (OffersRawProtocol(info)) return first_without_ids(DeviceKind::kRawHid);
   for (const DeviceProfile& profile : profiles) {
-    if (HasId(profile, info)) return &profile;
+    if (Answers(profile, info)) return &profile;
   }
-  return nullptr;
+  return OffersPid(info) ? first_without_ids(DeviceKind::kPid) : nullptr;
 }
 
-/// Opens a device for a moment: its problem if it cannot be opened, its own figures if it has some.
+/// Opens a device for a moment: its problem if it cannot be used, its own figures if it has some.
 void Probe(Found& found) {
+  DeviceProfile& profile = found.entry.profile;
   try {
-    if (found.entry.profile.kind == DeviceKind::kRawHid) {
-      found.entry.profile = WithHello(found.entry.profile, ReadRawHello(found.info.path));
-    } else {
-      HidHandle::Open(found.info.path);
+    if (profile.kind == DeviceKind::kRawHid) {
+      profile = WithHello(profile, ReadRawHello(found.info.path));
+      return;
+    }
+    HidHandle::Open(found.info.path);
+    if (profile.kind == DeviceKind::kPid) {
+      const HidDescriptor descriptor = DescriptorOf(found.info);
+      FindPidLayout(descriptor);
+      FindStick(descriptor, profile.stick);
     }
   } catch (const DeviceError& error) {
     found.entry.problem = error.what();
@@ -96,11 +133,18 @@ std::vector<Found> FindAll(const std::string& folder) {
 std::unique_ptr<Device> Open(const Found& found, const DeviceRequest& request) {
   const DeviceProfile& profile = found.entry.profile;
   switch (profile.kind) {
+    case DeviceKind::kPid:
+      return MakePidDevice(found.info, profile, request.tick, request.press, request.remark);
     case DeviceKind::kRawHid:
       return MakeRawDevice(found.info, profile, request.tick);
-    default:
-      throw DeviceError(found.entry.name + ": this kind of device cannot be driven");
+    case DeviceKind::kWoodenHaptics:
+      return MakeWoodenHaptics(found.info, profile, request.tick);
+    case DeviceKind::kPuck:
+      return MakePuck(found.info, profile, request.tick);
+    case DeviceKind::kPlugin:
+      break;  // no profile is of this kind: plug-ins describe themselves
   }
+  throw DeviceError(found.entry.name + ": cannot be driven: correct the kind in its profile");
 }
 
 constexpr std::string_view kPlugin = "plugin:";

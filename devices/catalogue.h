@@ -33,6 +33,8 @@ struct DeviceRequest {
   std::string name;     ///< of an entry, or `plugin:PATH`
   double tick = 0.001;  ///< [s]
   double press = 1;     ///< for devices without a third axis [N]
+  /// If given, what opening found worth telling, one sentence; else left as it is.
+  std::string* remark = nullptr;
 };
 
 /// Opens a device; `profiles` as above. Throws DeviceError; an unknown name is told with the names

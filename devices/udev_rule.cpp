@@ -13,13 +13,14 @@ namespace {
 constexpr const char* kHead =
     "# Haptic devices that Moontrace knows: whoever sits at the computer may open them.\n"
     "# Made from the ids in devices/profiles; boards with borrowed ids and pucks are left out.\n"
-    "# Without a local seat (ssh, container) write GROUP=\"plugdev\", MODE=\"0660\" for TAG.\n";
+    "# Where nobody sits (ssh, container) put GROUP=\"plugdev\",MODE=\"0660\" in place of TAG.\n";
 
 }  // namespace
 
 std::string UdevRule(const DeviceProfile::Id& id) {
+  // Without spaces, so that no line is broken within it.
   return fmt::format(
-      "KERNEL==\"hidraw*\", SUBSYSTEM==\"hidraw\", KERNELS==\"*:{:04X}:{:04X}.*\", "
+      "KERNEL==\"hidraw*\",SUBSYSTEM==\"hidraw\",KERNELS==\"*:{:04X}:{:04X}.*\","
       "TAG+=\"uaccess\"",
       id.vendor, id.product);
 }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
@@ -15,6 +16,7 @@
 #include <optional>
 #include <ostream>
 
+#include "devices/homing.h"
 #include "sim/app/device_session.h"
 #include "sim/app/devices_messages.h"
 #include "textures/text_file.h"
@@ -33,6 +35,7 @@ class Check {
   std::vector<CheckStep> Run() {
     Say(say::TestBegins(checked_.name, checked_.title));
     Open();
+    if (NeedsToBeHomed()) Step("homing", [this] { return HomeIt(); });
     Step("position and buttons", [this] { return Look(); });
     Step("small forces", [this] { return Push(); });
     Step("caps", [this] { return Caps(); });
@@ -89,6 +92,33 @@ class Check {
   StepResult LeaveOut(const std::string& why) {
     Say(why);
     return StepResult::kLeftOut;
+  }
+
+  bool NeedsToBeHomed() const {
+    const auto* arm = dynamic_cast<const NeedsHoming*>(device_.get());
+    return arm != nullptr && arm->NextStep() != HomingStep::kDone;
+  }
+
+  StepResult HomeIt() {
+    if (!Ask(say::AskForHoming()).value_or(false)) return LeaveOut(say::NotHomed());
+    if (HomeNow()) return StepResult::kGood;
+    DeviceState state;
+    lost_ = device_->Read(state) == DeviceStatus::kLost;
+    if (!lost_) Say(say::HomingFailed(plan_.home));
+    return StepResult::kFailed;
+  }
+
+  bool HomeNow() {
+    const std::int64_t until = clock_.Now() + static_cast<std::int64_t>(1e9 * plan_.home);
+    const auto say = [this](HomingStep step) {
+      if (step != HomingStep::kDone) Say(std::string(SentenceOf(step)));
+    };
+    const bool homed = Home(*device_, say, [this, until] {
+      const std::atomic<bool>* stop = console_.stop();
+      return clock_.Now() < until && (stop == nullptr || !stop->load());
+    });
+    console_.CheckStop();
+    return homed;
   }
 
   StepResult Look() {
@@ -204,6 +234,7 @@ class Check {
   void HoldUntilKilled() noexcept {
     try {
       Open();
+      if (!HomeNow()) return;
       glm::dvec3 f_D(0.0);
       f_D[FirstPushed()] = force_;
       std::signal(SIGALRM, SIG_DFL);  // which kills, without any clean-up

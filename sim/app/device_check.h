@@ -17,6 +17,7 @@ struct CheckPlan {
   double count = 1;     ///< between two numbers of a countdown [s]
   double push = 1;      ///< each push [s]
   double force = 0.5;   ///< the greatest on an axis [N]
+  double home = 120;    ///< the longest that homing may take [s]
   double settle = 0.5;  ///< beyond the dead-man's time, before somebody is asked [s]
 };
 
@@ -35,7 +36,7 @@ struct CheckedDevice {
   std::function<std::unique_ptr<Device>()> open;
 };
 
-/// Tries a device step by step with plain lines and questions on the console: position and buttons,
+/// Tries a device step by step: homing where it is needed, position and buttons,
 /// small forces along each axis, what the safety stage lets through, and that it lets go when this
 /// program is killed. Lines and questions go to `tell`, answers come from the console. A missing
 /// answer leaves the step's forces out. Throws DeviceError if it cannot be opened and Interrupted;

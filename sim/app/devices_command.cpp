@@ -104,7 +104,9 @@ DeviceProfile ProfileOfName(const std::string& name) {
   for (const DeviceEntry& entry : ListDevices(ProfilesFolder())) {
     if (entry.name == name) return entry.profile;
   }
-  OpenDevice({name}, ProfilesFolder());  // says what there is instead
+  DeviceRequest request;
+  request.name = name;
+  OpenDevice(request, ProfilesFolder());  // says what there is instead
   return {};
 }
 
@@ -120,7 +122,15 @@ int Test(const std::string& name, const DevicesOptions& options, Console& consol
   checked.name = name;
   checked.title = profile.title;
   checked.rests_silent = profile.kind == DeviceKind::kPuck;
-  checked.open = [&name] { return OpenDevice({name}, ProfilesFolder()); };
+  std::string remark;
+  checked.open = [&] {
+    DeviceRequest request;
+    request.name = name;
+    request.remark = &remark;
+    std::unique_ptr<Device> device = OpenDevice(request, ProfilesFolder());
+    if (!remark.empty()) console.Remark(remark);
+    return device;
+  };
   SteadyClock clock;
   const std::vector<CheckStep> steps = CheckDevice(
       checked, CheckPlan(), clock,

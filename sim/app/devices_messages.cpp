@@ -138,6 +138,17 @@ std::string TestStep(std::size_t number, std::string_view what) {
   return fmt::format("Step {}: {}.", number, what);
 }
 
+std::string AskForHoming() {
+  return "It must learn where it is, by your hand; it pushes nothing before. Answer yes when you "
+         "hold it, no to leave this out.";
+}
+
+std::string NotHomed() { return "Left out: it is not homed, so it has no position and no force."; }
+
+std::string HomingFailed(double seconds) {
+  return fmt::format("Failed: not homed within {} seconds.", Short(seconds, 0));
+}
+
 std::string MoveAndPress(double seconds, int buttons) {
   return fmt::format("For {} seconds move the tip to all its sides{}.", Short(seconds, 1),
                      buttons > 0 ? " and press each button" : "");

@@ -28,6 +28,9 @@ std::string UnknownDevicesWord(std::string_view given);
 // The test, step by step.
 std::string TestBegins(std::string_view name, std::string_view title);
 std::string TestStep(std::size_t number, std::string_view what);
+std::string AskForHoming();
+std::string NotHomed();
+std::string HomingFailed(double seconds);
 std::string MoveAndPress(double seconds, int buttons);
 std::string NoReports();
 std::string PuckAtRest();

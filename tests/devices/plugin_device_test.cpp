@@ -37,8 +37,8 @@ TEST_F(PluginDeviceTest, TellsTheLimitsThatThePluginDescribes) {
   EXPECT_EQ(profile.limits.heat_time, 20);
   EXPECT_EQ(profile.limits.workspace_D, glm::dvec3(0.08));
   EXPECT_EQ(profile.limits.dead_man, 0.02);
-  // By hand from the template: 2 b / T with b = 2 N s/m, T = a period of 1 ms and 1 ms of delay, is
-  // 2000 N/m, so that the maker's 1000 N/m is the least.
+  // By hand from the template: 2 b / T with b = 2 N s/m, T = a period of 1 ms and twice 1 ms, is
+  // 1333 N/m, so that the maker's 1000 N/m is the least.
   EXPECT_EQ(MakePluginDevice(Plugin("template"), 0.001)->Limits().stiffness, 1000);
 }
 

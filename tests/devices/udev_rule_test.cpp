@@ -13,10 +13,10 @@ namespace {
 
 const std::string kDevices = std::string(MOONTRACE_SOURCE_DIR) + "/devices";
 
-// The line of mujoco-and-hid reference 2.5 for OpenFFBoard.
+// The line of mujoco-and-hid reference 2.5 for OpenFFBoard, without its spaces.
 TEST(UdevRule, NamesTheHidParentInUpperCase) {
   EXPECT_EQ(UdevRule({0x1209, 0xffb0, true}),
-            "KERNEL==\"hidraw*\", SUBSYSTEM==\"hidraw\", KERNELS==\"*:1209:FFB0.*\", "
+            "KERNEL==\"hidraw*\",SUBSYSTEM==\"hidraw\",KERNELS==\"*:1209:FFB0.*\","
             "TAG+=\"uaccess\"");
 }
 

@@ -1,0 +1,143 @@
+#include "sim/app/devices_command.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include "tests/devices/fake_hid.h"
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+bool Has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(DevicesCommand, SaysPlainlyThatThereIsNoneAndWhatWorksWithout) {
+  const FakeHid fake("");
+  const Outcome outcome = RunLine({"devices"});
+  EXPECT_EQ(outcome.code, exit_code::kGood);
+  EXPECT_EQ(outcome.out.rfind("no device found", 0), 0u);
+  EXPECT_TRUE(Has(outcome.out, "simulated stylus"));
+  ExpectTextFace(outcome.out);
+  EXPECT_EQ(RunLine({"devices", "--json"}).Json()["devices"].size(), 0u);
+}
+
+TEST(DevicesCommand, TellsWhatADeviceCanDo) {
+  const FakeHid fake("pid,spacemouse");
+  const Outcome outcome = RunLine({"devices"});
+  EXPECT_EQ(outcome.code, exit_code::kGood);
+  EXPECT_EQ(outcome.out.rfind("2 devices found, all can be opened", 0), 0u) << outcome.out;
+  // The figures of openffboard.toml.
+  EXPECT_TRUE(Has(outcome.out, "pushes along x and y: up to 5 N for a moment, 2 N for ever"));
+  EXPECT_TRUE(Has(outcome.out, "workspace of 140 by 140 mm"));
+  EXPECT_TRUE(Has(outcome.out, "lets go by itself 50 ms"));
+  EXPECT_TRUE(Has(outcome.out, "It pushes nothing"));
+  ExpectTextFace(outcome.out);
+}
+
+TEST(DevicesCommand, GivesTheSameAsJson) {
+  const FakeHid fake("pid");
+  const auto json = RunLine({"devices", "--json"}).Json();
+  ASSERT_EQ(json["devices"].size(), 1u);
+  const auto& device = json["devices"][0];
+  EXPECT_EQ(device["name"], "openffboard");
+  EXPECT_TRUE(device["problem"].is_null());
+  EXPECT_EQ(device["pushes"], "xy");
+  EXPECT_EQ(device["peak_force_n"], 5);
+  EXPECT_EQ(device["dead_man_ms"], 50);
+  // openffboard.toml: 2 b / T with b = 3 N s/m, T = 2 ms + 2 x 2 ms is 1000 N/m; the maker's 500
+  // N/m is the least.
+  EXPECT_EQ(device["stable_stiffness_n_per_m"], 500);
+  EXPECT_GT(device["smallest_letter_mm"], 0);
+}
+
+TEST(DevicesCommand, TellsTheUdevLineUnbroken) {
+  const FakeHid fake("pid", "refused");
+  const Outcome outcome = RunLine({"devices"});
+  EXPECT_EQ(outcome.out.rfind("1 device found, 0 can be opened", 0), 0u) << outcome.out;
+  EXPECT_TRUE(Has(outcome.out,
+                  "\nKERNEL==\"hidraw*\",SUBSYSTEM==\"hidraw\",KERNELS==\"*:1209:FFB0.*\","
+                  "TAG+=\"uaccess\""))
+      << outcome.out;
+  ExpectTextFace(outcome.out);
+}
+
+TEST(DevicesCommand, TestOfWhatIsNotThereLacksIt) {
+  const FakeHid fake("pid");
+  const Outcome outcome = RunLine({"devices", "test", "openfboard"});
+  EXPECT_EQ(outcome.code, exit_code::kLack);
+  EXPECT_TRUE(Has(outcome.err, "did you mean openffboard?")) << outcome.err;
+  EXPECT_EQ(Lines(outcome.err).size(), 1u);
+}
+
+TEST(DevicesCommand, WrongWordsAreAUsageError) {
+  const FakeHid fake("");
+  EXPECT_EQ(RunLine({"devices", "tset", "x"}).code, exit_code::kUsage);
+  EXPECT_EQ(RunLine({"devices", "test"}).code, exit_code::kUsage);
+  EXPECT_EQ(RunLine({"devices", "test", "a", "b"}).code, exit_code::kUsage);
+  EXPECT_EQ(RunLine({"devices", "test", "plugin:"}).code, exit_code::kLack);
+}
+
+TEST(DevicesCommand, PluginThatOthersMayWriteIsRefusedWithTheCure) {
+  const FakeHid fake("");
+  std::string folder = "/tmp/moontrace-XXXXXX";
+  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const std::string file = folder + "/arm.so";
+  WriteAll(file, "nothing");
+  std::filesystem::permissions(file, std::filesystem::perms(0666));
+  const Outcome outcome = RunLine({"devices", "test", "plugin:" + file});
+  EXPECT_EQ(outcome.code, exit_code::kLack);
+  EXPECT_TRUE(Has(outcome.err, "chmod go-w " + file)) << outcome.err;
+  std::filesystem::remove_all(folder);
+}
+
+TEST(SlowDevicesCommand, TestInAPipeLooksAndPushesNothing) {
+  const FakeHid fake("pid");
+  const Outcome outcome = RunLine({"devices", "test", "openffboard"});
+  EXPECT_EQ(outcome.code, exit_code::kGood) << outcome.err;
+  EXPECT_TRUE(Has(outcome.out, "Position: x from"));
+  EXPECT_TRUE(Has(outcome.out, "Passed: 1 step good, 3 left out."));
+  ExpectTextFace(outcome.out);
+  for (const FakeHid::Line& line : fake.Log("force")) {
+    for (const double force : line.force) EXPECT_EQ(force, 0);
+  }
+}
+
+TEST(SlowDevicesCommand, TestPushesGentlyWhereSomebodyAnswers) {
+  const FakeHid fake("moontrace-raw");
+  std::string answers;
+  for (int n = 0; n < 9; ++n) answers += "yes\n";
+  const Outcome outcome = RunLine({"devices", "test", "moontrace-raw"}, answers);
+  EXPECT_EQ(outcome.code, exit_code::kGood) << outcome.err;
+  EXPECT_TRUE(Has(outcome.out, "Passed: 4 steps good, 0 left out.")) << outcome.out;
+  bool pushed = false;
+  for (const FakeHid::Line& line : fake.Log("force")) {
+    for (const double force : line.force) {
+      EXPECT_LE(std::abs(force), 0.5 + 1e-3);  // a step of the wire's units is 1 mN
+      pushed = pushed || std::abs(force) > 0.4;
+    }
+  }
+  EXPECT_TRUE(pushed);
+}
+
+TEST(SlowDevicesCommand, TestOfADeviceThatIsUnpluggedFails) {
+  const FakeHid fake("pid", "unplug@1000");
+  const Outcome outcome = RunLine({"devices", "test", "openffboard"});
+  EXPECT_EQ(outcome.code, exit_code::kFailed);
+  EXPECT_TRUE(Has(outcome.out, "the device was lost")) << outcome.out;
+}
+
+TEST(SlowDevicesCommand, TestHomesAnArmByWords) {
+  const FakeHid fake("woodenhaptics");
+  const Outcome outcome = RunLine({"devices", "test", "woodenhaptics"}, "yes\nno\n");
+  EXPECT_EQ(outcome.code, exit_code::kGood) << outcome.err;
+  EXPECT_TRUE(Has(outcome.out, "Step 1: homing."));
+  EXPECT_TRUE(Has(outcome.out, "Passed: 2 steps good, 3 left out.")) << outcome.out;
+}
+
+}  // namespace
+}  // namespace moontrace
