@@ -50,9 +50,8 @@ bool OffersPid(const HidInfo& info) {
 
 /// A wireless puck lists its receiver's other halves with the same ids.
 bool IsMultiAxisController(const HidInfo& info) {
-  constexpr std::uint16_t kDesktop = 1, kMultiAxis = 8;
-  return std::any_of(info.usages.begin(), info.usages.end(), [](const auto& usage) {
-    return usage.page == kDesktop && usage.id == kMultiAxis;
+  return std::any_of(info.usages.begin(), info.usages.end(), [](const HidInfo::Usage& usage) {
+    return usage.page == 1 && usage.id == 8;  // generic desktop, multi-axis controller
   });
 }
 
