@@ -34,9 +34,9 @@ std::mutex& Turn() {
 std::string Utf8(const wchar_t* wide) {
   std::string out;
   if (wide == nullptr) return out;
-  const auto add = [&out](std::uint32_t byte) { out += static_cast<char>(byte); };
+  const auto add = [&out](char32_t byte) { out += static_cast<char>(byte); };
   for (; *wide != 0; ++wide) {
-    auto c = static_cast<std::uint32_t>(*wide);
+    char32_t c = static_cast<char32_t>(*wide);
     if (c > 0x10ffff || (c >= 0xd800 && c < 0xe000)) c = 0xfffd;
     if (c < 0x20 || c == 0x7f) c = ' ';  // a name stays on its line
     if (c < 0x80) {

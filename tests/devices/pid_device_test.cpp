@@ -186,7 +186,6 @@ TEST(PidDevice, SwitchesTheCentringSpringOffAndReadsItBack) {
   const auto device = Open(Profile(), &autocentre);
   EXPECT_NE(autocentre.find("read back"), std::string::npos) << autocentre;
   EXPECT_LT(IndexOf(fake.Log(), {110, 1, 3, 1}), fake.Log().size());
-  DeviceState state;
   // Without the spring and without commands nothing pulls, wherever the hand is.
   EXPECT_TRUE(TickUntil(*device, {0, 0, 0}, [](DeviceStatus status, const DeviceState& s) {
     return status == DeviceStatus::kOk && std::abs(s.p_D.x) > 0.01;

@@ -1,0 +1,47 @@
+# Runs inside the virtual machine, by busybox sh. Every step must succeed.
+fail() {
+  echo "FAILED: $*"
+  tail -n 20 /tmp/*.log
+  exit 1
+}
+
+wait_for() { # wait_for WHAT COMMAND...: at most 20 s
+  what=$1
+  shift
+  for _ in $(seq 200); do
+    "$@" && return 0
+    sleep 0.1
+  done
+  fail "waited in vain for $what"
+}
+
+# plug KIND: its process is $device, its log /tmp/KIND.log
+plug() {
+  /uhid_device "$1" >"/tmp/$1.log" 2>&1 &
+  device=$!
+  wait_for "/dev/hidraw0" test -e /dev/hidraw0
+}
+
+unplug() {
+  kill "$device"
+  wait "$device" 2>/dev/null
+  wait_for "the node to go" test ! -e /dev/hidraw0
+}
+
+# follow KIND NAME: opens the device, follows a groove, is unplugged in the middle of it.
+follow() {
+  echo "-- $2: follow a groove, then unplug"
+  plug "$1"
+  /follow /data/devices/profiles "$2" >/tmp/follow.log 2>&1 &
+  follower=$!
+  wait_for "$2 to have followed" grep -q "held within" /tmp/follow.log
+  unplug
+  wait "$follower" || fail "follow $2"
+  cat /tmp/follow.log
+}
+
+export MOONTRACE_DATA=/data
+follow pid openffboard
+follow pid-array vpforce-rhino
+follow moontrace-raw moontrace-raw
+grep -q 'set 05 01' /tmp/pid-array.log || fail "no effect was created"
