@@ -42,6 +42,19 @@ void Add(Digest& digest, const FlatElement& element) {
   digest.Add(static_cast<std::uint64_t>(element.profile));
 }
 
+void Add(Digest& digest, const Rows& rows) {
+  digest.Add(rows.first_x);
+  digest.Add(rows.step);
+  for (const Letters& letters : rows.slots) {
+    digest.Add(static_cast<std::uint64_t>(letters.first));
+    for (const std::uint8_t code : letters.codes) {
+      digest.Add(static_cast<std::uint64_t>(rows.codes[code].step));
+      digest.Add(std::uint64_t{rows.codes[code].block});
+    }
+  }
+  for (const double y : rows.y) digest.Add(y);
+}
+
 template <class T>
 std::size_t Bytes(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
@@ -74,9 +87,10 @@ TextureField::TextureField(const Texture& texture) {
 std::size_t TextureField::memory_bytes() const noexcept {
   std::size_t bytes = sizeof *this + Bytes(layers_);
   for (const CompiledLayer& layer : layers_) {
-    bytes += Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.leaf_y) +
-             Bytes(layer.blocks) + Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.elements) +
-             Bytes(layer.fills) + Bytes(layer.profiles);
+    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.bands) +
+             Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.blocks) + Bytes(layer.cells) +
+             Bytes(layer.items) + Bytes(layer.elements) + Bytes(layer.fills) +
+             Bytes(layer.profiles);
     for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
   }
   return bytes;
@@ -86,15 +100,12 @@ std::uint64_t TextureField::Hash() const noexcept {
   Digest digest;
   for (const CompiledLayer& layer : layers_) {
     digest.Add(layer.sign);
-    for (const Band& band : layer.bands) {
-      digest.Add(static_cast<std::uint64_t>(band.first));
-      digest.Add(band.y);
-    }
+    Add(digest, layer.rows);
+    for (const std::uint32_t first : layer.bands) digest.Add(std::uint64_t{first});
     for (const Leaf& leaf : layer.leaves) {
-      digest.Add(leaf.x);
+      digest.Add(leaf.origin);
       digest.Add(std::uint64_t{leaf.block});
     }
-    for (const double y : layer.leaf_y) digest.Add(y);
     for (const Block& block : layer.blocks) digest.Add(block.blend_radius);
     for (const FlatElement& element : layer.elements) Add(digest, element);
     for (const FlatFill& fill : layer.fills) {

@@ -1,13 +1,12 @@
 // Flattens the tree: runs outside the tick, may allocate and throw.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
 #include "textures/blend.h"
 #include "textures/error.h"
-#include "textures/field_layer.h"
+#include "textures/field_place.h"
 
 namespace moontrace {
 
@@ -16,15 +15,6 @@ namespace {
 using CompiledLayer = TextureField::CompiledLayer;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-
-/// A group with elements of its own, where it stands on the page.
-struct PlacedGroup {
-  const Group* group = nullptr;
-  glm::dvec2 origin{0, 0};
-  std::uint16_t block = 0;
-  std::uint32_t order = 0;
-  Box box;  ///< on the page
-};
 
 void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting,
                    std::vector<PlacedGroup>& leaves) {
@@ -231,104 +221,6 @@ void AddBlocks(std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
   }
 }
 
-/// Chooses bands: one for each line of text where lines are evenly spaced, else of a typical
-/// height.
-void ChooseBands(const std::vector<PlacedGroup>& leaves, const Box& all, CompiledLayer& layer) {
-  std::vector<double> lines, heights;
-  double above = 0, below = 0;
-  for (const PlacedGroup& leaf : leaves) {
-    lines.push_back(leaf.origin.y);
-    heights.push_back(leaf.box.max.y - leaf.box.min.y);
-    above = std::max(above, leaf.box.max.y - leaf.origin.y);
-    below = std::max(below, leaf.origin.y - leaf.box.min.y);
-  }
-  std::nth_element(heights.begin(),
-                   heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2),
-                   heights.end());
-  const double typical = heights[heights.size() / 2];
-  std::sort(lines.begin(), lines.end());
-  const double whole = all.max.y - all.min.y;
-  double pitch = whole;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (lines[i] - lines[i - 1] > 1e-9 * whole) pitch = std::min(pitch, lines[i] - lines[i - 1]);
-  }
-  const double least = whole / (4.0 * static_cast<double>(leaves.size()) + 16);
-  // letters hang around their base line: what is left of the pitch is shared above and below
-  const bool even = pitch >= 0.5 * typical;
-  const double height = std::max(even ? pitch : typical, least);
-  const double slack = 0.5 * std::max(height - above - below, 0.0);
-  layer.origin.y = even ? std::min(lines.front() - below - slack, all.min.y) : all.min.y;
-  layer.bands_per_m = 1 / height;
-  layer.band_count = std::floor((all.max.y - layer.origin.y) * layer.bands_per_m) + 1;
-}
-
-/// Chooses buckets of about half a letter; few where leaves are scattered over many bands.
-void ChooseBuckets(std::size_t leaf_count, std::size_t longest_band, const Box& all,
-                   CompiledLayer& layer) {
-  const double wanted = 2.0 * static_cast<double>(longest_band);
-  const double most = std::floor((8.0 * static_cast<double>(leaf_count) + 64) / layer.band_count);
-  layer.origin.x = all.min.x;
-  layer.buckets_per_m = std::clamp(most, 1.0, wanted) / (all.max.x - all.min.x);
-  layer.bucket_count = std::floor((all.max.x - layer.origin.x) * layer.buckets_per_m) + 1;
-  while ((longest_band >> layer.bucket_shift) > 65535) ++layer.bucket_shift;
-}
-
-/// Writes one band's leaves, already sorted by their left edges, and the buckets that find them.
-void AddBand(const std::vector<const PlacedGroup*>& leaves, CompiledLayer& layer) {
-  Band& band = layer.bands.emplace_back();
-  band.first = static_cast<std::uint32_t>(layer.leaves.size());
-  if (!leaves.empty()) band.y = leaves.front()->origin.y;
-  std::size_t filled = 0;
-  const auto buckets = static_cast<std::size_t>(layer.bucket_count);
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    const PlacedGroup& leaf = *leaves[i];
-    layer.leaves.push_back({leaf.origin.x, leaf.order, leaf.block});
-    layer.leaf_y.push_back(leaf.origin.y);
-    layer.one_y_per_band &= leaf.origin.y == band.y;
-    // computed as a query computes it, so that rounding cannot part them
-    const auto last =
-        static_cast<std::size_t>((leaf.box.max.x - layer.origin.x) * layer.buckets_per_m);
-    for (; filled <= last && filled < buckets; ++filled) {
-      layer.buckets.push_back(static_cast<std::uint16_t>(i >> layer.bucket_shift));
-    }
-  }
-  for (; filled < buckets; ++filled) {
-    layer.buckets.push_back(static_cast<std::uint16_t>(leaves.size() >> layer.bucket_shift));
-  }
-  layer.leaves.push_back({std::numeric_limits<double>::infinity(), 0, 0});
-  layer.leaf_y.push_back(0);
-}
-
-void AddLeaves(const std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
-  Box all;
-  for (const PlacedGroup& leaf : leaves) Include(all, leaf.box);
-  ChooseBands(leaves, all, layer);
-  std::vector<std::vector<const PlacedGroup*>> by_band(static_cast<std::size_t>(layer.band_count));
-  const auto band_of = [&layer](double y) {
-    return static_cast<std::size_t>((y - layer.origin.y) * layer.bands_per_m);
-  };
-  std::size_t longest = 1;
-  for (const PlacedGroup& leaf : leaves) {
-    for (std::size_t i = band_of(leaf.box.min.y); i <= band_of(leaf.box.max.y); ++i) {
-      by_band[i].push_back(&leaf);
-      longest = std::max(longest, by_band[i].size());
-    }
-  }
-  ChooseBuckets(leaves.size(), longest, all, layer);
-  for (std::vector<const PlacedGroup*>& band : by_band) {
-    std::stable_sort(band.begin(), band.end(), [](const PlacedGroup* a, const PlacedGroup* b) {
-      return a->box.min.x < b->box.min.x;
-    });
-    AddBand(band, layer);
-  }
-  if (layer.one_y_per_band) layer.leaf_y = std::vector<double>();
-}
-
-void Shrink(CompiledLayer& layer) {
-  layer.buckets.shrink_to_fit();
-  layer.leaves.shrink_to_fit();
-}
-
 }  // namespace
 
 CompiledLayer CompileLayer(const Layer& layer) {
@@ -342,8 +234,7 @@ CompiledLayer CompileLayer(const Layer& layer) {
     }
   }
   AddBlocks(leaves, compiled);
-  AddLeaves(leaves, compiled);
-  Shrink(compiled);
+  AddPlaces(leaves, compiled);
   return compiled;
 }
 

@@ -71,35 +71,62 @@ struct Block {
   bool plain = true;  ///< strokes of one profile, nothing blended: the nearest spine decides
 };
 
-/// A placed block. Each band's leaves end with one that stands infinitely far to the right.
+/// A placed block in a bucket's list. Each band's leaves end with one that stands infinitely far to
+/// the right.
 struct Leaf {
-  double x = 0;             ///< origin [m]
+  glm::dvec2 origin{0, 0};  ///< [m]
   std::uint32_t order = 0;  ///< in the tree, decides ties
   std::uint16_t block = 0;
 };
 
-/// A band of equal height across the layer; the leaves in it stand from left to right.
-struct Band {
-  double y = 0;             ///< origin of its leaves, if they share one [m]
-  std::uint32_t first = 0;  ///< leaf
+/// Up to four letters that follow each other in a row.
+struct Letters {
+  static constexpr std::uint32_t kMost = 4;
+  std::int32_t first = 0;                   ///< where the first stands, in steps of the raster
+  std::array<std::uint8_t, kMost> codes{};  ///< of each
+};
+
+/// A block, and where the next one in the row stands.
+struct Code {
+  std::int32_t step = 0;  ///< to the next origin, in steps of the raster
+  std::uint16_t block = 0;
+};
+
+/// Evenly set text: placed blocks that stand apart from each other on a raster, those of one band
+/// at one height. A band is a row of slots, each for four letters: they are in the slot where the
+/// first of them begins, or, where letters crowd, up to `kWindow` further on; a slot left empty
+/// repeats the letters before. So a letter is found by arithmetic and one visit to memory, and two
+/// bytes a letter keep a book in the processor's cache.
+struct Rows {
+  static constexpr std::uint32_t kWindow = 4;
+  double first_x = 0;        ///< where the raster starts [m]
+  double step = 0;           ///< of the raster [m]
+  double begin = 0;          ///< of the first slot [m], left of the first letter
+  double steps_per_m = 0;    ///< [1/m]
+  double slots_per_m = 0;    ///< [1/m]
+  double slot_count = 0;     ///< in a row, a whole number; a point beyond it meets nothing
+  std::uint32_t length = 0;  ///< slots stored of each row
+  std::vector<Letters> slots;
+  std::array<Code, 256> codes{};
+  std::vector<double> y;  ///< of each row's letters [m]
 };
 
 /// One layer of the tree, flattened: nested groups of a layer are one group, since "the greatest
-/// magnitude" does not care how its members are bracketed. Bands are cut into buckets; a bucket
-/// knows the first leaf that reaches into it, so that lines and letters are found by arithmetic.
+/// magnitude" does not care how its members are bracketed. It is cut into bands of equal height;
+/// what stands in them is kept as rows, or, if it overlaps or stands anyhow, in buckets of equal
+/// width: a bucket knows the first leaf that reaches into it.
 struct TextureField::CompiledLayer {
   double sign = -1;
   glm::dvec2 origin{0, 0};   ///< of the first band's first bucket [m]
   double bands_per_m = 0;    ///< [1/m]
   double buckets_per_m = 0;  ///< [1/m]
   double band_count = 0,
-         bucket_count = 0;         ///< buckets in a band; whole numbers, compared as doubles
-  std::uint32_t bucket_shift = 0;  ///< a bucket holds offset / 2^shift from the band's first leaf
-  bool one_y_per_band = true;
-  std::vector<Band> bands;
+         bucket_count = 0;  ///< buckets in a band, 0 with rows; whole numbers, compared as doubles
+  std::uint32_t bucket_shift = 0;    ///< a bucket holds offset / 2^shift from the band's first leaf
+  Rows rows;                         ///< else the following three
+  std::vector<std::uint32_t> bands;  ///< first leaf of each
   std::vector<std::uint16_t> buckets;
-  std::vector<Leaf> leaves;
-  std::vector<double> leaf_y;  ///< [m]; empty if one_y_per_band
+  std::vector<Leaf> leaves;  ///< of each band from left to right
   std::vector<Block> blocks;
   std::vector<Cell> cells;
   std::vector<std::uint16_t> items;

@@ -13,6 +13,7 @@ namespace {
 using CompiledLayer = TextureField::CompiledLayer;
 
 constexpr double kFar = 1e300;
+constexpr double kTiny = 1e-300;
 constexpr std::size_t kMostFeet = 32;
 
 /// The positive part, exactly: std::fmax is a library call, and a comparison would become a branch
@@ -30,17 +31,19 @@ inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
   const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
   const double ux = element.direction.x, uy = element.direction.y;
   const double along = vx * ux + vy * uy;
+  // signs are copied and ranges joined, since points on either side are equally likely
   if (element.kind == FlatKind::kLine) {
     const double across = vy * ux - vx * uy;
-    if (!(along >= 0 && along <= element.length)) return {};
-    return across < 0 ? Near{-across, {uy, -ux}} : Near{across, {-uy, ux}};
+    if (!((along >= 0) & (along <= element.length))) return {};
+    const double side = std::copysign(1.0, across);
+    return {std::abs(across), {-side * uy, side * ux}};
   }
   const double distance = std::sqrt(vx * vx + vy * vy);
   if (!(along >= distance * element.cos_half)) return {};
   // at the centre no direction is nearest: none is chosen
   const double d = distance - element.radius;
-  const double scale = (d < 0 ? -1.0 : 1.0) / (distance > 0 ? distance : 1.0);
-  return {d < 0 ? -d : d, {scale * vx, scale * vy}};
+  const double scale = std::copysign(1.0, d) / std::max(distance, kTiny);
+  return {std::abs(d), {scale * vx, scale * vy}};
 }
 
 /// Magnitude and its gradient at a distance below w/2. The derivative is a trapezoid in d, written
@@ -219,27 +222,54 @@ inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
                                 : SampleMixed(layer, block, cell, p);
 }
 
-/// The layer's magnitude and gradient.
-inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
-  // comparisons are written so that a NaN ends here
-  const double v = (p.y - layer.origin.y) * layer.bands_per_m;
+/// `p` relative to a placed block's origin; nothing if it lies beside the block.
+inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
+  // one branch instead of four: they are all taken or the point lies between letters
+  return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
+}
+
+/// At most one block is met: the last that begins at or before the point.
+inline Magnitude SampleRow(const CompiledLayer& layer, std::uint32_t band, glm::dvec2 p) noexcept {
+  const Rows& rows = layer.rows;
+  const double from_begin = p.x - rows.begin;
+  const double u = from_begin * rows.slots_per_m;
+  if (!(u >= 0 && u < rows.slot_count)) return {};
+  const std::uint32_t start =
+      std::min(static_cast<std::uint32_t>(u), rows.length - 1 - Rows::kWindow);
+  const Letters* slot = &rows.slots[band * rows.length + start];
+  // counting needs no branch, which at random points would be mispredicted
+  const auto here = static_cast<std::int32_t>(from_begin * rows.steps_per_m);
+  std::uint32_t begun = 0;
+  for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first <= here ? 1 : 0;
+  const Letters& letters = slot[begun];
+  std::int32_t place = letters.first, next = place;
+  std::uint32_t which = 0;
+  for (std::uint32_t i = 0; i + 1 < Letters::kMost; ++i) {
+    const std::int32_t step = rows.codes[letters.codes[i]].step;
+    next += step;
+    const std::int32_t has_begun = next <= here ? 1 : 0;
+    place += step & -has_begun;
+    which += static_cast<std::uint32_t>(has_begun);
+  }
+  const Block& block = layer.blocks[rows.codes[letters.codes[which]].block];
+  const double x = rows.first_x + static_cast<double>(place) * rows.step;
+  const glm::dvec2 local(p.x - x, p.y - rows.y[band]);
+  return IsIn(block.box, local) ? SampleBlock(layer, block, local) : Magnitude{};
+}
+
+Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, glm::dvec2 p) noexcept {
   const double u = (p.x - layer.origin.x) * layer.buckets_per_m;
-  if (!(v >= 0 && u >= 0 && v < layer.band_count && u < layer.bucket_count)) return {};
-  const auto band_number = static_cast<std::uint32_t>(v);
-  const Band& band = layer.bands[band_number];
-  const std::uint32_t bucket =
-      layer.buckets[band_number * static_cast<std::uint32_t>(layer.bucket_count) +
-                    static_cast<std::uint32_t>(u)];
+  if (!(u >= 0 && u < layer.bucket_count)) return {};
+  const std::uint32_t bucket = layer.buckets[band * static_cast<std::uint32_t>(layer.bucket_count) +
+                                             static_cast<std::uint32_t>(u)];
   Magnitude greatest;
   std::uint32_t order = 0;
-  for (std::uint32_t i = band.first + (bucket << layer.bucket_shift);; ++i) {
+  for (std::uint32_t i = layer.bands[band] + (bucket << layer.bucket_shift);; ++i) {
     const Leaf& leaf = layer.leaves[i];
     const Block& block = layer.blocks[leaf.block];
-    const glm::dvec2 local(p.x - leaf.x, p.y - (layer.one_y_per_band ? band.y : layer.leaf_y[i]));
+    const glm::dvec2 local = p - leaf.origin;
     if (local.x < block.box.min.x) return greatest;
-    if (local.x > block.box.max.x || local.y < block.box.min.y || local.y > block.box.max.y) {
-      continue;
-    }
+    if (!IsIn(block.box, local)) continue;
     const Magnitude member = SampleBlock(layer, block, local);
     if (member.height > greatest.height ||
         (member.height == greatest.height && member.height > 0 && leaf.order < order)) {
@@ -247,6 +277,15 @@ inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept 
       order = leaf.order;
     }
   }
+}
+
+/// The layer's magnitude and gradient.
+inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+  // comparisons are written so that a NaN ends here
+  const double v = (p.y - layer.origin.y) * layer.bands_per_m;
+  if (!(v >= 0 && v < layer.band_count)) return {};
+  const auto band = static_cast<std::uint32_t>(v);
+  return layer.rows.length > 0 ? SampleRow(layer, band, p) : SampleBuckets(layer, band, p);
 }
 
 }  // namespace
