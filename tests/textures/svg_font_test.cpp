@@ -131,8 +131,8 @@ TEST(ParseSvgFont, NamesPlaceCauseAndCureOfABrokenGlyph) {
            Broken{x + "unicode=\"a\" d=\"M0 0L1 1\"/>\n<glyph unicode=\"a\" glyph-name=\"b\" "
                       "d=\"M0 0L1 1\"/>",
                   "a.svg:4:17: second glyph for 'a'; keep one"},
-           Broken{x + "><g><path d=\"M0 0L1 1\"/></g></glyph>",
-                  "a.svg:3:24: <g> in a glyph is not read; convert it to a path in the editor"},
+           Broken{x + "><text>x</text></glyph>",
+                  "a.svg:3:24: <text> in a glyph is not read; convert it to a path in the editor"},
            Broken{x + "><path transform=\"scale(2)\" d=\"M0 0L1 1\"/></glyph>",
                   "a.svg:3:24: a transform is not read; apply it in the editor"},
            Broken{
