@@ -15,6 +15,8 @@
 #include "sim/app/demo_command.h"
 #include "sim/app/devices_command.h"
 #include "sim/app/help.h"
+#include "sim/app/loop_command.h"
+#include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/page_command.h"
 #include "sim/app/probe_command.h"
@@ -106,6 +108,7 @@ constexpr Command kCommands[] = {
     {"demo", say::help::kDemo, RunCommand<DemoOptions>},
     {"page", say::help::kPage, RunCommand<PageOptions>},
     {"trace", say::help::kTrace, RunCommand<TraceOptions>},
+    {"loop", say::help::kLoop, RunCommand<LoopCommandOptions>},
     {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},

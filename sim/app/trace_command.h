@@ -8,7 +8,8 @@
 
 namespace moontrace {
 
-/// `trace`: the simulated stylus traces a text, page after page, and is scored.
+/// `trace`: the simulated stylus traces a text, page after page, and is scored; with `--device` a
+/// person does, in real time.
 struct TraceOptions {
   OutputOptions output;
   TextOptions text;
@@ -18,10 +19,17 @@ struct TraceOptions {
   std::optional<double> press;  ///< [N]
   std::optional<double> speed;  ///< [m/s]
   std::uint64_t seed = 1;
+  bool seed_given = false;
   bool blank = false;
   std::string record;
   bool csv = false;
   std::string picture;
+
+  std::string device;  ///< empty or "simulated": the rest counts for nothing and is refused
+  std::optional<double> seconds;  ///< [s]
+  std::optional<double> rate;     ///< [Hz]
+  std::optional<double> scale;
+  bool hold_to_feel = false;
 };
 void AddOptions(CLI::App& app, TraceOptions& options);
 int Run(const TraceOptions& options, Console& console);

@@ -93,7 +93,7 @@ void Loop::Supervise() {
 void Loop::Reopen() {
   std::string why;
   try {
-    std::unique_ptr<Device> device = source_();
+    std::unique_ptr<Device> device = source_(ending_);
     mail_.fresh.store(device.release(), std::memory_order_release);
   } catch (const std::exception& error) {
     why = error.what();

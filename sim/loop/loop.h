@@ -22,8 +22,8 @@
 namespace moontrace {
 
 /// Opens the device again after it was lost. Throws DeviceError while it is not there. Called by a
-/// thread of the loop that is not the tick's; may block.
-using DeviceSource = std::function<std::unique_ptr<Device>()>;
+/// thread of the loop that is not the tick's; may block, but not long once `ending` is true.
+using DeviceSource = std::function<std::unique_ptr<Device>(const std::atomic<bool>& ending)>;
 
 /// How a loop has run. Durations in microseconds.
 struct LoopReport {

@@ -44,6 +44,8 @@ LoopTick::LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Devic
 }
 
 void LoopTick::Run(double time, bool late) noexcept {
+  // in whole ticks: a device reads by its own clock, not when this thread happens to wake
+  elapsed_ = tick_ * std::max(1.0, std::round((time - time_) / tick_));
   time_ = time;
   ++ticks_;
   TakeMail();
@@ -131,17 +133,21 @@ DeviceStatus LoopTick::Read() noexcept {
   if (device_ == nullptr) return DeviceStatus::kLost;
   const DeviceStatus status = device_->Read(state_);
   if (status == DeviceStatus::kOk) begun_ = true;
+  velocity_.Advance(elapsed_, status == DeviceStatus::kOk, state_.p_D);
   if (status == DeviceStatus::kLost) Lose();
   if (status != DeviceStatus::kLost && written_ == DeviceStatus::kNotReady) return written_;
   return status;
 }
 
 TickResult LoopTick::Feel() noexcept {
-  DeviceState world = ToWorld(place_, state_);
+  DeviceState read = state_;
+  if (!read.velocity_known) read.v_D = velocity_.v();
+  read.velocity_known = true;
+  DeviceState world = ToWorld(place_, read);
   if (!limits_.measures.z) {
     const SceneOptions& options = scene_.options();
     world = Pressed(world, scene_.X_WP(), flowing_ ? &last_ : nullptr,
-                    pressing_.PressOf(state_.p_D.z, options.coupling_stiffness), options, *field_);
+                    pressing_.PressOf(state_.p_D.z, limits_.stiffness), options, *field_);
   }
   return scene_.Tick(world);
 }
@@ -183,6 +189,7 @@ void LoopTick::Lose() noexcept {
 /// The next tick of the scene begins at the tip, whatever was before.
 void LoopTick::Restart() noexcept {
   scene_.Restart();
+  velocity_.Restart();
   flowing_ = false;
 }
 

@@ -11,6 +11,7 @@
 #include "sim/loop/loop_types.h"
 #include "sim/loop/pressing.h"
 #include "sim/loop/safety.h"
+#include "sim/loop/tip_velocity.h"
 #include "sim/scene/scene.h"
 
 namespace moontrace {
@@ -63,6 +64,8 @@ class LoopTick {
   DeviceState state_;  ///< newest reading, frame D
   DeviceStatus written_ = DeviceStatus::kOk;
   bool begun_ = false;    ///< the present device has been read
+  TipVelocity velocity_;  ///< where the device knows none
+  double elapsed_ = 0;    ///< since the last tick [s]
   TickResult last_;       ///< of the scene
   bool flowing_ = false;  ///< `last_` is of the tick before and of the same place
   double time_ = 0;

@@ -1,0 +1,156 @@
+#include "sim/app/device_trace.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "lessons/nearest_stroke.h"
+#include "lessons/scoring.h"
+#include "sim/app/loop_drive.h"
+#include "sim/app/loop_messages.h"
+#include "sim/app/loop_session.h"
+#include "sim/app/messages.h"
+#include "sim/app/trace_report.h"
+#include "sim/app/typeset_report.h"
+#include "sim/view/picture_file.h"
+#include "sim/view/trace_picture.h"
+
+namespace moontrace {
+
+namespace {
+
+/// A stroke is meant within a quarter em of it: half way to the next at the closest.
+constexpr double kReachEm = 0.25;
+
+double LengthOf(const IntendedStroke& stroke) {
+  if (stroke.kind == StrokeKind::kDot) return stroke.width;
+  double length = 0;
+  for (const Piece& piece : stroke.spine_P) length += Length(piece);
+  return length;
+}
+
+/// The score of one page while it is traced.
+class PageScore {
+ public:
+  PageScore(const TextSetup& text, std::size_t page, double spacing)
+      : strokes_(IntendedStrokes(text.set.pages[page], text.script, text.set.style)),
+        nearest_(strokes_, kReachEm * text.set.style.size),
+        scorer_(strokes_, text.set.pages[page].glyphs.size()),
+        spacing_(spacing) {
+    for (const IntendedStroke& stroke : strokes_) result_.stroke_length += LengthOf(stroke);
+  }
+
+  /// `tick` is the time that a sample stands for [s].
+  void Add(const LoopSample& sample, double tick) {
+    TraceSample scored;
+    scored.time = sample.time;
+    scored.tip_P = sample.tip_P;
+    scored.force_P = sample.force_P;
+    scored.in_contact = sample.in_contact;
+    nearest_.Assign(scored);
+    scorer_.Add(scored);
+    ++result_.ticks;
+    result_.duration += tick;
+    if (sample.fault) ++result_.faults;
+    result_.energy_out = std::max(result_.energy_out, sample.energy_out);
+    const PathPoint point{sample.tip_P, scored.phase, sample.in_contact};
+    std::vector<PathPoint>& path = result_.path;
+    const bool same = !path.empty() && path.back().in_contact == point.in_contact &&
+                      glm::distance(path.back().tip_P, point.tip_P) < spacing_;
+    if (spacing_ > 0 && !same) path.push_back(point);
+  }
+
+  TrialResult Finish(double force_bound) {
+    result_.score = scorer_.Finish();
+    result_.force_bound = force_bound;
+    result_.real_time_factor = 1;
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<IntendedStroke> strokes_;
+  NearestStroke nearest_;
+  TraceScorer scorer_;
+  double spacing_ = 0;
+  TrialResult result_;
+};
+
+void RefuseOthers(const TraceOptions& options) {
+  const std::pair<bool, const char*> given[] = {{options.speed.has_value(), "--speed-mm-s"},
+                                                {options.seed_given, "--seed"},
+                                                {!options.record.empty(), "--record"},
+                                                {options.csv, "--csv"}};
+  for (const auto& option : given) {
+    if (option.first) throw UsageError(say::NotWithDevice(option.second));
+  }
+}
+
+SessionRequest RequestOf(const TraceOptions& options) {
+  SessionRequest request;
+  request.text = {options.text, options.style, options.layout, options.feel, "trace"};
+  request.device = options.device;
+  request.rate = options.rate.value_or(1000);
+  request.scale = options.scale;
+  request.press = options.press;
+  request.hold_to_feel = options.hold_to_feel;
+  request.blank = options.blank;
+  return request;
+}
+
+void Tell(const TraceOptions& options, const Trace& trace, double scale, Console& console) {
+  const TrialResult all = Merged(trace.pages);
+  if (options.output.json) {
+    Json json = TraceJson(trace, options.feel.scene, all);
+    json["device"] = options.device;
+    json["scale"] = scale;
+    console.Json(Dump(json));
+  } else {
+    SayTrace(trace, all, say::DeviceTime(all.duration), console);
+  }
+  if (all.ticks == 0) throw WorkFailed(say::NothingTraced());
+  if (all.faults > 0) throw WorkFailed(say::Faults(all));
+}
+
+}  // namespace
+
+int TraceWithDevice(const TraceOptions& options, Console& console) {
+  RefuseOthers(options);
+  LoopSession session(RequestOf(options), console);
+  Trace trace;
+  trace.text = session.text();
+  trace.blank = options.blank;
+  const TypeStyle& style = trace.text.set.style;
+  SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
+  const std::string why_not = session.loop().not_realtime();
+  if (!why_not.empty()) console.Remark(say::NotRealtime(why_not));
+  SayBeginning(session, console);
+
+  const std::size_t pages = trace.text.set.pages.size();
+  std::vector<PageScore> scores;
+  scores.reserve(pages);
+  for (std::size_t page = 0; page < pages; ++page) {
+    scores.emplace_back(trace.text, page, options.picture.empty() ? 0 : style.width / 20);
+  }
+  DriveOptions drive;
+  drive.seconds = options.seconds;
+  drive.sizes = false;
+  const double tick = 1 / session.request().rate;
+  drive.sample = [&scores, tick](const LoopSample& s) { scores.at(s.page).Add(s, tick); };
+  Drive(session, drive, console);
+
+  for (std::size_t page = 0; page < pages; ++page) {
+    TrialResult result = scores[page].Finish(session.force_bound());
+    if (!options.picture.empty()) {
+      trace.pictures.push_back(PicturePath(options.picture, page, pages));
+      WritePicture(trace.pictures.back(),
+                   TracePicture(trace.text.set.pages[page], trace.text.script, style, options.blank,
+                                TextOf(trace.text, page), result));
+      result.path = {};
+    }
+    trace.pages.push_back(std::move(result));
+  }
+  Tell(options, trace, session.request().scale.value_or(1), console);
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,156 @@
+#include "sim/app/loop_command.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/app/device_choice.h"
+#include "sim/app/help.h"
+#include "sim/app/loop_drive.h"
+#include "sim/app/loop_messages.h"
+#include "sim/app/loop_session.h"
+#include "sim/app/metrics_json.h"
+#include "sim/app/typeset_report.h"
+#include "sim/loop/pacing.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr const char* kDefaultText = "the moon is bright";
+
+/// What was felt, summed up off the tick.
+struct Felt {
+  std::uint64_t samples = 0, contacts = 0;
+  double force_sum = 0, peak_force = 0;  ///< [N]
+  double energy_out = 0;                 ///< [J]
+  double last_time = 0;                  ///< [s]
+
+  void Add(const LoopSample& sample) {
+    ++samples;
+    last_time = sample.time;
+    energy_out = std::max(energy_out, sample.energy_out);
+    if (!sample.in_contact) return;
+    const double force = glm::length(sample.force_P);
+    ++contacts;
+    force_sum += force;
+    peak_force = std::max(peak_force, force);
+  }
+  double Share() const {
+    return samples > 0 ? static_cast<double>(contacts) / static_cast<double>(samples) : 0;
+  }
+  double Mean() const { return contacts > 0 ? force_sum / static_cast<double>(contacts) : 0; }
+};
+
+Json PercentilesJson(const Histogram& histogram) {
+  return {{"p50", histogram.Percentile(0.5)},
+          {"p99", histogram.Percentile(0.99)},
+          {"p999", histogram.Percentile(0.999)},
+          {"max", histogram.max()}};
+}
+
+Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json DeviceJson(const LoopSession& session) {
+  const DeviceLimits& limits = session.limits();
+  const bool simulated = IsSimulated(session.request().device);
+  Json json;
+  json["name"] = simulated ? "simulated" : session.request().device;
+  json["peak_force_n"] = OrNull(limits.peak_force);
+  json["continuous_force_n"] = OrNull(limits.continuous_force);
+  json["stiffness_n_m"] = limits.stiffness;
+  json["late_ticks"] = limits.late_ticks;
+  json["dead_man_ms"] = 1e3 * limits.dead_man;
+  json["axes"] = int{limits.measures.x} + int{limits.measures.y} + int{limits.measures.z};
+  json["buttons"] = limits.buttons;
+  Json reach = Json::array();
+  for (int i = 0; i < 3; ++i) reach.push_back(OrNull(2e3 * limits.workspace_D[i]));
+  json["workspace_mm"] = std::move(reach);
+  return json;
+}
+
+Json LoopJson(const LoopSession& session, const LoopReport& report, const std::string& why_not,
+              const Felt& felt) {
+  Json json = TypesetJson(session.text().set, session.text().script);
+  json["pages"] = session.text().set.pages.size();
+  json["device"] = DeviceJson(session);
+  json["scale"] = session.request().scale.value_or(1);
+  json["rate_hz"] = session.request().rate;
+  json["seconds"] = felt.last_time;
+  json["ticks"] = report.ticks;
+  json["lost_ticks"] = report.lost_ticks;
+  json["lateness_us"] = PercentilesJson(report.lateness);
+  json["cost_us"] = PercentilesJson(report.cost);
+  json["realtime"] = why_not.empty() ? Json(true) : Json(why_not);
+  json["silences"] = report.late_loops;
+  Json safety;
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    safety[std::string(say::EventName(static_cast<SafetyEvent>(i)))] = report.safety_counts[i];
+  }
+  json["safety"] = std::move(safety);
+  json["touching"] = felt.Share();
+  json["mean_force_n"] = felt.Mean();
+  json["peak_force_n"] = felt.peak_force;
+  json["force_bound_n"] = session.force_bound();
+  json["energy_out_uj"] = 1e6 * felt.energy_out;
+  json["samples_dropped"] = report.samples_dropped;
+  json["events_dropped"] = report.events_dropped;
+  return json;
+}
+
+SessionRequest RequestOf(const LoopCommandOptions& options) {
+  SessionRequest request;
+  request.text = {options.text, options.style, options.layout, options.feel, "loop", kDefaultText};
+  request.device = options.device;
+  request.rate = options.rate.value_or(1000);
+  request.scale = options.scale;
+  request.press = options.press;
+  request.hold_to_feel = options.hold_to_feel;
+  request.seed = options.seed;
+  return request;
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, LoopCommandOptions& options) {
+  AddOptions(app, options.text);
+  AddDevice(app, options.device);
+  AddNumber(app, "--seconds", options.seconds, 0.01, 1e6, 1, say::help::kSeconds);
+  AddNumber(app, "--rate-hz", options.rate, kSlowestRate, kFastestRate, 1, say::help::kRate);
+  AddNumber(app, "--scale", options.scale, 0.1, 10, 1, say::help::kScale);
+  AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
+  app.add_flag("--hold-to-feel", options.hold_to_feel, say::help::kHoldToFeel);
+  AddOptions(app, options.style);
+  AddOptions(app, options.layout);
+  AddOptions(app, options.feel);
+  AddSeed(app, options.seed);
+  AddOptions(app, options.output);
+}
+
+int Run(const LoopCommandOptions& options, Console& console) {
+  LoopSession session(RequestOf(options), console);
+  SayReplacements(session.text().set,
+                  [&console](const std::string& line) { console.Remark(line); });
+  const std::string why_not = session.loop().not_realtime();
+  if (!why_not.empty()) console.Remark(say::NotRealtime(why_not));
+  SayBeginning(session, console);
+  Felt felt;
+  DriveOptions drive;
+  drive.seconds = options.seconds;
+  drive.sample = [&felt](const LoopSample& sample) { felt.Add(sample); };
+  Drive(session, drive, console);
+
+  const LoopReport& report = session.loop().report();
+  if (options.output.json) {
+    console.Json(Dump(LoopJson(session, report, why_not, felt)));
+    return exit_code::kGood;
+  }
+  console.Result(say::LoopOutcome(report, felt.last_time));
+  console.Result(say::Lateness(report));
+  console.Result(say::Cost(report));
+  console.Result(say::Realtime(why_not));
+  console.Result(say::Touched(felt.Share(), felt.Mean(), felt.peak_force));
+  console.Result(say::SafetyActed(report));
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace

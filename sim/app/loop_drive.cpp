@@ -1,0 +1,144 @@
+#include "sim/app/loop_drive.h"
+
+#include <chrono>
+#include <ostream>
+#include <string>
+
+#include "sim/app/device_choice.h"
+#include "sim/app/loop_messages.h"
+#include "sim/app/loop_words.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr int kPoll = 20;  ///< [ms]
+
+/// One session and what was last known of it.
+class Driver {
+ public:
+  Driver(LoopSession& session, const DriveOptions& options, Console& console)
+      : session_(session), options_(options), console_(console), lines_(console.in()) {}
+
+  void Run() {
+    const auto begin = std::chrono::steady_clock::now();
+    while (!quit_) {
+      console_.CheckStop();
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+      if (options_.seconds && passed.count() >= *options_.seconds) break;
+      Look();
+      if (const std::optional<std::string> line = lines_.Next(kPoll)) Obey(*line);
+      console_.out().flush();
+    }
+    session_.loop().End();
+    Look();
+  }
+
+ private:
+  void Say(const std::string& line) {
+    if (!line.empty()) console_.Result(line);
+  }
+
+  /// Takes what the loop has left.
+  void Look() {
+    Loop& loop = session_.loop();
+    loop.TakeSnapshot(newest_);
+    LoopEvent event;
+    while (loop.TakeEvent(event)) {
+      if (event.kind == LoopEventKind::kSay) Say(WhereNow());
+      Say(say::Event(event));
+    }
+    LoopSample sample;
+    while (loop.TakeSample(sample)) {
+      if (options_.sample) options_.sample(sample);
+    }
+    for (const std::string& sentence : session_.TakeSentences()) Say(sentence);
+    if (loop.silent() && !silent_) Say(say::LoopSilent());
+    silent_ = loop.silent();
+    const std::string why = loop.WhyLost();
+    if (why != why_lost_ && !why.empty()) Say(say::StillLost(why));
+    why_lost_ = why;
+  }
+
+  std::string WhereNow() { return session_.Where(newest_.tip_P, newest_.depth > 0); }
+
+  void Turn(bool forward) {
+    const std::size_t pages = session_.text().set.pages.size();
+    Say(session_.Turn(forward) ? say::NowPage(session_.page(), pages)
+                               : say::NoOtherPage(forward, pages));
+  }
+
+  void Resize(bool bigger) {
+    if (!options_.sizes) return Say(say::SizeStays());
+    try {
+      session_.Resize(bigger, newest_.tip_P);
+      const Typeset& set = session_.text().set;
+      Say(say::NowSize(set.style.size, session_.page(), set.pages.size()));
+    } catch (const InputError& error) {
+      Say(say::CannotResize(error.what()));
+    }
+  }
+
+  void Obey(const std::string& line) {
+    switch (ReadLoopWord(line)) {
+      case LoopWord::kStop:
+        return session_.loop().Stop();
+      case LoopWord::kGo:
+        return session_.loop().GoOn();
+      case LoopWord::kBigger:
+        return Resize(true);
+      case LoopWord::kSmaller:
+        return Resize(false);
+      case LoopWord::kNext:
+        return Turn(true);
+      case LoopWord::kBack:
+        return Turn(false);
+      case LoopWord::kWhere:
+        return Say(WhereNow());
+      case LoopWord::kQuit:
+        quit_ = true;
+        return;
+      case LoopWord::kHelp:
+        return Say(say::LoopHelp());
+      case LoopWord::kNothing:
+        return;
+      case LoopWord::kUnknown:
+        return Say(say::UnknownWord(line));
+      case LoopWord::kAmbiguous:
+        return Say(say::AmbiguousWord(line, LoopWordsFrom(line)));
+    }
+  }
+
+  LoopSession& session_;
+  const DriveOptions& options_;
+  Console& console_;
+  LineReader lines_;
+  LoopSnapshot newest_;
+  bool silent_ = false;
+  bool quit_ = false;
+  std::string why_lost_;
+};
+
+}  // namespace
+
+void Drive(LoopSession& session, const DriveOptions& options, Console& console) {
+  Driver(session, options, console).Run();
+}
+
+void SayBeginning(const LoopSession& session, Console& console) {
+  const SessionRequest& request = session.request();
+  const bool simulated = IsSimulated(request.device);
+  console.Result(say::LoopBegins(simulated ? "simulated stylus" : request.device, request.rate));
+  const Typeset& set = session.text().set;
+  if (!simulated) console.Result(say::SetFor(set.page, set.pages.size()));
+  if (request.scale && *request.scale != 1) console.Result(say::Scaled(*request.scale));
+  const double usual = request.text.feel.scene.coupling_stiffness;
+  if (session.coupling_stiffness() < usual) {
+    console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
+  }
+  console.Remark(say::HowToSpeak());
+  console.out().flush();
+}
+
+}  // namespace moontrace

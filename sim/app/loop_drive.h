@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "sim/app/console.h"
+#include "sim/app/line_reader.h"
+#include "sim/app/loop_session.h"
+
+namespace moontrace {
+
+/// How a running session is led.
+struct DriveOptions {
+  std::optional<double> seconds;                  ///< ends by itself; none: by "quit"
+  bool sizes = true;                              ///< "bigger" and "smaller" do something
+  std::function<void(const LoopSample&)> sample;  ///< is given every tick, off the tick
+};
+
+/// Leads a running session from the text face until it ends: reads words, tells events, hands the
+/// samples on. The loop has ended behind it, at zero force. Throws Interrupted.
+void Drive(LoopSession& session, const DriveOptions& options, Console& console);
+
+/// What is said before a session: device, rate, priority, pages, scale.
+void SayBeginning(const LoopSession& session, Console& console);
+
+}  // namespace moontrace

@@ -1,0 +1,237 @@
+#include "sim/app/loop_messages.h"
+
+#include <fmt/format.h>
+
+#include "sim/app/loop_words.h"
+#include "sim/app/words.h"
+#include "textures/text_file.h"
+
+namespace moontrace::say {
+
+namespace {
+
+std::string Micro(double microseconds) {
+  return fmt::format("{} microseconds", Short(microseconds, microseconds < 10 ? 1 : 0));
+}
+
+std::string Joined(const std::vector<std::string>& words, std::string_view last) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) list += i + 1 == words.size() ? std::string(last) : ", ";
+    list += words[i];
+  }
+  return list;
+}
+
+std::string SafetySentence(SafetyEvent event) {
+  switch (event) {
+    case SafetyEvent::kNotANumber:
+      return "No force: a value was no number.";
+    case SafetyEvent::kJump:
+      return "No force: the tip jumped.";
+    case SafetyEvent::kForceCap:
+      return "Force held at the device's greatest.";
+    case SafetyEvent::kRateCap:
+      return "A sudden rise of force was slowed.";
+    case SafetyEvent::kPowerCap:
+      return "Force lowered: the tip was pushed fast.";
+    case SafetyEvent::kResting:
+      return "Resting the motors: less force for a while.";
+    case SafetyEvent::kSilence:
+      return "No force: the device is silent.";
+    case SafetyEvent::kDeviceLost:
+      return "Device lost: no force. It is looked for twice a second.";
+    case SafetyEvent::kNotReady:
+      return "No force: the device says that its motors are off.";
+    case SafetyEvent::kPhysicsFault:
+      return "No force: MuJoCo reported a fault.";
+    case SafetyEvent::kStopped:
+      return "Stopped: no force. Say go to go on.";
+    case SafetyEvent::kLateLoop:
+      return "No force for a moment: the loop was late.";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string LoopBegins(std::string_view device, double rate) {
+  return fmt::format("Running: {}, {:.0f} ticks a second.", OneLine(device), rate);
+}
+
+std::string NotRealtime(std::string_view why) {
+  return fmt::format("The loop may be late: {}.", why);
+}
+
+std::string Scaled(double scale) {
+  return fmt::format(
+      "Scaled: {} mm on the page for each mm of the device; letters are not in true size, and "
+      "this never counts for mastery.",
+      Short(scale, 3));
+}
+
+std::string SetFor(const PageSpec& page, std::size_t pages) {
+  return fmt::format("Set for this device's reach, {} by {} mm: {}.",
+                     Short(kMillimetres * page.width, 0), Short(kMillimetres * page.height, 0),
+                     Counted(pages, "page", "pages"));
+}
+
+std::string SofterThanUsual(double stiffness) {
+  return fmt::format("Softer than usual: this device holds {} N/m.", Short(stiffness, 0));
+}
+
+std::string HowToSpeak() { return "Type a word and Enter; ? tells the words."; }
+
+std::string LoopHelp() {
+  std::vector<std::string> words;
+  for (const std::string& word : LoopWords()) {
+    words.push_back(fmt::format("{} {}", words.size() + 1, word));
+  }
+  return fmt::format("Words, or their beginning or number: {}.", Joined(words, ", "));
+}
+
+std::string UnknownWord(std::string_view given) {
+  return fmt::format("Unknown: {}. Type ? for the words.", OneLine(given));
+}
+
+std::string AmbiguousWord(std::string_view given, const std::vector<std::string>& words) {
+  return fmt::format("{} could be {}.", OneLine(given), Joined(words, " or "));
+}
+
+std::string Event(const LoopEvent& event) {
+  switch (event.kind) {
+    case LoopEventKind::kSafety:
+      return SafetySentence(event.safety);
+    case LoopEventKind::kDeviceBack:
+      return "Device back: force comes slowly.";
+    case LoopEventKind::kWentOn:
+      return "Going on: force comes slowly.";
+    case LoopEventKind::kBookmark:
+      return "Bookmark set.";
+    case LoopEventKind::kPageBack:
+      return "The page lies in the middle of the reach again.";
+    case LoopEventKind::kSay:
+    case LoopEventKind::kPageChanged:
+      break;  // told with what they concern
+  }
+  return {};
+}
+
+std::string_view EventName(SafetyEvent event) {
+  switch (event) {
+    case SafetyEvent::kNotANumber:
+      return "not_a_number";
+    case SafetyEvent::kJump:
+      return "jump";
+    case SafetyEvent::kForceCap:
+      return "force_cap";
+    case SafetyEvent::kRateCap:
+      return "rate_cap";
+    case SafetyEvent::kPowerCap:
+      return "power_cap";
+    case SafetyEvent::kResting:
+      return "resting";
+    case SafetyEvent::kSilence:
+      return "silence";
+    case SafetyEvent::kDeviceLost:
+      return "device_lost";
+    case SafetyEvent::kNotReady:
+      return "not_ready";
+    case SafetyEvent::kPhysicsFault:
+      return "physics_fault";
+    case SafetyEvent::kStopped:
+      return "stopped";
+    case SafetyEvent::kLateLoop:
+      return "late_loop";
+  }
+  return "";
+}
+
+std::string LoopSilent() {
+  return "The loop stands still: it should tick a thousand times a second.";
+}
+
+std::string StillLost(std::string_view why) {
+  return fmt::format("Still lost: {}", OneLine(why, 300));
+}
+
+std::string NowPage(std::size_t page, std::size_t pages) {
+  return fmt::format("Page {} of {}, in the middle of the reach.", page + 1, pages);
+}
+
+std::string NoOtherPage(bool forward, std::size_t pages) {
+  if (pages == 1) return "There is one page only.";
+  return forward ? "This is the last page." : "This is the first page.";
+}
+
+std::string NowSize(double size, std::size_t page, std::size_t pages) {
+  return fmt::format("Letters of {} mm, page {} of {}; your letter stays under the tip.",
+                     Short(kMillimetres * size, 1), page + 1, pages);
+}
+
+std::string CannotResize(std::string_view why) {
+  return fmt::format("The size stays: {}.", OneLine(why, 200));
+}
+
+std::string SizeStays() { return "The size stays while a trace is scored."; }
+
+std::string Where(std::string_view letter, std::size_t line, std::size_t page, std::size_t pages,
+                  bool touching) {
+  const std::string at =
+      letter.empty() ? std::string("Between letters") : fmt::format("At {}", OneLine(letter));
+  return fmt::format("{}, line {}, page {} of {}, {}.", at, line + 1, page + 1, pages,
+                     touching ? "touching" : "in the air");
+}
+
+std::string LoopOutcome(const LoopReport& report, double seconds) {
+  return fmt::format("Ran {} s: {}, {} lost.", Short(seconds, 1),
+                     Counted(report.ticks, "tick", "ticks"), report.lost_ticks);
+}
+
+std::string Lateness(const LoopReport& report) {
+  return fmt::format("Late by at most {} in 999 of 1000 ticks, {} at worst.",
+                     Micro(report.lateness.Percentile(0.999)), Micro(report.lateness.max()));
+}
+
+std::string Cost(const LoopReport& report) {
+  return fmt::format("A tick takes at most {} in 999 of 1000, {} at worst.",
+                     Micro(report.cost.Percentile(0.999)), Micro(report.cost.max()));
+}
+
+std::string Realtime(std::string_view not_realtime) {
+  if (not_realtime.empty()) return "With real-time priority.";
+  return fmt::format("Without real-time priority: {}.", not_realtime);
+}
+
+std::string SafetyActed(const LoopReport& report) {
+  std::vector<std::string> acted;
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    if (report.safety_counts[i] == 0) continue;
+    std::string name(EventName(static_cast<SafetyEvent>(i)));
+    for (char& c : name) c = c == '_' ? ' ' : c;
+    acted.push_back(fmt::format("{} {}", name, Times(report.safety_counts[i])));
+  }
+  if (acted.empty()) return "Safety had nothing to do.";
+  return fmt::format("Safety acted: {}.", Joined(acted, ", "));
+}
+
+std::string Touched(double share, double mean_force, double peak_force) {
+  return fmt::format("Touching {} of the time; force mean {} N, peak {} N.", Percent(share),
+                     Short(mean_force, 2), Short(peak_force, 2));
+}
+
+std::string NotWithDevice(std::string_view option) {
+  return fmt::format("{} is for the simulated stylus: leave it out, or leave out --device", option);
+}
+
+std::string OnlyWithDevice(std::string_view option) {
+  return fmt::format("{} is for devices: name one with --device", option);
+}
+
+std::string DeviceTime(double seconds) {
+  return fmt::format("Time: {} s, in real time.", Short(seconds, 1));
+}
+
+std::string NothingTraced() { return "the device was never there: nothing was traced"; }
+
+}  // namespace moontrace::say

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/loop/loop.h"
+#include "textures/typeset.h"
+
+/// Sentences of `moontrace loop` and of `trace --device`; see messages.h.
+namespace moontrace::say {
+
+namespace help {
+inline constexpr const char* kLoop = "lets a text be felt in real time, with any device";
+inline constexpr const char* kDevice =
+    "what moves the tip: simulated, a name from moontrace devices, or plugin:PATH. Default "
+    "simulated.";
+inline constexpr const char* kSeconds = "ends after so many seconds. Default: when you say quit.";
+inline constexpr const char* kRate = "ticks a second, 250 to 10000. Default 1000.";
+inline constexpr const char* kScale =
+    "way on the page per way of the device, 0.1 to 10. Default 1: letters in true size. Scaled "
+    "work never counts for mastery.";
+inline constexpr const char* kLoopPress =
+    "press on the page in N, for devices without a third axis and the simulated hand. Default 1.";
+inline constexpr const char* kHoldToFeel = "force only while the first button is held.";
+}  // namespace help
+
+std::string LoopBegins(std::string_view device, double rate);
+std::string NotRealtime(std::string_view why);
+std::string Scaled(double scale);
+std::string SetFor(const PageSpec& page, std::size_t pages);
+std::string SofterThanUsual(double stiffness);
+std::string HowToSpeak();
+std::string LoopHelp();
+std::string UnknownWord(std::string_view given);
+std::string AmbiguousWord(std::string_view given, const std::vector<std::string>& words);
+
+std::string Event(const LoopEvent& event);
+/// "not_a_number", "jump", ...: the key in JSON.
+std::string_view EventName(SafetyEvent event);
+std::string LoopSilent();
+std::string StillLost(std::string_view why);
+
+std::string NowPage(std::size_t page, std::size_t pages);
+std::string NoOtherPage(bool forward, std::size_t pages);
+std::string NowSize(double size, std::size_t page, std::size_t pages);
+std::string CannotResize(std::string_view why);
+std::string SizeStays();
+/// `letter` empty: none is near.
+std::string Where(std::string_view letter, std::size_t line, std::size_t page, std::size_t pages,
+                  bool touching);
+
+std::string LoopOutcome(const LoopReport& report, double seconds);
+std::string Lateness(const LoopReport& report);
+std::string Cost(const LoopReport& report);
+std::string Realtime(std::string_view not_realtime);
+std::string SafetyActed(const LoopReport& report);
+std::string Touched(double share, double mean_force, double peak_force);
+
+std::string NotWithDevice(std::string_view option);
+std::string OnlyWithDevice(std::string_view option);
+std::string DeviceTime(double seconds);
+std::string NothingTraced();
+
+}  // namespace moontrace::say

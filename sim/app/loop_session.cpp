@@ -1,0 +1,209 @@
+#include "sim/app/loop_session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+#include "devices/simulated_stylus.h"
+#include "lessons/intended_strokes.h"
+#include "sim/app/device_choice.h"
+#include "sim/app/loop_messages.h"
+#include "sim/app/trial.h"
+#include "sim/loop/device_feel.h"
+#include "sim/plan/plan.h"
+#include "sim/scene/bound.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kPress = 1;  ///< [N]
+
+/// Distance of a point to a letter's em box; 0 inside.
+double DistanceTo(const PlacedGlyph& glyph, const TextSetup& text, glm::dvec2 p_P) {
+  const double size = text.set.style.size;
+  const glm::dvec2 extent(size * text.script.glyphs[glyph.glyph].advance, size);
+  const glm::dvec2 low = glyph.origin_P, high = glyph.origin_P + extent;
+  return glm::length(p_P - glm::clamp(p_P, low, high));
+}
+
+const PlacedGlyph* NearestGlyph(const TextSetup& text, std::size_t page, glm::dvec2 p_P) {
+  const PlacedGlyph* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlacedGlyph& glyph : text.set.pages[page].glyphs) {
+    const double distance = DistanceTo(glyph, text, p_P);
+    if (distance < least) {
+      least = distance;
+      nearest = &glyph;
+    }
+  }
+  return nearest;
+}
+
+/// Where a character of the text stands now: its page, and the letter.
+struct Found {
+  std::size_t page = 0;
+  const PlacedGlyph* glyph = nullptr;
+};
+Found Find(const TextSetup& text, std::size_t source) {
+  Found found;
+  for (std::size_t page = 0; page < text.set.pages.size(); ++page) {
+    for (const PlacedGlyph& glyph : text.set.pages[page].glyphs) {
+      if (glyph.source_begin > source && found.glyph != nullptr) return found;
+      found = {page, &glyph};
+    }
+  }
+  return found;
+}
+
+/// How much page a device can reach, its edges finite [m].
+glm::dvec2 RoomOf(const DeviceLimits& limits, double scale) {
+  return 2 * scale * glm::dvec2(limits.workspace_D);
+}
+
+}  // namespace
+
+LoopSession::LoopSession(SessionRequest request, Console& console)
+    : request_(std::move(request)),
+      console_(console),
+      simulated_(IsSimulated(request_.device)),
+      scene_options_(request_.text.feel.scene) {
+  const double tick = 1 / request_.rate;
+  request_.text.feel.scene.tick = scene_options_.tick = tick;
+  const double press = request_.press.value_or(kPress);
+  std::unique_ptr<Device> device;
+  if (simulated_ && request_.scale) throw UsageError(say::OnlyWithDevice("--scale"));
+  if (!simulated_) {
+    const auto tell = [&console](std::string_view sentence) {
+      console.Result(sentence);
+      console.out().flush();
+    };
+    device = OpenNamed(request_.device, tick, press, tell, console.stop());
+    limits_ = device->Limits();
+    request_.text.room = RoomOf(limits_, request_.scale.value_or(1));
+  }
+  text_ = SetUpText(request_.text, console);
+  const std::string& model = request_.text.feel.model;
+  scene_options_ = HeldBy(limits_, scene_options_, Scene::Load(model, scene_options_).proxy_mass());
+  Scene scene = Scene::Load(model, scene_options_);
+  std::unique_ptr<TextureField> field = FieldOf(0);
+  scene.SetField(field.get());
+  X_WP_ = scene.X_WP();
+  force_bound_ = ForceBound(scene_options_, scene.proxy_mass(), 0, scene.substeps());
+  for (const std::string& remark : scene.remarks()) console.Remark(remark);
+  if (simulated_) device = StylusFor(0);
+
+  LoopOptions options;
+  options.rate = request_.rate;
+  options.press = press;
+  options.hold_to_feel = request_.hold_to_feel;
+  DeviceSource source = [this, tick, press](const std::atomic<bool>& ending) {
+    const auto tell = [this](std::string_view sentence) {
+      const std::lock_guard lock(sentences_mutex_);
+      sentences_.emplace_back(sentence);
+    };
+    return OpenNamed(request_.device, tick, press, tell, &ending);
+  };
+  loop_ = std::make_unique<Loop>(std::move(scene), std::move(field), std::move(device),
+                                 std::move(source), PlaceOfDevice(), options);
+}
+
+std::unique_ptr<TextureField> LoopSession::FieldOf(std::size_t page) const {
+  return std::make_unique<TextureField>(
+      PageField(text_.set.pages[page], text_.script, text_.set.style, request_.blank));
+}
+
+/// The simulated hand, on its way through a page again and again.
+std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) const {
+  const HandModel hand = ShippedHand();
+  const TypeStyle& style = text_.set.style;
+  PlanOptions options;
+  options.press =
+      request_.press.value_or(style.relief == Relief::kEmbossed ? hand.light_press : hand.press);
+  options.repeats = true;
+  const Plan plan =
+      MakeOraclePlan(IntendedStrokes(text_.set.pages[page], text_.script, style), options, X_WP_);
+  return MakeSimulatedStylus(hand, plan.path_W, scene_options_.tick, request_.seed);
+}
+
+/// The page lies in the middle of what the device reaches; for one that reaches everywhere, its
+/// origin is where the text begins. A device without a third axis lies in the page's plane.
+DevicePlace LoopSession::PlaceOfDevice() const {
+  DevicePlace place;
+  if (simulated_) return place;
+  place.scale = request_.scale.value_or(1);
+  if (!limits_.measures.z) place.R_WD = X_WP_.R;
+  const PageSpec& sheet = text_.set.page;
+  const std::vector<PlacedGlyph>& glyphs = text_.set.pages[0].glyphs;
+  const glm::dvec2 begin = glyphs.empty() ? glm::dvec2(0, 0) : glyphs.front().origin_P;
+  const bool bounded = std::isfinite(limits_.workspace_D.x) && std::isfinite(limits_.workspace_D.y);
+  const glm::dvec2 middle = bounded ? 0.5 * glm::dvec2(sheet.width, sheet.height) : begin;
+  place.origin_W = ToWorld(X_WP_, glm::dvec3(middle, 0));
+  return place;
+}
+
+void LoopSession::Show(std::size_t page, const std::optional<PageAnchor>& anchor) {
+  PageChange change;
+  change.field = FieldOf(page);
+  change.page = static_cast<std::uint32_t>(page);
+  if (simulated_) {
+    change.device = StylusFor(page);
+  } else {
+    change.anchor = anchor;
+  }
+  loop_->ChangePage(std::move(change));
+  page_ = page;
+}
+
+bool LoopSession::Turn(bool forward) {
+  if (forward ? page_ + 1 >= text_.set.pages.size() : page_ == 0) return false;
+  Show(forward ? page_ + 1 : page_ - 1, std::nullopt);
+  return true;
+}
+
+void LoopSession::Resize(bool bigger, glm::dvec2 tip_P) {
+  constexpr double kStep = 1.25;
+  constexpr double kSmallest = 0.001, kGreatest = 1;  // [m], as --size-mm
+  const double before = text_.set.style.size;
+  TextRequest request = request_.text;
+  request.text.file.clear();
+  request.text.text = text_.text;  // standard input has been read
+  if (text_.text == "-") request.text.text = "- ";
+  request.style.size = std::clamp(bigger ? before * kStep : before / kStep, kSmallest, kGreatest);
+  TextSetup next = SetUpText(request, console_);
+
+  const PlacedGlyph* letter = NearestGlyph(text_, page_, tip_P);
+  const Found found = Find(next, letter != nullptr ? letter->source_begin : 0);
+  std::optional<PageAnchor> anchor;
+  if (letter != nullptr && found.glyph != nullptr) {
+    anchor = PageAnchor{letter->origin_P, found.glyph->origin_P, next.set.style.size / before};
+  }
+  std::swap(text_, next);
+  try {
+    Show(found.page, anchor);
+  } catch (const InputError&) {
+    std::swap(text_, next);
+    throw;
+  }
+  request_.text.style.size = text_.set.style.size;
+}
+
+std::vector<std::string> LoopSession::TakeSentences() {
+  const std::lock_guard lock(sentences_mutex_);
+  return std::exchange(sentences_, {});
+}
+
+std::string LoopSession::Where(glm::dvec3 tip_P, bool touching) const {
+  const PlacedGlyph* glyph = NearestGlyph(text_, page_, tip_P);
+  const std::size_t pages = text_.set.pages.size();
+  if (glyph == nullptr) return say::Where("", 0, page_, pages, touching);
+  const bool near = DistanceTo(*glyph, text_, tip_P) <= 0.25 * text_.set.style.size;
+  std::string name(SourceOf(text_, *glyph));
+  if (name.empty()) name = text_.script.glyphs[glyph->glyph].name;
+  return say::Where(near ? name : "", glyph->line, page_, pages, touching);
+}
+
+}  // namespace moontrace

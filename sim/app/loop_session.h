@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "devices/device.h"
+#include "sim/app/console.h"
+#include "sim/app/text_setup.h"
+#include "sim/loop/loop.h"
+#include "sim/scene/pose.h"
+
+namespace moontrace {
+
+/// A text to be felt in real time.
+struct SessionRequest {
+  TextRequest text;
+  std::string device;  ///< as IsSimulated and OpenNamed take it
+  double rate = 1000;  ///< [Hz]
+  std::optional<double> scale;
+  std::optional<double> press;  ///< [N]
+  bool hold_to_feel = false;
+  bool blank = false;
+  std::uint64_t seed = 1;  ///< of the simulated hand
+};
+
+/// A device, a text set for its reach, and the loop that lets it be felt, page by page.
+class LoopSession {
+ public:
+  /// Opens the device, sets the text, starts the loop. Throws DeviceError, InputError, UsageError.
+  LoopSession(SessionRequest request, Console& console);
+
+  Loop& loop() { return *loop_; }
+  const TextSetup& text() const { return text_; }
+  const SessionRequest& request() const { return request_; }
+  const DeviceLimits& limits() const { return limits_; }
+  double force_bound() const { return force_bound_; }  ///< see ForceBound [N]
+  double coupling_stiffness() const { return scene_options_.coupling_stiffness; }
+  std::size_t page() const { return page_; }  ///< that is felt, from 0
+
+  /// The next or the last page, in the middle of the reach. False if there is none.
+  bool Turn(bool forward);
+  /// The letters a quarter larger or a fifth smaller, set anew; the place of the letter that is
+  /// nearest to `tip_P` stays under the tip. Throws InputError, and leaves all as it was: no room
+  /// for such letters.
+  void Resize(bool bigger, glm::dvec2 tip_P);
+  /// What opening a lost device again has to say, since the last call.
+  std::vector<std::string> TakeSentences();
+  /// Where a point of the page lies, in words.
+  std::string Where(glm::dvec3 tip_P, bool touching) const;
+
+ private:
+  std::unique_ptr<TextureField> FieldOf(std::size_t page) const;
+  std::unique_ptr<Device> StylusFor(std::size_t page) const;
+  DevicePlace PlaceOfDevice() const;
+  void Show(std::size_t page, const std::optional<PageAnchor>& anchor);
+
+  SessionRequest request_;
+  Console& console_;
+  bool simulated_ = true;
+  DeviceLimits limits_;
+  TextSetup text_;
+  SceneOptions scene_options_;
+  Pose X_WP_;
+  double force_bound_ = 0;
+  std::size_t page_ = 0;
+  std::mutex sentences_mutex_;
+  std::vector<std::string> sentences_;
+  std::unique_ptr<Loop> loop_;  ///< last: its threads use the rest
+};
+
+}  // namespace moontrace

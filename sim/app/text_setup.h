@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+
+#include "sim/app/console.h"
+#include "sim/app/options.h"
+#include "textures/script.h"
+#include "textures/typeset.h"
+
+namespace moontrace {
+
+/// A text set on pages, ready to be felt.
+struct TextSetup {
+  std::string text;
+  std::string script_name;  ///< as FindScript takes it
+  Script script;
+  Typeset set;
+};
+
+/// What a text is made of.
+struct TextRequest {
+  TextOptions text;
+  StyleOptions style;
+  LayoutOptions layout;
+  FeelOptions feel;
+  std::string command;            ///< in messages
+  std::string default_text = {};  ///< where neither command line nor model bring one; empty: error
+  glm::dvec2 room{INFINITY};      ///< that a device can reach: pages are no larger [m]
+};
+
+/// Text, script and pages; what the command line leaves open comes from the model's first label.
+/// Throws InputError (as SetText; too long) and UsageError (no text).
+TextSetup SetUpText(const TextRequest& request, Console& console);
+
+/// The text that one page carries, on one line.
+std::string TextOf(const TextSetup& setup, std::size_t page);
+/// The characters that a sign stands for; the numeral sign stands for none.
+std::string_view SourceOf(const TextSetup& setup, const PlacedGlyph& glyph);
+
+}  // namespace moontrace

@@ -1,0 +1,79 @@
+#include "sim/app/trace_report.h"
+
+#include <string_view>
+
+#include "sim/app/messages.h"
+#include "sim/app/typeset_report.h"
+
+namespace moontrace {
+
+Json TraceJson(const Trace& trace, const SceneOptions& scene, const TrialResult& all) {
+  const TextSetup& text = trace.text;
+  Json json = TypesetJson(text.set, text.script);
+  json["text"] = text.text;
+  json["rendering"] = scene.rendering == Rendering::kProxy ? "proxy" : "direct";
+  json["law"] = scene.surface.law == ForceLaw::kPotential ? "potential" : "paper";
+  json["blank"] = trace.blank;
+  json["pages"] = trace.pages.size();
+  json["pictures"] = trace.pictures;
+  json["records"] = trace.records;
+  json["letters"] = Json::array();
+  for (std::size_t p = 0; p < trace.pages.size(); ++p) {
+    const std::vector<PlacedGlyph>& glyphs = trace.text.set.pages[p].glyphs;
+    for (std::size_t i = 0; i < glyphs.size(); ++i) {
+      Json letter = {{"glyph", trace.text.script.glyphs[glyphs[i].glyph].name},
+                     {"text", SourceOf(trace.text, glyphs[i])},
+                     {"page", p}};
+      letter.update(MetricsJson(trace.pages[p].score.letters[i]));
+      json["letters"].push_back(std::move(letter));
+    }
+  }
+  json["total"] = TotalJson(all, true);
+  return json;
+}
+
+namespace {
+
+/// The letter that was covered least, if any was missed in part.
+void SayWeakest(const Trace& trace, Console& console) {
+  double least = 1;
+  std::size_t number = 0, weakest = 0;
+  std::string_view text;
+  for (std::size_t p = 0; p < trace.pages.size(); ++p) {
+    const std::vector<PlacedGlyph>& glyphs = trace.text.set.pages[p].glyphs;
+    for (std::size_t i = 0; i < glyphs.size(); ++i) {
+      ++number;
+      const double coverage = trace.pages[p].score.letters[i].coverage;
+      if (coverage >= least) continue;
+      least = coverage;
+      weakest = number;
+      // The numeral sign stands for no character of the text: its name tells it.
+      text = SourceOf(trace.text, glyphs[i]);
+      if (text.empty()) text = trace.text.script.glyphs[glyphs[i].glyph].name;
+    }
+  }
+  if (weakest > 0) console.Result(say::WeakestLetter(text, weakest, least));
+}
+
+}  // namespace
+
+void SayTrace(const Trace& trace, const TrialResult& all, const std::string& time,
+              Console& console) {
+  const TraceMetrics& total = all.score.total;
+  const TypeStyle& style = trace.text.set.style;
+  console.Result(say::TraceOutcome(all, CountSigns(trace.text.set), trace.blank));
+  console.Result(say::MeanError(total, style));
+  console.Result(say::WorstError(total));
+  console.Result(say::LeftGroove(total, style));
+  SayWeakest(trace, console);
+  console.Result(say::Force(total));
+  console.Result(say::ForceBound(all));
+  console.Result(say::Energy(all));
+  console.Result(time);
+  if (!trace.pictures.empty()) console.Result(say::PictureIn());
+  for (const std::string& path : trace.pictures) console.Path(path);
+  if (!trace.records.empty()) console.Result(say::RecordIn());
+  for (const std::string& path : trace.records) console.Path(path);
+}
+
+}  // namespace moontrace

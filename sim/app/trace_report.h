@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/app/console.h"
+#include "sim/app/metrics_json.h"
+#include "sim/app/text_setup.h"
+#include "sim/app/trial.h"
+
+namespace moontrace {
+
+/// A text that was traced, page by page, before it is told.
+struct Trace {
+  TextSetup text;
+  std::vector<TrialResult> pages;
+  std::vector<std::string> pictures, records;
+  bool blank = false;
+};
+
+/// What `trace --json` gives, but for what only one kind of trace has.
+Json TraceJson(const Trace& trace, const SceneOptions& scene, const TrialResult& all);
+
+/// The same in words. `time` is the sentence about the time that it took.
+void SayTrace(const Trace& trace, const TrialResult& all, const std::string& time,
+              Console& console);
+
+}  // namespace moontrace

@@ -1,0 +1,142 @@
+#include "sim/app/loop_command.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/devices/fake_hid.h"
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+class LoopCommand : public CliTest {};
+
+bool Holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(LoopCommand, TellsItsFigures) {
+  const Outcome outcome = RunLine({"loop", "LO", "--seconds", "1", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = outcome.Json();
+  EXPECT_GT(json["ticks"], 100);
+  EXPECT_GE(json["lost_ticks"], 0);
+  for (const char* what : {"lateness_us", "cost_us"}) {
+    EXPECT_LE(json[what]["p50"], json[what]["p99"]);
+    EXPECT_LE(json[what]["p99"], json[what]["p999"]);
+    EXPECT_LE(json[what]["p999"], json[what]["max"]);
+  }
+  EXPECT_TRUE(json["realtime"] == true || json["realtime"].is_string());
+  EXPECT_EQ(json["device"]["name"], "simulated");
+  EXPECT_GT(json["touching"], 0.0);
+  EXPECT_EQ(json["safety"].size(), 12U);
+  EXPECT_EQ(json["safety"]["jump"], 0);
+  EXPECT_EQ(json["samples_dropped"], 0);
+}
+
+TEST_F(LoopCommand, SaysThemInPlainLines) {
+  const Outcome outcome = RunLine({"loop", "--seconds", "0.3"});
+  EXPECT_EQ(outcome.code, 0);
+  ExpectTextFace(outcome.out);
+  ExpectTextFace(outcome.err);
+  EXPECT_TRUE(Holds(outcome.out, "Running: simulated stylus, 1000 ticks a second."));
+  EXPECT_TRUE(Holds(outcome.out, "Ran "));
+  EXPECT_TRUE(Holds(outcome.out, "Late by at most"));
+}
+
+TEST_F(LoopCommand, ObeysWordsUntilQuit) {
+  const Outcome outcome = RunLine({"loop", "MOON", "--page", "60x40", "--size-mm", "20"},
+                                  "?\nwhere\nnext\nback\nback\nbigger\nsmaller\ns\nfly\nquit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  ExpectTextFace(outcome.out);
+  EXPECT_TRUE(Holds(outcome.out, "1 stop, 2 go, 3 bigger"));
+  EXPECT_TRUE(Holds(outcome.out, "Page 2 of")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "This is the first page."));
+  EXPECT_TRUE(Holds(outcome.out, "s could be stop or smaller."));
+  EXPECT_TRUE(Holds(outcome.out, "Unknown: fly."));
+  // 40 mm less two margins of 10 hold letters of 20 mm and none that are a quarter larger
+  EXPECT_TRUE(Holds(outcome.out, "The size stays:")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Letters of 16 mm")) << outcome.out;
+}
+
+TEST_F(LoopCommand, StopsWhenAskedAndTellsIt) {
+  const Outcome outcome = RunLine({"loop", "--seconds", "0.5"}, "stop\n");
+  EXPECT_TRUE(Holds(outcome.out, "Stopped: no force. Say go to go on.")) << outcome.out;
+}
+
+TEST_F(LoopCommand, EndsInOrderWhenInterrupted) {
+  const std::atomic<bool> stop{true};
+  const Outcome outcome = RunLine({"loop"}, "", &stop);
+  EXPECT_EQ(outcome.code, 130);
+}
+
+TEST_F(LoopCommand, RefusesWhatItCannotDo) {
+  EXPECT_EQ(RunLine({"loop", "--rate-hz", "100"}).code, 3);
+  EXPECT_EQ(RunLine({"loop", "--scale", "2"}).code, 2);
+  const Outcome none = RunLine({"loop", "--device", "no-such-device"});
+  EXPECT_EQ(none.code, 4);
+  EXPECT_EQ(Lines(none.err).size(), 1U) << none.err;
+}
+
+TEST_F(LoopCommand, TraceRefusesOptionsOfTheOtherKind) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--seed", "2"}, {"--speed-mm-s", "20"}, {"--record", In("r")}}) {
+    const Outcome outcome = RunLine(With({"trace", "LO", "--device", "x"}, options));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_TRUE(Holds(outcome.err, options[0] + " is for the simulated stylus")) << outcome.err;
+  }
+  EXPECT_EQ(RunLine({"trace", "LO", "--seconds", "2"}).code, 2);
+}
+
+std::string NameOfFake() {
+  const Outcome outcome = RunLine({"devices", "--json"});
+  return outcome.Json()["devices"][0]["name"];
+}
+
+/// What the device was last commanded.
+std::vector<double> LastForce(const FakeHid& fake) {
+  const std::vector<FakeHid::Line> forces = fake.Log("force");
+  return forces.empty() ? std::vector<double>{} : forces.back().force;
+}
+
+TEST_F(LoopCommand, LetsEmulatedDevicesFeelThePage) {
+  for (const char* kind : {"moontrace-raw", "pid", "spacemouse"}) {
+    const FakeHid fake(kind);
+    const std::string name = NameOfFake();
+    const Outcome outcome =
+        RunLine({"loop", "MOON", "--device", name, "--seconds", "1.5", "--json", "--size-mm", "6"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json json = outcome.Json();
+    EXPECT_EQ(json["device"]["name"], name);
+    EXPECT_EQ(json["safety"]["device_lost"], 0) << kind;
+    EXPECT_EQ(json["size_mm"], 6);  // true size, whatever the device reaches
+    const nlohmann::json& reach = json["device"]["workspace_mm"][0];
+    if (reach.is_number()) {
+      EXPECT_LE(json["paper"]["width_mm"], reach);
+    }
+    for (const double force : LastForce(fake)) EXPECT_EQ(force, 0) << kind;
+  }
+}
+
+TEST_F(LoopCommand, GoesOnAfterReplugging) {
+  const FakeHid fake("moontrace-raw", "replug@500");
+  const Outcome outcome =
+      RunLine({"loop", "MOON", "--device", NameOfFake(), "--seconds", "4", "--size-mm", "6"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(Holds(outcome.out, "Device lost: no force.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Device back: force comes slowly.")) << outcome.out;
+}
+
+TEST_F(LoopCommand, ATraceWithADeviceIsScored) {
+  const FakeHid fake("moontrace-raw");
+  const Outcome outcome = RunLine(
+      {"trace", "MOON", "--device", NameOfFake(), "--seconds", "1", "--json", "--scale", "2"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = outcome.Json();
+  EXPECT_EQ(json["scale"], 2);
+  EXPECT_EQ(json["letters"].size(), 4U);
+  EXPECT_GE(json["total"]["coverage"], 0.0);
+  EXPECT_GT(json["total"]["duration_s"], 0.0);
+}
+
+}  // namespace
+}  // namespace moontrace
