@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 int Follow(Device& device) {
   constexpr double kStiffness = 200, kMost = 3;  // [N/m], [N]
-  constexpr double kHeld = 7.5e-3;               // [m], between 5 mm held and 10 mm free
+  constexpr double kHeld = 8.5e-3;               // [m], between 7.5 mm held and 10 mm free
   const auto began = Clock::now();
   auto next = began;
   double aside = 0, along = 0;

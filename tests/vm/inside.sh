@@ -17,6 +17,7 @@ wait_for() { # wait_for WHAT COMMAND...: at most 20 s
 
 # plug KIND: its process is $device, its log /tmp/KIND.log
 plug() {
+  rm -f /tmp/*.log
   /uhid_device "$1" >"/tmp/$1.log" 2>&1 &
   device=$!
   wait_for "/dev/hidraw0" test -e /dev/hidraw0
@@ -42,6 +43,12 @@ follow() {
 
 export MOONTRACE_DATA=/data
 follow pid openffboard
+grep -q 'set 11 01' /tmp/pid.log || fail "no effect was created"
 follow pid-array vpforce-rhino
 follow moontrace-raw moontrace-raw
-grep -q 'set 05 01' /tmp/pid-array.log || fail "no effect was created"
+
+echo "-- the list of devices"
+plug pid
+/moontrace devices >/tmp/devices.log 2>&1 || fail "moontrace devices"
+grep openffboard /tmp/devices.log || fail "moontrace devices does not list the stick"
+unplug

@@ -48,7 +48,8 @@ class Plug {
   /// One round of a millisecond. False: the kernel is done with us.
   bool Serve() {
     pollfd wait{file_, POLLIN, 0};
-    while (poll(&wait, 1, 1) > 0) {
+    // Only the first look waits: a host that writes all the time must not stop the hand.
+    for (int timeout = 1; poll(&wait, 1, timeout) > 0; timeout = 0) {
       uhid_event event{};
       if (read(file_, &event, sizeof event) < 0) return errno == EINTR;
       Answer(event);
