@@ -120,9 +120,9 @@ class ArmEmulator final : public Emulator {
     const auto share = [t](double from, double to) {
       return std::clamp((t - from) / (to - from), 0.0, 1.0);
     };
-    const glm::dvec3 little(0, 0, 0.03 * std::sin(kTurn / 2 * share(0, 0.15)));
-    const glm::dvec3 asked = rest_ + share(1.3, 1.5) * glm::dvec3(0.025, -0.025, 0.025);
-    return asked + little - share(1.5, kArmIsHomed) * asked;
+    const glm::dvec3 little(0, 0, 0.03 * std::sin(kTurn / 2 * share(0, 0.4)));
+    const glm::dvec3 asked = rest_ + share(1.6, 1.9) * glm::dvec3(0.025, -0.025, 0.025);
+    return asked + little - share(1.9, kArmIsHomed) * asked;
   }
 
   std::vector<std::uint8_t> Report() {

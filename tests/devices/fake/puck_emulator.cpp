@@ -29,10 +29,10 @@ class PuckEmulator final : public Emulator {
   void Advance(double time, const Send& send) override {
     if (time - sent_ < kPeriod) return;
     sent_ = time;
-    const double phase = std::fmod(time, 4.0);
+    const double phase = std::fmod(time, 8.0);
     const int right = phase < 1 ? kFull : 0;
-    const int near = phase >= 2 && phase < 3 ? kFull / 2 : 0;
-    const int button = phase >= 1 && phase < 2 ? 1 : 0;
+    const int near = phase >= 6 && phase < 7 ? kFull / 2 : 0;
+    const int button = phase >= 1 && phase < 6 ? 1 : 0;
     const bool rests = right == 0 && near == 0 && jump_ == 0;
     if (!rests || !rested_) {
       SendAxes(send, 1, {right + jump_, near, 0});
