@@ -69,4 +69,23 @@ code=$?
 expect 'a stop request ends a wait for a pipe' code_is 130
 expect 'a stop request gives one line' one_line
 
+# A stop request while a device is being pushed (an emulated joystick, tests/devices/fake).
+yes | MOONTRACE_FAKE_HID=pid MOONTRACE_FAKE_LOG=$work/forces \
+  "$program" devices test openffboard >/dev/null 2>"$work/said" &
+tester=$!
+pushes() { awk '$3 == "force" && ($4 != 0 || $5 != 0) {found = 1} END {exit !found}' "$work/forces"; }
+last_is_zero() {
+  awk '$3 == "force" {force = $4 " " $5} END {exit !(force == "" || force + 0 == 0)}' "$work/forces"
+}
+for _ in {1..300}; do
+  sleep 0.1
+  [ -e "$work/forces" ] && pushes && break
+done
+kill -TERM "$tester"
+wait "$tester"
+code=$?
+expect 'the joystick was pushed' pushes
+expect 'a stop request ends a push' code_is 130
+expect 'a stop request leaves no force' last_is_zero
+
 [ "$failures" = 0 ]

@@ -108,16 +108,16 @@ TEST(SlowDevicesCommand, TestInAPipeLooksAndPushesNothing) {
 }
 
 TEST(SlowDevicesCommand, TestPushesGentlyWhereSomebodyAnswers) {
-  const FakeHid fake("moontrace-raw");
-  std::string answers;
-  for (int n = 0; n < 9; ++n) answers += "yes\n";
-  const Outcome outcome = RunLine({"devices", "test", "moontrace-raw"}, answers);
+  const FakeHid fake("pid");
+  // Agreement, four directions, agreement to the dead-man, gone.
+  const Outcome outcome =
+      RunLine({"devices", "test", "openffboard"}, "yes\nyes\nyes\nyes\nyes\nyes\nyes\n");
   EXPECT_EQ(outcome.code, exit_code::kGood) << outcome.err;
   EXPECT_TRUE(Has(outcome.out, "Passed: 4 steps good, 0 left out.")) << outcome.out;
   bool pushed = false;
   for (const FakeHid::Line& line : fake.Log("force")) {
     for (const double force : line.force) {
-      EXPECT_LE(std::abs(force), 0.5 + 1e-3);  // a step of the wire's units is 1 mN
+      EXPECT_LE(std::abs(force), 0.5 + 1e-3);  // a step on the wire is 10 N / 32767
       pushed = pushed || std::abs(force) > 0.4;
     }
   }
