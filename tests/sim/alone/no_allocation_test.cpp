@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cerrno>
 
+#include "sim/loop/button.h"
+#include "sim/loop/safety.h"
 #include "tests/sim/scene_fixture.h"
 
 #if defined(__has_feature)
@@ -91,6 +93,26 @@ TEST(NoAllocation, InAnyTick) {
       EXPECT_EQ(AllocationsOf(scene), 0);
     }
   }
+}
+
+TEST(NoAllocation, InSafetyWhateverHappens) {
+  DeviceLimits limits;
+  limits.continuous_force = 1;
+  limits.heat_time = 1;
+  Safety safety(limits, 0.001);
+  ButtonState buttons;
+  const long before = allocations.load();
+  for (int i = 0; i < 5000; ++i) {
+    SafetyInput input;
+    input.time = 0.001 * i;
+    input.force = {i % 1000 == 999 ? NAN : 4.0, i % 7 - 3.0, 2.0};
+    input.device.p_D.x = i % 1500 == 1499 ? 0.02 : 0;
+    input.stop = AdvanceButtons(buttons, i / 900 % 2 == 1 ? 1U : 0U, input.time, false) ==
+                 ButtonAction::kStop;
+    input.go_on = i % 2000 == 0;
+    safety.Advance(input);
+  }
+  EXPECT_EQ(allocations.load() - before, 0);
 }
 
 TEST(NoAllocation, WhenMujocoResetsItself) {
