@@ -101,19 +101,20 @@ class Setup {
     const int first = out_.blocks[0] != 0 ? out_.blocks[0] : out_.blocks[1];
     const auto least = static_cast<int>(layout_.load.block.least);
     if (!layout_.create.report.IsThere() || least < 1 || first != least + 1) {
-      out_.autocentre = "it has no centring spring that can be switched off";
+      out_.autocentre = "The stick has no centring spring that can be switched off.";
       return;
     }
     Send(EncodeOperation(layout_, least, pid::kStop));
     if (!layout_.state.block.IsThere() || !layout_.state.playing.IsThere()) {
-      out_.autocentre = "its centring spring was switched off; it cannot be read back";
+      out_.autocentre = "The stick's centring spring was switched off; it cannot be read back.";
       return;
     }
     out_.state.block = 0;
     ReadStates(kStateWait, [&] { return out_.state.block == least && !out_.state.is_playing; });
     const bool is_off = out_.state.block == least && !out_.state.is_playing;
-    out_.autocentre = is_off ? "its centring spring is off, read back"
-                             : "its centring spring was switched off; it did not confirm it";
+    out_.autocentre = is_off
+                          ? "The stick's centring spring is off, read back."
+                          : "The stick's centring spring was switched off; it did not confirm it.";
   }
 
   HidHandle& handle_;

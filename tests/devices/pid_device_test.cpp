@@ -184,7 +184,7 @@ TEST(PidDevice, SwitchesTheCentringSpringOffAndReadsItBack) {
   FakeHid fake("pid-array");  // hands out blocks from 2 on: 1 is its own spring
   std::string autocentre;
   const auto device = Open(Profile(), &autocentre);
-  EXPECT_NE(autocentre.find("read back"), std::string::npos) << autocentre;
+  EXPECT_NE(autocentre.find("is off, read back"), std::string::npos) << autocentre;
   EXPECT_LT(IndexOf(fake.Log(), {110, 1, 3, 1}), fake.Log().size());
   // Without the spring and without commands nothing pulls, wherever the hand is.
   EXPECT_TRUE(TickUntil(*device, {0, 0, 0}, [](DeviceStatus status, const DeviceState& s) {

@@ -52,3 +52,27 @@ plug pid
 /moontrace devices >/tmp/devices.log 2>&1 || fail "moontrace devices"
 grep openffboard /tmp/devices.log || fail "moontrace devices does not list the stick"
 unplug
+
+echo "-- the loop: feel a page on the stick; unplug it, plug it in again"
+plug pid
+/moontrace loop "ab" --device openffboard --seconds 2 --json >/tmp/loop.json 2>/tmp/loop.log ||
+  fail "moontrace loop"
+grep -o '"ticks":[0-9]*,"lost_ticks":[0-9]*' /tmp/loop.json
+# The page was felt, on real reports, and the program left the motors at zero and off.
+grep -q '"device_lost":0' /tmp/loop.json || fail "the device was lost"
+grep -q '"touching":1.0' /tmp/loop.json || fail "the page was not touched"
+[ "$(grep -c force /tmp/pid.log)" -gt 100 ] || fail "no force reached the stick"
+grep force /tmp/pid.log | tail -n 1 | grep -q 'force 0.000000 0.000000' || fail "force was left on"
+grep 'out 0c' /tmp/pid.log | tail -n 1 | grep -q 'out 0c 02' || fail "the motors were left on"
+
+/moontrace loop "ab" --device openffboard --seconds 3 >/tmp/loop.log 2>&1 &
+loop=$!
+wait_for "the loop to run" grep -q Running /tmp/loop.log
+unplug
+wait_for "the loop to notice" grep -q "Device lost" /tmp/loop.log
+/uhid_device pid >/tmp/again.log 2>&1 &
+device=$!
+wait "$loop" || fail "moontrace loop, unplugged"
+grep "Device" /tmp/loop.log
+grep -q "Device back" /tmp/loop.log || fail "the device did not come back"
+unplug
