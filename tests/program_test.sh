@@ -88,4 +88,23 @@ expect 'the joystick was pushed' pushes
 expect 'a stop request ends a push' code_is 130
 expect 'a stop request leaves no force' last_is_zero
 
+# The same while the loop runs: the last force that the joystick is given is zero.
+MOONTRACE_FAKE_HID=pid MOONTRACE_FAKE_LOG=$work/loop_forces \
+  "$program" loop MOON --device openffboard --size-mm 6 >/dev/null 2>"$work/said" </dev/null &
+looper=$!
+mv "$work/forces" "$work/test_forces" 2>/dev/null
+for _ in {1..300}; do
+  sleep 0.1
+  [ -e "$work/loop_forces" ] || continue
+  cp "$work/loop_forces" "$work/forces"
+  pushes && break
+done
+kill -TERM "$looper"
+wait "$looper"
+code=$?
+cp "$work/loop_forces" "$work/forces"
+expect 'the loop pushed the joystick' pushes
+expect 'a stop request ends the loop' code_is 130
+expect 'a stopped loop leaves no force' last_is_zero
+
 [ "$failures" = 0 ]
