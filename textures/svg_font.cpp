@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <map>
@@ -155,6 +156,9 @@ class FontReader {
     for (Stroke& stroke : strokes) {
       for (Piece& piece : stroke.pieces) piece = Placed(piece, 1 / em_, glm::dvec2(0.0, 0.0));
     }
+    // Filled areas are not written, so a font may draw them first.
+    std::stable_partition(strokes.begin(), strokes.end(),
+                          [](const Stroke& stroke) { return stroke.kind != StrokeKind::kFill; });
     return strokes;
   }
 

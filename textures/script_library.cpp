@@ -1,0 +1,151 @@
+#include "textures/script_library.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "textures/error.h"
+#include "textures/foreign_font.h"
+#include "textures/hanzi.h"
+#include "textures/hershey.h"
+#include "textures/kanjivg.h"
+#include "textures/nearest_word.h"
+#include "textures/needed_characters.h"
+#include "textures/resources.h"
+#include "textures/svg_font.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kHersheyFolder = "/usr/share/hershey-fonts";
+constexpr std::string_view kHershey = "hershey:";
+
+bool IsMedians(const std::string& ending) {
+  return ending == ".txt" || ending == ".json" || ending == ".jsonl";
+}
+
+bool IsFile(const std::string& ending) {
+  return ending == ".svg" || ending == ".jhf" || IsMedians(ending);
+}
+
+std::string EndingOf(const std::string& path) {
+  return LowerCase(fs::path(path).extension().string());
+}
+
+/// Where the user's own scripts lie; empty when there is no home.
+std::string UserFolder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value != nullptr ? value : "");
+  };
+  if (const std::string data = variable("XDG_DATA_HOME"); !data.empty()) {
+    return data + "/moontrace/scripts";
+  }
+  const std::string home = variable("HOME");
+  return home.empty() ? home : home + "/.local/share/moontrace/scripts";
+}
+
+/// Appends what lies in a folder, by name; `is_ours` tells by path whether it is a script.
+template <typename Test>
+void AppendFolder(const std::string& folder, const std::string& prefix, const Test& is_ours,
+                  std::vector<ScriptEntry>& entries) {
+  std::vector<ScriptEntry> found;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (is_ours(*it)) found.push_back({prefix + it->path().stem().string(), it->path().string()});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const ScriptEntry& a, const ScriptEntry& b) { return a.path < b.path; });
+  for (ScriptEntry& entry : found) {
+    const auto same = [&](const ScriptEntry& other) { return other.name == entry.name; };
+    if (std::none_of(entries.begin(), entries.end(), same)) entries.push_back(std::move(entry));
+  }
+}
+
+Script LoadSvg(const std::string& path) {
+  const std::string toml_path = fs::path(path).replace_extension(".toml").string();
+  std::error_code error;
+  const std::string svg = ReadTextFile(path, kMaxSvgBytes);
+  if (!fs::exists(toml_path, error)) return ParseForeignFont(svg, path);
+  return ParseScript(svg, path, ReadTextFile(toml_path, std::size_t{1} << 20U), toml_path);
+}
+
+Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
+  if (IsKanjiVgFolder(path)) return LoadKanjiVg(path, needed);
+  if (IsHanziFolder(path)) return LoadHanziFolder(path, needed);
+  throw InputError(path +
+                   ": a folder without characters; give one of KanjiVG (04e00.svg) or of "
+                   "hanzi-writer-data (\u4e00.json)");
+}
+
+[[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {
+  std::vector<std::string> names;
+  std::string message = "unknown script '" + OneLine(name, 40) + "'; known:";
+  for (const ScriptEntry& entry : entries) {
+    names.push_back(entry.name);
+    const bool listed = entry.name.compare(0, kHershey.size(), kHershey) != 0;
+    if (listed) message.append(" ").append(OneLine(entry.name, 40));
+  }
+  const std::string nearest = NearestWord(name, names);
+  message += nearest.empty() ? std::string("; or give the path of an SVG font")
+                             : fmt::format("; did you mean '{}'?", OneLine(nearest, 40));
+  throw InputError(message);
+}
+
+}  // namespace
+
+std::vector<ScriptEntry> ListScripts() {
+  std::vector<ScriptEntry> entries;
+  AppendFolder(
+      ResourcePath("textures/scripts"), "",
+      [](const fs::directory_entry& entry) { return EndingOf(entry.path().string()) == ".svg"; },
+      entries);
+  AppendFolder(
+      UserFolder(), "",
+      [](const fs::directory_entry& entry) {
+        std::error_code error;
+        return entry.is_directory(error) || IsFile(EndingOf(entry.path().string()));
+      },
+      entries);
+  AppendFolder(
+      kHersheyFolder, std::string(kHershey),
+      [](const fs::directory_entry& entry) { return EndingOf(entry.path().string()) == ".jhf"; },
+      entries);
+  return entries;
+}
+
+Script LoadScriptFile(const std::string& path, std::string_view text) {
+  std::error_code error;
+  const auto needed = [text] {
+    return text.empty() ? std::set<char32_t>() : NeededCharacters(text);
+  };
+  const std::string ending = EndingOf(path);
+  if (fs::is_directory(path, error))
+    return LoadFolder(fs::path(path + "/").parent_path(), needed());
+  if (ending == ".jhf") {
+    return ParseHershey(ReadTextFile(path, kMaxHersheyBytes), fs::path(path).stem().string(), path);
+  }
+  if (IsMedians(ending)) return LoadHanziFile(path, needed());
+  return LoadSvg(path);
+}
+
+Script LoadScriptNamed(const std::string& name_or_path, std::string_view text) {
+  const bool is_path =
+      name_or_path.find('/') != std::string::npos || IsFile(EndingOf(name_or_path));
+  if (is_path) return LoadScriptFile(name_or_path, text);
+  const std::vector<ScriptEntry> entries = ListScripts();
+  for (const ScriptEntry& entry : entries) {
+    if (entry.name == name_or_path) return LoadScriptFile(entry.path, text);
+  }
+  FailUnknown(name_or_path, entries);
+}
+
+}  // namespace moontrace
