@@ -72,8 +72,8 @@ class RawEmulator final : public Emulator {
     answered_ = r[2] | r[3] << 8;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint8_t* const b = &r[4 + 4 * i];
-      const unsigned bits = static_cast<unsigned>(b[0] | b[1] << 8 | b[2] << 16) |
-                            static_cast<unsigned>(b[3]) << 24;
+      const unsigned bits =
+          static_cast<unsigned>(b[0] | b[1] << 8 | b[2] << 16) | static_cast<unsigned>(b[3]) << 24;
       const auto value = static_cast<std::int32_t>(bits);
       const int held = std::clamp(static_cast<int>(value), -kPeak, kPeak);
       wanted_[static_cast<int>(i)] = (r[1] & 1) != 0 ? held * 1e-3 : 0;
