@@ -15,6 +15,10 @@ pkg_check_modules(hidapi QUIET IMPORTED_TARGET hidapi-hidraw)
 if(NOT hidapi_FOUND)
   message(STATUS "hidapi is missing: haptic devices on USB cannot be used")
 endif()
+pkg_check_modules(louis QUIET IMPORTED_TARGET liblouis)
+if(NOT louis_FOUND)
+  message(STATUS "liblouis is missing: no page can be set in Braille")
+endif()
 
 find_package(mujoco 2.2.2 REQUIRED)
 # Debian's target names a qhull include folder that only libqhull-dev brings and no public header

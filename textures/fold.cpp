@@ -38,11 +38,6 @@ bool IsMark(char32_t c) {
          category == UTF8PROC_CATEGORY_ME;
 }
 
-bool IsLetter(char32_t c) {
-  const auto category = Category(c);
-  return (category >= UTF8PROC_CATEGORY_LU && category <= UTF8PROC_CATEGORY_LO) || IsMark(c);
-}
-
 // Unicode's mandatory breaks (UAX #14, classes CR, LF, NL, BK).
 bool EndsLine(char32_t c) {
   return (c >= U'\n' && c <= U'\r') || c == 0x85 || c == 0x2028 || c == 0x2029;
@@ -63,21 +58,29 @@ bool StandsApart(char32_t c) {
   }
 }
 
-// Compatibility decomposition, case folded, without marks and characters that Unicode lets be
-// ignored. No code point decomposes to more than 18.
-std::u32string Decomposed(char32_t c) {
+// Compatibility decomposition, case folded if asked for (which opens more letters, ß), without
+// marks and characters that Unicode lets be ignored. No code point decomposes to more than 18.
+std::u32string Decomposed(char32_t c, bool fold_case) {
   std::array<utf8proc_int32_t, 32> codes{};
   int last_bound = 0;
-  const auto count = utf8proc_decompose_char(
-      static_cast<utf8proc_int32_t>(c), codes.data(), static_cast<utf8proc_ssize_t>(codes.size()),
-      static_cast<utf8proc_option_t>(UTF8PROC_DECOMPOSE | UTF8PROC_COMPAT | UTF8PROC_CASEFOLD |
-                                     UTF8PROC_STRIPMARK | UTF8PROC_IGNORE),
-      &last_bound);
+  unsigned options = UTF8PROC_DECOMPOSE | UTF8PROC_COMPAT | UTF8PROC_STRIPMARK | UTF8PROC_IGNORE;
+  if (fold_case) options |= UTF8PROC_CASEFOLD;
+  const auto count = utf8proc_decompose_char(static_cast<utf8proc_int32_t>(c), codes.data(),
+                                             static_cast<utf8proc_ssize_t>(codes.size()),
+                                             static_cast<utf8proc_option_t>(options), &last_bound);
   std::u32string result;
   for (utf8proc_ssize_t i = 0; i < count && i < static_cast<utf8proc_ssize_t>(codes.size()); ++i) {
     result += static_cast<char32_t>(codes[static_cast<std::size_t>(i)]);
   }
   return result;
+}
+
+char32_t Lower(char32_t c) {
+  return static_cast<char32_t>(utf8proc_tolower(static_cast<utf8proc_int32_t>(c)));
+}
+
+char32_t Upper(char32_t c) {
+  return static_cast<char32_t>(utf8proc_toupper(static_cast<utf8proc_int32_t>(c)));
 }
 
 void CheckUtf8(std::string_view text) {
@@ -105,7 +108,13 @@ void CheckUtf8(std::string_view text) {
 
 }  // namespace
 
-Folder::Folder(std::string_view text, const Script& script) : text_(text), script_(script) {
+Folder::Folder(std::string_view text, const Script& script)
+    : Folder(text, script, [&script](char32_t c) {
+        return script.signs.count(c) > 0 || script.digits.count(c) > 0;
+      }) {}
+
+Folder::Folder(std::string_view text, const Script& script, std::function<bool(char32_t)> has_sign)
+    : text_(text), script_(script), has_sign_(std::move(has_sign)) {
   if (text.size() > kMostText) {
     throw InputError(fmt::format("the text has {} MB, at most {} MB are taken: split it",
                                  (text.size() + (1u << 20) - 1) >> 20, kMostText >> 20));
@@ -176,6 +185,7 @@ void Folder::Append(const Form& form, FoldedChar first, std::vector<FoldedChar>&
   first.changed = form.changed;
   first.letter = form.letter;
   first.apart = form.apart;
+  first.replaced = form.replaced;
   if (form.text.empty()) {
     line.push_back(first);
     return;
@@ -212,8 +222,11 @@ const Folder::Form& Folder::FormOf(char32_t c) {
   return forms_.emplace(c, Fold(c)).first->second;
 }
 
-bool Folder::HasSign(char32_t c) const {
-  return script_.signs.count(c) > 0 || script_.digits.count(c) > 0;
+// The character's sign, or that of its small letter.
+bool Folder::AppendSign(char32_t c, std::u32string& text) const {
+  const char32_t found = HasSign(c) ? c : HasSign(Lower(c)) ? Lower(c) : 0;
+  if (found != 0) text += found;
+  return found != 0;
 }
 
 // The script's replacement, if all of it can be written.
@@ -245,10 +258,12 @@ Folder::Form Folder::Fold(char32_t c) const {
     form.kind = HasSign(c) ? Kind::kSign : Kind::kMissing;
     return form;
   }
-  const auto lower = static_cast<char32_t>(utf8proc_tolower(static_cast<utf8proc_int32_t>(c)));
+  const char32_t lower = Lower(c);
   if (FoldByTable(c, form)) return form;
   if (HasSign(c)) {
     form.kind = Kind::kSign;
+    form.changed = script_.borrowed.count(c) > 0;
+    form.replaced = form.changed ? Replaced::kOtherScript : Replaced::kFolded;
     return form;
   }
   if (lower != c && FoldByTable(lower, form)) return form;
@@ -257,29 +272,93 @@ Folder::Form Folder::Fold(char32_t c) const {
     form.kind = Kind::kSign;
     return form;
   }
-  if (Category(c) != UTF8PROC_CATEGORY_CC) FoldByUnicode(c, form);
+  if (Category(c) == UTF8PROC_CATEGORY_CC || FoldByUnicode(c, false, form)) return form;
+  std::u32string letters;
+  if (Transliterate(c, letters)) {
+    form.kind = letters.empty() ? Kind::kNothing : Kind::kSign;
+    form.changed = true;
+    form.replaced = Replaced::kTransliterated;
+    form.text = std::move(letters);
+    return form;
+  }
+  if (!FoldByUnicode(c, true, form)) Name(c, form);
   return form;
 }
 
-// Leaves the form missing unless every part can be written.
-void Folder::FoldByUnicode(char32_t c, Form& form) const {
+// Leaves the form as it is unless every part can be written.
+bool Folder::FoldByUnicode(char32_t c, bool transliterate, Form& form) const {
+  const std::u32string parts = Decomposed(c, false);
   std::u32string written;
-  const std::u32string parts = Decomposed(c);
+  if (!WriteParts(parts, transliterate, written) &&
+      !WriteParts(Decomposed(c, true), transliterate, written)) {
+    return false;
+  }
+  const bool ignorable = utf8proc_get_property(static_cast<utf8proc_int32_t>(c))->ignorable != 0;
+  if (written.empty() && !ignorable && parts.empty()) return false;  // a mark on nothing
+  form.kind = written.empty() ? FoldedChar::Kind::kNothing : FoldedChar::Kind::kSign;
+  form.text = std::move(written);
+  form.changed = true;
+  form.replaced = transliterate ? Replaced::kTransliterated : Replaced::kFolded;
+  return true;
+}
+
+// By the script's table, by signs, and if asked for by letters that sound alike.
+bool Folder::WriteParts(const std::u32string& parts, bool transliterate,
+                        std::u32string& written) const {
+  written.clear();
   for (const char32_t part : parts) {
     Form by_table;
     if (FoldByTable(part, by_table)) {
       written += by_table.text;
-    } else if (HasSign(part)) {
-      written += part;
-    } else {
-      return;
+    } else if (!AppendSign(part, written) && !(transliterate && Transliterate(part, written))) {
+      return false;
     }
   }
-  const bool ignorable = utf8proc_get_property(static_cast<utf8proc_int32_t>(c))->ignorable != 0;
-  if (written.empty() && !ignorable && parts.empty()) return;  // a mark on nothing
-  form.kind = written.empty() ? FoldedChar::Kind::kNothing : FoldedChar::Kind::kSign;
+  return true;
+}
+
+// Appends the letters that sound like the character, if the script has all of them; a capital's
+// begin with a capital where the script has any.
+bool Folder::Transliterate(char32_t c, std::u32string& text) const {
+  auto found = script_.transliterations.find(c);
+  const bool capital = found == script_.transliterations.end() && Lower(c) != c;
+  if (capital) found = script_.transliterations.find(Lower(c));
+  if (found == script_.transliterations.end()) return false;
+  const std::u32string letters = ToCodePoints(found->second);
+  std::u32string written;
+  for (const char32_t letter : letters) {
+    const char32_t first = capital && written.empty() ? Upper(letter) : letter;
+    if (!AppendSign(first, written)) return false;
+  }
+  text += written;
+  return true;
+}
+
+// "[euro sign]", if the script has all its letters; brackets as the script has them.
+bool Folder::Name(char32_t c, Form& form) const {
+  const auto found = script_.names.find(c);
+  if (found == script_.names.end()) return false;
+  std::u32string written;
+  for (const char32_t part : ToCodePoints("[" + found->second + "]")) {
+    Form by_table;
+    if (part == U' ') {
+      written += part;
+    } else if (FoldByTable(part, by_table)) {
+      written += by_table.text;
+    } else if (!AppendSign(part, written)) {
+      return false;
+    }
+  }
+  form.kind = FoldedChar::Kind::kSign;
   form.text = std::move(written);
   form.changed = true;
+  form.replaced = Replaced::kNamed;
+  return true;
+}
+
+bool IsLetter(char32_t c) {
+  const auto category = Category(c);
+  return (category >= UTF8PROC_CATEGORY_LU && category <= UTF8PROC_CATEGORY_LO) || IsMark(c);
 }
 
 std::u32string ToCodePoints(std::string_view utf8) {

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "textures/error.h"
+#include "textures/fallback.h"
 #include "textures/nearest_word.h"
 #include "textures/resources.h"
 #include "textures/script_rules.h"
@@ -60,7 +61,9 @@ Script LoadScript(const std::string& svg_path) {
   return ParseScript(svg, svg_path, ReadTextFile(toml_path, kMaxTomlBytes), toml_path);
 }
 
-Script FindScript(const std::string& name_or_path) {
+namespace {
+
+Script FindFiles(const std::string& name_or_path) {
   const bool is_path =
       name_or_path.find('/') != std::string::npos || fs::path(name_or_path).extension() == ".svg";
   if (is_path) return LoadScript(name_or_path);
@@ -75,6 +78,14 @@ Script FindScript(const std::string& name_or_path) {
   message +=
       nearest.empty() ? "; or give the path of an SVG font" : "; did you mean '" + nearest + "'?";
   throw InputError(message);
+}
+
+}  // namespace
+
+Script FindScript(const std::string& name_or_path) {
+  Script script = FindFiles(name_or_path);
+  ReadShippedFallbacks(script);
+  return script;
 }
 
 }  // namespace moontrace

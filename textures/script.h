@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ struct Script {
   std::string title, author, licence;
   double stroke_width = 0;     ///< [em]
   double space_advance = 0;    ///< [em]
+  double size = 0.012;         ///< that letters usually have [m]
+  double depth = 0;            ///< of dots and strokes [em]; 0 = follows from the width
+  double line_pitch = 1.8;     ///< usual, base line to base line [em]
   std::vector<double> grades;  ///< that the rules know, ascending
   std::vector<Glyph> glyphs;
   std::map<char32_t, std::string> signs;   ///< folded character -> glyph name
@@ -52,6 +56,15 @@ struct Script {
   std::map<std::string, std::map<std::string, std::string>>
       forms;                  ///< "h" -> {"crescent": "h", "arc": "h.arc", ...}
   char32_t protect_mark = 0;  ///< written before a group it forbids the contraction; 0 = none
+
+  /// Of Braille: grade -> table of liblouis, which then writes the text in place of the rules
+  /// above; the font's glyphs are bound to Unicode's Braille patterns. Empty for other scripts.
+  std::map<double, std::string> braille_tables;
+
+  /// For characters that the script has no form of, see fallback.h.
+  std::map<char32_t, std::string> transliterations, names;
+  std::set<char32_t> borrowed;  ///< characters whose glyph is another script's
+  std::string borrowed_from;    ///< that script, name or path
 
   /// Index of a glyph by name, or npos.
   std::size_t Find(std::string_view glyph_name) const noexcept;

@@ -1,5 +1,6 @@
 #include "textures/script_rules.h"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -34,8 +35,8 @@ char32_t OneCharacter(const TomlTable& table, const std::string& key, const std:
 double Positive(const TomlTable& table, const std::string& key, double most) {
   const double number = table.Number(key);
   if (!(number > 0 && number <= most)) {
-    table.Fail(
-        key, "not above 0 and up to " + std::to_string(static_cast<int>(most)) + " em; correct it");
+    table.Fail(key, "not above 0 and up to " + std::to_string(static_cast<int>(most)) +
+                        (key == "size_mm" ? " mm; correct it" : " em; correct it"));
   }
   return number;
 }
@@ -102,6 +103,25 @@ Contraction ReadContraction(const TomlTable& table, const Names& names) {
   return contraction;
 }
 
+void ReadBraille(const TomlTable& table, Script& script) {
+  const double grade = table.Number("grade");
+  const bool known = std::count(script.grades.begin(), script.grades.end(), grade) > 0;
+  if (!known) table.Fail("grade", "not among the grades above; add it there or correct it");
+  const std::string name = table.String("table");
+  if (name.empty()) table.Fail("table", "empty; name a table of liblouis");
+  if (!script.braille_tables.emplace(grade, name).second) {
+    table.Fail("grade", "a second table for this grade; keep one");
+  }
+  table.FailUnknown();
+}
+
+// Usual measures that a script may leave to the defaults.
+void ReadMeasures(const TomlTable& table, Script& script) {
+  if (table.Has("size_mm")) script.size = Positive(table, "size_mm", 1000) / 1000;
+  if (table.Has("depth_em")) script.depth = Positive(table, "depth_em", 1);
+  if (table.Has("line_pitch_em")) script.line_pitch = Positive(table, "line_pitch_em", 100);
+}
+
 void ReadForms(const TomlTable& table, const Names& names, Script& script) {
   for (const std::string& letter : table.Keys()) {
     NeedGlyph(table, letter, letter, names);
@@ -131,6 +151,8 @@ void ReadRules(std::string_view toml, const std::string& file_name, Script& scri
   script.stroke_width = Positive(table, "stroke_width_em", 1);
   script.space_advance = Positive(table, "space_advance_em", 100);
   script.grades = ReadGrades(table);
+  ReadMeasures(table, script);
+  for (const TomlTable& braille : table.Tables("braille")) ReadBraille(braille, script);
   if (table.Has("protect_mark")) {
     script.protect_mark = OneCharacter(table, "protect_mark", table.String("protect_mark"));
   }

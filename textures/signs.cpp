@@ -4,24 +4,10 @@
 
 #include <algorithm>
 
-#include "textures/character_name.h"
 #include "textures/error.h"
 
 namespace moontrace {
 namespace {
-
-// Entries kept of each list in Typeset; the counts go on.
-constexpr std::size_t kMostReplacements = 1000;
-
-void CheckGrade(const Script& script, double grade) {
-  std::string known;
-  for (const double other : script.grades) {
-    if (other == grade) return;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", other);
-  }
-  throw InputError(
-      fmt::format("script {} has no grade {}: choose from {}", script.name, grade, known));
-}
 
 std::string FindForm(const Script& script, const std::string& h_form) {
   if (h_form.empty()) return "h";
@@ -36,26 +22,6 @@ std::string FindForm(const Script& script, const std::string& h_form) {
   for (const auto& form : forms->second) known += (known.empty() ? "" : ", ") + form.first;
   throw InputError(fmt::format("script {} has no form '{}' of h: choose from {}", script.name,
                                Shown(h_form), known));
-}
-
-void Note(std::vector<Replacement>& list, std::size_t& count, std::string_view text,
-          std::size_t line_number, const FoldedChar& c, std::string became) {
-  ++count;
-  if (list.size() >= kMostReplacements) return;
-  // A part of what a character became ("ae") has no range of its own.
-  const std::string was =
-      c.begin < c.end ? std::string(text.substr(c.begin, c.end - c.begin)) : ToUtf8(c.code);
-  list.push_back({Shown(was), std::move(became), line_number, c.column, CharacterName(was)});
-}
-
-// What one character of the text, at `at` in the line, was written as.
-std::string Became(const std::vector<FoldedChar>& line, std::size_t at) {
-  if (line[at].kind == FoldedChar::Kind::kNothing) return {};
-  std::string became = ToUtf8(line[at].code);
-  for (std::size_t i = at + 1; i < line.size() && line[i].begin == line[i].end; ++i) {
-    became += ToUtf8(line[i].code);
-  }
-  return became;
 }
 
 // The neighbours that a reader sees: what has no mark in print is passed over. Null at the ends.
@@ -90,9 +56,11 @@ bool Stands(Contraction::Where where, const FoldedChar* before, const FoldedChar
 
 }  // namespace
 
-SignWriter::SignWriter(const Script& script, double grade, const std::string& h_form)
+SignWriter::SignWriter(const Script& script, double grade, const std::string& h_form,
+                       const std::vector<std::string>& only)
     : script_(script), h_glyph_(FindForm(script, h_form)) {
   CheckGrade(script, grade);
+  Teach(only);
   for (const auto& sign : script.signs) signs_.emplace(sign.first, Glyph(sign.second));
   for (const auto& digit : script.digits) {
     digits_.emplace(digit.first, Glyph(digit.second));
@@ -105,10 +73,25 @@ SignWriter::SignWriter(const Script& script, double grade, const std::string& h_
     for (const std::string& name : contraction.signs) group.glyphs.push_back(Glyph(name));
     group.where = contraction.where;
     group.active = contraction.grade <= grade;
+    for (const std::uint32_t glyph : group.glyphs)
+      group.active = group.active && IsTaughtGlyph(glyph);
     if (!group.print.empty() && !group.glyphs.empty()) groups_.push_back(std::move(group));
   }
   std::stable_sort(groups_.begin(), groups_.end(),
                    [](const Group& a, const Group& b) { return a.print.size() > b.print.size(); });
+}
+
+void SignWriter::Teach(const std::vector<std::string>& only) {
+  if (only.empty()) return;
+  taught_.assign(script_.glyphs.size(), false);
+  for (const std::string& name : only) taught_[Glyph(name)] = true;
+}
+
+// Of a character that has a sign; a digit is written with the numeral sign.
+bool SignWriter::IsTaught(char32_t c) const {
+  const auto digit = digits_.find(c);
+  if (digit != digits_.end()) return IsTaughtGlyph(numeral_) && IsTaughtGlyph(digit->second);
+  return IsTaughtGlyph(signs_.at(c));
 }
 
 std::uint32_t SignWriter::Glyph(const std::string& name) const {
@@ -172,9 +155,12 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
       }
     }
     const auto digit = digits_.find(c.code);
-    const bool is_digit = !group && c.kind == Kind::kSign && digit != digits_.end();
+    const bool taught = group || c.kind != Kind::kSign || IsTaught(c.code);
+    const bool is_digit = taught && !group && c.kind == Kind::kSign && digit != digits_.end();
     if (group) {
       WriteGroup(*group, line, at, signs);
+    } else if (!taught) {
+      Note(typeset.untaught, typeset.untaught_count, text, line_number, c, {});
     } else if (is_digit) {
       if (!in_number || c.apart != line[at - 1].apart) {
         signs.push_back({numeral_, c.begin, c.begin, false, false, true});

@@ -9,18 +9,9 @@
 #include "textures/fold.h"
 #include "textures/script.h"
 #include "textures/typeset.h"
+#include "textures/writer.h"
 
 namespace moontrace {
-
-/// One sign to set, or a space.
-struct Sign {
-  std::uint32_t glyph = 0;  ///< index into Script::glyphs; unused for a space
-  std::uint32_t begin = 0;  ///< bytes of the text that it stands for
-  std::uint32_t end = 0;
-  bool space = false;
-  bool break_after = false;  ///< a hyphen within a word: the line may end behind it
-  bool keep_next = false;    ///< a numeral sign: stays on the line of its first digit
-};
 
 /// Turns folded text into signs by a script's rules.
 ///
@@ -36,16 +27,20 @@ struct Sign {
 /// several signs gives its range to the first, the others have an empty range at its end. The
 /// script's protect mark before a group (of any grade) keeps it spelled out and is not shown;
 /// anywhere else it is a character like others.
-class SignWriter {
+///
+/// With taught signs given, a group with a sign that is not taught is spelled out, and a letter,
+/// mark or digit that is not taught (a digit needs the numeral sign too) is left out and noted.
+class SignWriter : public Writer {
  public:
-  /// Throws InputError: an unknown grade or form of h (naming the known ones), a rule that names a
-  /// glyph which the script lacks.
-  SignWriter(const Script& script, double grade, const std::string& h_form);
+  /// `only` as in TypeStyle: the signs taught so far; empty = all. Throws InputError: an unknown
+  /// grade or form of h (naming the known ones), a rule or a taught sign that names a glyph which
+  /// the script lacks.
+  SignWriter(const Script& script, double grade, const std::string& h_form,
+             const std::vector<std::string>& only = {});
 
-  /// Appends the signs of one line of the text. `typeset` takes note of what was folded, is missing
-  /// or doubtful; `line_number` from 1.
+  bool Has(char32_t c) const override { return signs_.count(c) > 0 || digits_.count(c) > 0; }
   void Write(std::string_view text, std::size_t line_number, const std::vector<FoldedChar>& line,
-             std::vector<Sign>& signs, Typeset& typeset) const;
+             std::vector<Sign>& signs, Typeset& typeset) const override;
 
  private:
   struct Group {
@@ -55,6 +50,9 @@ class SignWriter {
     bool active = false;  // at the grade that is set
   };
   std::uint32_t Glyph(const std::string& name) const;
+  void Teach(const std::vector<std::string>& only);
+  bool IsTaughtGlyph(std::uint32_t glyph) const { return taught_.empty() || taught_[glyph]; }
+  bool IsTaught(char32_t c) const;
   const Group* Match(const std::vector<FoldedChar>& line, std::size_t at, bool active_only) const;
   void WriteGroup(const Group& group, const std::vector<FoldedChar>& line, std::size_t at,
                   std::vector<Sign>& signs) const;
@@ -64,6 +62,7 @@ class SignWriter {
   std::unordered_map<char32_t, std::uint32_t> signs_, digits_;
   std::unordered_map<std::uint32_t, char32_t> read_as_;  // glyph -> digit, behind a number
   std::vector<Group> groups_;                            // longest first
+  std::vector<bool> taught_;                             // by glyph; empty = all
   std::uint32_t numeral_ = 0;
 };
 

@@ -22,7 +22,8 @@ constexpr double kSteepestFlank = 5;
 
 constexpr double kLargeSize = 8e-3, kSmallSize = 6e-3;  // [m], between them the groove widens
 constexpr double kSmallWidth = 0.2;                     // w of small letters [em]
-constexpr double kLinePitch = 1.8;                      // [em]
+
+constexpr double kLargestGap = 1;  // between paragraphs [m]
 
 double Mm(double metres) { return metres * 1000; }
 
@@ -95,6 +96,28 @@ void CheckSpacing(const TypeStyle& style, const Script& script) {
 
 }  // namespace
 
+std::optional<LineDirection> LineDirectionOf(std::string_view name) {
+  for (const auto lines : {LineDirection::kLeftToRight, LineDirection::kRightToLeft,
+                           LineDirection::kAlternate, LineDirection::kVertical}) {
+    if (NameOf(lines) == name) return lines;
+  }
+  return std::nullopt;
+}
+
+std::string NameOf(LineDirection lines) {
+  switch (lines) {
+    case LineDirection::kLeftToRight:
+      return "left-to-right";
+    case LineDirection::kRightToLeft:
+      return "right-to-left";
+    case LineDirection::kAlternate:
+      return "alternate";
+    case LineDirection::kVertical:
+      return "vertical";
+  }
+  return {};
+}
+
 TypeStyle DefaultStyle(double size, Relief relief, const Script& script) {
   TypeStyle style;
   style.size = size;
@@ -110,7 +133,8 @@ TypeStyle DefaultStyle(double size, Relief relief, const Script& script) {
     style.depth = style.width / 4;
     style.blend_radius = style.width / 4;
   }
-  style.line_pitch = kLinePitch * size;
+  if (script.depth > 0) style.depth = script.depth * size;
+  style.line_pitch = script.line_pitch * size;
   return style;
 }
 
@@ -122,6 +146,11 @@ void CheckStyle(const TypeStyle& style, const Script& script) {
   }
   CheckGroove(style);
   CheckSpacing(style, script);
+  const double gap = style.paragraph_gap.value_or(0);
+  if (!(gap >= 0 && gap <= kLargestGap)) {
+    throw InputError(
+        fmt::format("paragraph gap {:.4g} mm: give 0 to {:.4g} mm", Mm(gap), Mm(kLargestGap)));
+  }
 }
 
 }  // namespace moontrace

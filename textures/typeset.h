@@ -1,14 +1,29 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "textures/fold.h"
 #include "textures/script.h"
 #include "textures/texture.h"
 
 namespace moontrace {
+
+/// How lines run.
+enum class LineDirection {
+  kLeftToRight,
+  kRightToLeft,
+  kAlternate,  ///< every second line of a page runs right to left, as in old Moon
+  kVertical    ///< top to bottom, the next line to the left
+};
+
+/// "left-to-right", "right-to-left", "alternate", "vertical"; none for other words.
+std::optional<LineDirection> LineDirectionOf(std::string_view name);
+std::string NameOf(LineDirection lines);
+inline constexpr const char* kLineDirections = "left-to-right, right-to-left, alternate, vertical";
 
 /// How text becomes a page. Lengths in metres. `DefaultStyle` fills what follows from the size.
 struct TypeStyle {
@@ -21,12 +36,19 @@ struct TypeStyle {
   double letter_gap = 0;  ///< added to every glyph's advance, may be below zero [m]
   double word_gap = 0;    ///< added to the space's advance, may be below zero [m]
   double line_pitch = 0;  ///< base line to base line [m]
-  double grade = 1;       ///< 0.5, 1
+  double grade = 1;       ///< that the script knows
   std::string h_form;     ///< "crescent", "arc", "pocket", "reverse-n"; empty = the script's own
+  std::string table;      ///< of liblouis, for Braille; empty = the script's own at the grade
+  std::vector<std::string> only;  ///< names of the signs taught so far; empty = all
+  LineDirection lines = LineDirection::kLeftToRight;
+  /// In place of the empty line between paragraphs (blank lines of the text) [m]; in alternating
+  /// lines, which run on, along the line. Default: an empty line; two word spaces.
+  std::optional<double> paragraph_gap;
 };
 
 /// The design's defaults for a size (section 3): w = 0.1165 em, D = w/2, r = 0.2 w; below 8 mm w
-/// widens towards 0.2 em and D to w/3; embossed: D = w/4 and blended creases; line pitch 1.8 em.
+/// widens towards 0.2 em and D to w/3; embossed: D = w/4 and blended creases; line pitch 1.8 em. A
+/// script may have its own stroke width, depth and line pitch.
 TypeStyle DefaultStyle(double size, Relief relief, const Script& script);
 
 /// Throws InputError when a length is not finite or not positive, the letters are below 1 mm, the
@@ -71,6 +93,7 @@ struct Replacement {
   std::size_t line = 0;    ///< of the source text, from 1
   std::size_t column = 0;  ///< in characters (code points), from 1
   std::string name{};      ///< of `was` by CharacterName, where it has one
+  Replaced how = Replaced::kFolded;  ///< of those that became something
 };
 
 struct Typeset {
@@ -80,17 +103,20 @@ struct Typeset {
   /// Written by another sign of the same meaning (é -> e), and those with no form: left out. The
   /// lists keep the first 1000, the counts are of all. Doubtful are letters that the script cannot
   /// tell from digits, as they follow a number directly ("3a" reads 31); became: the digit.
-  std::vector<Replacement> folded, missing, doubtful;
-  std::size_t folded_count = 0, missing_count = 0, doubtful_count = 0;
+  /// Untaught have a sign that is not among TypeStyle::only: left out.
+  std::vector<Replacement> folded, missing, doubtful, untaught;
+  std::size_t folded_count = 0, missing_count = 0, doubtful_count = 0, untaught_count = 0;
 };
 
-/// Sets UTF-8 text, by the rules of fold.h and signs.h. The first base line is one em below the top
-/// margin. Lines break as in the text, at spaces and behind hyphens; a word that no line holds is
-/// broken between letters. A letter must fit with its strokes' centre lines, its gap may hang over.
-/// One or several blank lines become one empty line, none at the top of a page. Linear in the text.
+/// Sets UTF-8 text, by the rules of fold.h and signs.h, or of liblouis for Braille; the order of
+/// lines is that of layout.h. The first base line is one em below the top margin. Lines break as in
+/// the text, at spaces and behind hyphens; a word that no line holds is broken between letters. A
+/// letter must fit with its strokes' centre lines, its gap may hang over; below the last base line
+/// it may hang into the margin. One or several blank lines become one empty line, none at the top
+/// of a page. Linear in the text.
 /// Throws InputError: invalid UTF-8 (byte offset), empty text, text over 16 MB or more than 16
 /// million signs, a style that fails CheckStyle, an unknown grade or form of h, a page that holds
-/// no line or not a letter of the text, nothing left to set.
+/// no line or not a letter of the text, nothing left to set. LackError: Braille without liblouis.
 Typeset SetText(std::string_view text, const Script& script, const TypeStyle& style,
                 const PageSpec& page);
 

@@ -220,7 +220,7 @@ TEST(MoonScript, BindsLettersDigitsAndPunctuationOfTheReference) {
 }
 
 TEST(MoonScript, KnowsWhatGradeOneIsCertainOf) {
-  EXPECT_EQ(Moon().grades, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(Moon().grades, (std::vector<double>{0.5, 1, 2}));
   std::vector<std::string> rules;
   for (const Contraction& contraction : Moon().contractions) {
     if (contraction.grade > 1) continue;

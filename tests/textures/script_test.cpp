@@ -133,9 +133,9 @@ TEST(FindScript, LoadsMoonByNameAndByPath) {
 
 TEST(FindScript, NamesTheKnownScriptsForAnUnknownName) {
   EXPECT_EQ(ErrorOf([] { FindScript("mon"); }),
-            "unknown script 'mon'; known: moon; did you mean 'moon'?");
+            "unknown script 'mon'; known: braille moon; did you mean 'moon'?");
   EXPECT_EQ(ErrorOf([] { FindScript("\n"); }),
-            "unknown script '?'; known: moon; or give the path of an SVG font");
+            "unknown script '?'; known: braille moon; or give the path of an SVG font");
 }
 
 class ScriptFiles : public testing::Test {
