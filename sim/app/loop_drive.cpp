@@ -47,6 +47,7 @@ class Driver {
     LoopEvent event;
     while (loop.TakeEvent(event)) {
       if (event.kind == LoopEventKind::kSay) Say(WhereNow());
+      if (event.kind == LoopEventKind::kBookmark) session_.SetMark(event.tip_P);
       Say(say::Event(event));
     }
     LoopSample sample;
@@ -61,7 +62,7 @@ class Driver {
     why_lost_ = why;
   }
 
-  std::string WhereNow() { return session_.Where(newest_.tip_P, newest_.depth > 0); }
+  std::string WhereNow() { return session_.Where(newest_); }
 
   void Turn(bool forward) {
     const std::size_t pages = session_.text().set.pages.size();
@@ -96,6 +97,8 @@ class Driver {
         return Turn(false);
       case LoopWord::kWhere:
         return Say(WhereNow());
+      case LoopWord::kMark:
+        return Say(session_.WayToMark(newest_));
       case LoopWord::kQuit:
         quit_ = true;
         return;
@@ -137,6 +140,7 @@ void SayBeginning(const LoopSession& session, Console& console) {
   if (session.coupling_stiffness() < usual) {
     console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
   }
+  if (!simulated && !glm::any(session.limits().pushes)) console.Result(say::NoMotors());
   console.Remark(say::HowToSpeak());
   console.out().flush();
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "sim/app/loop_words.h"
 #include "sim/app/words.h"
 #include "textures/text_file.h"
@@ -176,11 +178,31 @@ std::string CannotResize(std::string_view why) {
 std::string SizeStays() { return "The size stays while a trace is scored."; }
 
 std::string Where(std::string_view letter, std::size_t line, std::size_t page, std::size_t pages,
-                  bool touching) {
+                  const Feeling& feeling) {
   const std::string at =
       letter.empty() ? std::string("Between letters") : fmt::format("At {}", OneLine(letter));
-  return fmt::format("{}, line {}, page {} of {}, {}.", at, line + 1, page + 1, pages,
-                     touching ? "touching" : "in the air");
+  const std::string touch = feeling.touching ? "touching" : "in the air";
+  const std::string push = feeling.touching && !feeling.has_motors
+                               ? fmt::format("; the page pushes with {} N", Short(feeling.force, 1))
+                               : std::string();
+  return fmt::format("{}, line {}, page {} of {}, {}{}.", at, line + 1, page + 1, pages, touch,
+                     push);
+}
+
+std::string NoMotors() { return "This device has no motors: forces are told, not felt."; }
+
+std::string NoMark() { return "No bookmark yet: press the button twice to set one."; }
+
+std::string WayToMark(std::string_view letter, std::size_t page, std::size_t pages,
+                      std::optional<glm::dvec2> way_P) {
+  const std::string mark =
+      fmt::format("Bookmark at {}, page {} of {}", OneLine(letter), page + 1, pages);
+  if (!way_P) return mark + ", which you feel now.";
+  const auto part = [](double way, std::string_view low, std::string_view high) {
+    return fmt::format("{} mm {}", Short(kMillimetres * std::abs(way), 1), way < 0 ? low : high);
+  };
+  return fmt::format("{}: {}, {}.", mark, part(way_P->x, "left", "right"),
+                     part(way_P->y, "down", "up"));
 }
 
 std::string LoopOutcome(const LoopReport& report, double seconds) {

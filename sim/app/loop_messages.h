@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,8 +50,19 @@ std::string NowSize(double size, std::size_t page, std::size_t pages);
 std::string CannotResize(std::string_view why);
 std::string SizeStays();
 /// `letter` empty: none is near.
+/// What the tip feels.
+struct Feeling {
+  bool touching = false;
+  bool has_motors = true;
+  double force = 0;  ///< [N]
+};
 std::string Where(std::string_view letter, std::size_t line, std::size_t page, std::size_t pages,
-                  bool touching);
+                  const Feeling& feeling);
+std::string NoMotors();
+std::string NoMark();
+/// `way_P` from the tip [m]; none: the page has just been turned to.
+std::string WayToMark(std::string_view letter, std::size_t page, std::size_t pages,
+                      std::optional<glm::dvec2> way_P);
 
 std::string LoopOutcome(const LoopReport& report, double seconds);
 std::string Lateness(const LoopReport& report);

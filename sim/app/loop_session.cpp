@@ -196,14 +196,34 @@ std::vector<std::string> LoopSession::TakeSentences() {
   return std::exchange(sentences_, {});
 }
 
-std::string LoopSession::Where(glm::dvec3 tip_P, bool touching) const {
+std::string LoopSession::Where(const LoopSnapshot& now) const {
+  const glm::dvec3 tip_P = now.tip_P;
+  const say::Feeling feeling{now.depth > 0, glm::any(limits_.pushes), glm::length(now.force_P)};
   const PlacedGlyph* glyph = NearestGlyph(text_, page_, tip_P);
   const std::size_t pages = text_.set.pages.size();
-  if (glyph == nullptr) return say::Where("", 0, page_, pages, touching);
+  if (glyph == nullptr) return say::Where("", 0, page_, pages, feeling);
   const bool near = DistanceTo(*glyph, text_, tip_P) <= 0.25 * text_.set.style.size;
   std::string name(SourceOf(text_, *glyph));
   if (name.empty()) name = text_.script.glyphs[glyph->glyph].name;
-  return say::Where(near ? name : "", glyph->line, page_, pages, touching);
+  return say::Where(near ? name : "", glyph->line, page_, pages, feeling);
+}
+
+void LoopSession::SetMark(glm::dvec3 tip_P) {
+  const PlacedGlyph* letter = NearestGlyph(text_, page_, tip_P);
+  if (letter == nullptr) return;
+  mark_ = Mark{letter->source_begin, (glm::dvec2(tip_P) - letter->origin_P) / text_.set.style.size};
+}
+
+std::string LoopSession::WayToMark(const LoopSnapshot& now) {
+  if (!mark_) return say::NoMark();
+  const Found found = Find(text_, mark_->source);
+  if (found.glyph == nullptr) return say::NoMark();
+  const bool turned = found.page != page_;
+  if (turned) Show(found.page, std::nullopt);
+  const glm::dvec2 mark_P = found.glyph->origin_P + text_.set.style.size * mark_->from_letter;
+  return say::WayToMark(
+      SourceOf(text_, *found.glyph), found.page, text_.set.pages.size(),
+      turned ? std::nullopt : std::optional<glm::dvec2>(mark_P - glm::dvec2(now.tip_P)));
 }
 
 }  // namespace moontrace

@@ -50,8 +50,12 @@ class LoopSession {
   void Resize(bool bigger, glm::dvec2 tip_P);
   /// What opening a lost device again has to say, since the last call.
   std::vector<std::string> TakeSentences();
-  /// Where a point of the page lies, in words.
-  std::string Where(glm::dvec3 tip_P, bool touching) const;
+  /// Where the tip is and what it feels, in words.
+  std::string Where(const LoopSnapshot& now) const;
+  /// Keeps the place of a letter for WayToMark.
+  void SetMark(glm::dvec3 tip_P);
+  /// Turns to the page of the mark and says the way there from the tip, in words.
+  std::string WayToMark(const LoopSnapshot& now);
 
  private:
   std::unique_ptr<TextureField> FieldOf(std::size_t page) const;
@@ -68,6 +72,12 @@ class LoopSession {
   Pose X_WP_;
   double force_bound_ = 0;
   std::size_t page_ = 0;
+  /// A place of the text, which stays the same at another size.
+  struct Mark {
+    std::size_t source = 0;        ///< byte of the letter
+    glm::dvec2 from_letter{0, 0};  ///< [em]
+  };
+  std::optional<Mark> mark_;
   std::mutex sentences_mutex_;
   std::vector<std::string> sentences_;
   std::unique_ptr<Loop> loop_;  ///< last: its threads use the rest

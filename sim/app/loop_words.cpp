@@ -15,8 +15,8 @@ std::string Trimmed(std::string_view line) {
 }  // namespace
 
 const std::vector<std::string>& LoopWords() {
-  static const std::vector<std::string> words = {"stop", "go",   "bigger", "smaller",
-                                                 "next", "back", "where",  "quit"};
+  static const std::vector<std::string> words = {"stop", "go",    "bigger", "smaller", "next",
+                                                 "back", "where", "mark",   "quit"};
   return words;
 }
 

@@ -16,6 +16,7 @@ enum class LoopWord : std::uint8_t {
   kNext,
   kBack,
   kWhere,
+  kMark,
   kQuit,
   kHelp,
   kNothing,    ///< an empty line

@@ -240,6 +240,10 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe) noexcep
   snapshot.tip_P = felt.tip_P;
   snapshot.proxy_P = felt.proxy_P;
   snapshot.force_D = safe.force;
+  // who holds a device without motors is told what the page would do
+  snapshot.force_P = glm::any(limits_.pushes)
+                         ? TurnFromWorld(scene_.X_WP(), place_.R_WD * safe.force)
+                         : felt.force_P;
   snapshot.depth = felt.depth;
   snapshot.heat = safe.heat;
   snapshot.safety_counts = safety_.counts();
@@ -249,7 +253,7 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe) noexcep
   sample.time = time_;
   sample.page = page_;
   sample.tip_P = felt.tip_P;
-  sample.force_P = TurnFromWorld(scene_.X_WP(), place_.R_WD * safe.force);
+  sample.force_P = snapshot.force_P;
   sample.energy_out = felt.energy_out;
   sample.in_contact = felt.depth > 0;
   sample.fault = felt.fault;

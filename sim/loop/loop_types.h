@@ -39,11 +39,12 @@ struct LoopEvent {
 
 /// One tick for scoring.
 struct LoopSample {
-  double time = 0;              ///< since the loop began [s]
-  std::uint32_t page = 0;       ///< PageChange::page
-  glm::dvec3 tip_P{0, 0, 0};    ///< [m]
-  glm::dvec3 force_P{0, 0, 0};  ///< as commanded, after safety [N]
-  double energy_out = 0;        ///< TickResult::energy_out [J]
+  double time = 0;            ///< since the loop began [s]
+  std::uint32_t page = 0;     ///< PageChange::page
+  glm::dvec3 tip_P{0, 0, 0};  ///< [m]
+  /// As commanded, after safety; of a device without motors what would be felt [N].
+  glm::dvec3 force_P{0, 0, 0};
+  double energy_out = 0;  ///< TickResult::energy_out [J]
   bool in_contact = false;
   bool fault = false;  ///< MuJoCo's
 };
@@ -58,6 +59,7 @@ struct LoopSnapshot {
   bool stopped = false;                         ///< waits for GoOn
   glm::dvec3 tip_P{0, 0, 0}, proxy_P{0, 0, 0};  ///< [m]
   glm::dvec3 force_D{0, 0, 0};                  ///< commanded [N]
+  glm::dvec3 force_P{0, 0, 0};                  ///< as LoopSample::force_P
   double depth = 0;                             ///< > 0 in contact [m]
   glm::dvec3 heat{0, 0, 0};                     ///< SafetyResult::heat
   std::array<std::uint64_t, kSafetyEvents> safety_counts{};

@@ -117,6 +117,13 @@ TEST_F(LoopCommand, LetsEmulatedDevicesFeelThePage) {
   }
 }
 
+TEST_F(LoopCommand, SaysThatADeviceWithoutMotorsIsNotFelt) {
+  const FakeHid fake("spacemouse");
+  const Outcome outcome = RunLine({"loop", "MOON", "--device", NameOfFake(), "--seconds", "0.3"});
+  EXPECT_TRUE(Holds(outcome.out, "This device has no motors: forces are told, not felt."))
+      << outcome.out;
+}
+
 TEST_F(LoopCommand, GoesOnAfterReplugging) {
   const FakeHid fake("moontrace-raw", "replug@500");
   const Outcome outcome =

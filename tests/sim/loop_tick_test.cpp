@@ -161,6 +161,15 @@ TEST_F(LoopTickTest, AnAxisThatDoesNotPushIsGivenNothing) {
   EXPECT_EQ(log_.last().z, 0);
 }
 
+TEST_F(LoopTickTest, WhoHoldsADeviceWithoutMotorsIsToldTheForce) {
+  DeviceLimits limits;
+  limits.pushes = glm::bvec3(false);
+  Begin(HoldAt(kPressed), limits);
+  Run(kSettled);
+  EXPECT_EQ(log_.last(), kZero);
+  EXPECT_NEAR(Newest().force_P.z, kPressedForce, kSmall);
+}
+
 TEST_F(LoopTickTest, AShortPressAsksWhere) {
   Begin([](int n, DeviceState& state) {
     state.buttons = n < 100 ? 1U : 0U;

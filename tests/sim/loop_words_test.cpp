@@ -19,14 +19,15 @@ TEST(LoopWords, AreReadWholeBegunOrByNumber) {
   EXPECT_EQ(ReadLoopWord("n"), LoopWord::kNext);
   EXPECT_EQ(ReadLoopWord("6"), LoopWord::kBack);
   EXPECT_EQ(ReadLoopWord("w"), LoopWord::kWhere);
-  EXPECT_EQ(ReadLoopWord("8"), LoopWord::kQuit);
+  EXPECT_EQ(ReadLoopWord("m"), LoopWord::kMark);
+  EXPECT_EQ(ReadLoopWord("9"), LoopWord::kQuit);
   EXPECT_EQ(ReadLoopWord("?"), LoopWord::kHelp);
 }
 
 TEST(LoopWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(ReadLoopWord(""), LoopWord::kNothing);
   EXPECT_EQ(ReadLoopWord(" \t"), LoopWord::kNothing);
-  EXPECT_EQ(ReadLoopWord("9"), LoopWord::kUnknown);
+  EXPECT_EQ(ReadLoopWord("10"), LoopWord::kUnknown);
   EXPECT_EQ(ReadLoopWord("stopp"), LoopWord::kUnknown);
   EXPECT_EQ(ReadLoopWord("s"), LoopWord::kAmbiguous);
   EXPECT_EQ(LoopWordsFrom("s"), (std::vector<std::string>{"stop", "smaller"}));
