@@ -1,5 +1,6 @@
 #include "sim/loop/button.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -25,7 +26,7 @@ std::vector<std::string> Told(const std::vector<Step>& steps, bool hold_to_feel 
       const ButtonAction action = AdvanceButtons(state, step.buttons, n * 0.001, hold_to_feel);
       const char* names[] = {"", "say", "bookmark", "stop"};
       if (action == ButtonAction::kNone) continue;
-      told.push_back(names[static_cast<int>(action)] + ("@" + std::to_string(n)));
+      told.push_back(fmt::format("{}@{}", names[static_cast<int>(action)], n));
     }
   }
   return told;
