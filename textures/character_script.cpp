@@ -15,6 +15,8 @@ Script CharacterScript(const std::string& name) {
   // Of the 20-stroke characters few have strokes nearer than 0.07 em: a wall is left between them.
   script.stroke_width = 0.04;
   script.space_advance = 1;
+  script.size = 0.020;       // smaller ones have gaps below a probe's width
+  script.line_pitch = 1.25;  // the box has its own margins
   script.grades = {1};
   return script;
 }

@@ -148,18 +148,29 @@ class GlyphChecker {
 
   double NeededSpacing() const { return (size_.groove + size_.probe_diameter) / size_.size; }
 
-  /// Of the samples; between strokes the distance itself is taken to the pieces, since that to
-  /// samples wavers and would show gaps where strokes meet at a narrow angle.
+  /// Along the stroke from one sample to another, round a ring the shorter way.
+  double Way(std::size_t i, const Sample& a, const Sample& b) const {
+    const double way = std::abs(a.at - b.at);
+    return IsRing(i) ? std::min(way, samples_[i].back().at - way) : way;
+  }
+
+  /// Which sample is nearest, and how near the stroke itself is: distances to samples would waver
+  /// and show gaps where strokes meet at a narrow angle. `apart` keeps a stroke's neighbourhood
+  /// out.
   Nearest NearestIn(std::size_t j, const Sample& to, bool itself, double apart) const {
     Nearest nearest;
-    for (std::size_t k = 0; k < samples_[j].size(); ++k) {
-      if (itself && std::abs(samples_[j][k].at - to.at) < apart) continue;
-      const double distance = glm::length(samples_[j][k].p - to.p);
+    const std::vector<Sample>& samples = samples_[j];
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (itself && Way(j, samples[k], to) < apart) continue;
+      const double distance = glm::length(samples[k].p - to.p);
       if (distance < nearest.distance) nearest = {distance, k};
     }
-    if (itself) return nearest;
-    for (const Piece& piece : glyph_.strokes[j].pieces) {
-      nearest.distance = std::min(nearest.distance, DistanceTo(piece, to.p));
+    if (nearest.distance > 1e200) return nearest;
+    for (std::size_t k = nearest.index > 0 ? nearest.index - 1 : 0;
+         k <= nearest.index && k + 1 < samples.size(); ++k) {
+      if (itself && std::min(Way(j, samples[k], to), Way(j, samples[k + 1], to)) < apart) continue;
+      const Line chord{samples[k].p, samples[k + 1].p};
+      nearest.distance = std::min(nearest.distance, DistanceTo(Piece(chord), to.p));
     }
     return nearest;
   }
@@ -173,24 +184,28 @@ class GlyphChecker {
     for (const Sample& sample : one) {
       nearest.push_back(NearestIn(j, sample, itself, apart));
     }
+    // What comes within the other's groove has joined it.
+    const double meeting = std::max(kMeeting, size_.groove / 2 / size_.size);
     double overlap = 0, narrow = 1e300;
     for (std::size_t k = 0; k < one.size(); ++k) {
       const Nearest& at = nearest[k];
       if (at.distance > 1e200) continue;
       const Sample& beside = other[at.index];
       const double stretch = k > 0 ? one[k].at - one[k - 1].at : 0;
-      if (at.distance <= kMeeting) {
-        if (std::abs(glm::dot(one[k].direction, beside.direction)) >= kParallel) overlap += stretch;
+      if (at.distance <= meeting) {
+        const bool along = std::abs(glm::dot(one[k].direction, beside.direction)) >= kParallel;
+        const double beyond = std::abs(glm::dot(one[k].p - beside.p, beside.direction));
+        if (along && beyond <= kStep) overlap += stretch;  // not where the other has ended
         continue;
       }
       const bool least = (k == 0 || nearest[k - 1].distance >= at.distance) &&
                          (k + 1 == one.size() || nearest[k + 1].distance >= at.distance);
       // At the edge of what is kept out the distance only grows with the way between them.
-      const bool at_edge = itself && std::abs(beside.at - one[k].at) < 1.1 * apart + 2 * kStep;
+      const bool at_edge = itself && Way(i, beside, one[k]) < 1.1 * apart + 2 * kStep;
       if (least && !at_edge) narrow = std::min(narrow, at.distance);
     }
     if (itself) overlap /= 2;  // each of the two ways was counted
-    if (overlap > kLeastOverlap) Add(Kind::kOverlap, i, j, overlap * size_.size);
+    if (overlap > kLeastOverlap + meeting) Add(Kind::kOverlap, i, j, overlap * size_.size);
     if (narrow < NeededSpacing() * (1 - 1e-9)) {
       Add(Kind::kNarrowGap, i, j, narrow * size_.size - size_.groove, size_.probe_diameter);
     }

@@ -35,7 +35,8 @@ struct CheckSize {
   double probe_diameter = 0.0012;  ///< of the proxy's ball in models/proxy.xml
 };
 
-/// Findings glyph by glyph. Strokes meet where they come within 0.01 em. A bend needs a radius of
+/// Findings glyph by glyph. Ends meet within 0.01 em; what comes within half a groove of a stroke
+/// has joined it, and is an overlap if it runs along. A bend needs a radius of
 /// w/2 (the inner rim shrinks to a point there) and of the probe's; only bends of 90 degrees and
 /// more count, since a corner is none. Between two grooves that pass each other the surface must be
 /// as wide as the probe. Chinese characters and kana (U+2E80 and above) lift the pen by their own

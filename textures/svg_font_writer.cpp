@@ -221,10 +221,16 @@ std::string WriteRules(const Script& script) {
       "grades = [{}]\n",
       Quoted(script.title), Quoted(script.author), Quoted(script.licence), script.stroke_width,
       script.space_advance, Joined(grades));
+  toml += fmt::format("size_mm = {:.6g}\nline_pitch_em = {:.6g}\n", 1000 * script.size,
+                      script.line_pitch);
+  if (script.depth > 0) toml += fmt::format("depth_em = {:.6g}\n", script.depth);
   if (script.protect_mark != 0) {
     toml += "protect_mark = " + Quoted(ToUtf8(script.protect_mark)) + "\n";
   }
   AppendMaps(script, toml);
+  for (const auto& [grade, table] : script.braille_tables) {
+    toml += fmt::format("\n[[braille]]\ngrade = {}\ntable = {}\n", grade, Quoted(table));
+  }
   for (const Contraction& contraction : script.contractions) {
     std::vector<std::string> signs;
     for (const std::string& sign : contraction.signs) signs.push_back(Quoted(sign));

@@ -21,6 +21,8 @@
 #include "sim/app/page_command.h"
 #include "sim/app/probe_command.h"
 #include "sim/app/replay_command.h"
+#include "sim/app/script_command.h"
+#include "sim/app/script_messages.h"
 #include "sim/app/trace_command.h"
 #include "sim/scene/mujoco_compat.h"
 #include "textures/error.h"
@@ -110,6 +112,7 @@ constexpr Command kCommands[] = {
     {"trace", say::help::kTrace, RunCommand<TraceOptions>},
     {"loop", say::help::kLoop, RunCommand<LoopCommandOptions>},
     {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
+    {"script", say::help::kScriptCommand, RunCommand<ScriptOptions>},
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},

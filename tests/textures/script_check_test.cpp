@@ -112,6 +112,10 @@ TEST(CheckScript, TakesCrossingsAndAnglesForWhatTheyAre) {
   EXPECT_TRUE(FindingsOf({LineStroke({{0, 0}, {0.5, 1}, {1, 0}})}).empty());
   EXPECT_TRUE(FindingsOf({LineStroke({{0, 0}, {0.2, 1}, {0.4, 0}})}).empty());
   EXPECT_TRUE(FindingsOf({ArcStroke({{0.5, 0.5}, 0.5, 1, 2 * std::numbers::pi})}).empty());
+  std::vector<glm::dvec2> ring;  // not of one piece either
+  for (int i = 0; i <= 16; ++i) ring.emplace_back(std::cos(i * 0.3927), std::sin(i * 0.3927));
+  ring.back() = ring.front();
+  EXPECT_TRUE(FindingsOf({LineStroke(ring)}).empty());
 }
 
 TEST(IsOutlineFont, TellsPrintFromStrokes) {

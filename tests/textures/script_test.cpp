@@ -154,13 +154,12 @@ class ScriptFiles : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(ScriptFiles, ComeInPairs) {
+TEST_F(ScriptFiles, ComeInPairsOrWithoutRules) {
   const std::string svg = Write("small.svg", kFont);
-  EXPECT_EQ(ErrorOf([&] { FindScript(svg); }),
-            (folder_ / "small.toml").string() +
-                ": missing; a script keeps its rules in a TOML file of its name");
+  EXPECT_EQ(FindScript(svg).author, "not said in the font");
   Write("small.toml", kRules);
   EXPECT_EQ(FindScript(svg).name, "small");
+  EXPECT_EQ(FindScript(svg).author, "A");
 }
 
 TEST_F(ScriptFiles, NameAMissingFontAFolderAndAFileThatIsNoSvg) {
@@ -170,10 +169,15 @@ TEST_F(ScriptFiles, NameAMissingFontAFolderAndAFileThatIsNoSvg) {
                 ": cannot be opened (No such file or directory); check the path and the "
                 "permissions");
   EXPECT_EQ(ErrorOf([&] { FindScript(folder_.string()); }),
-            folder_.string() + ": is a folder; name a file in it");
+            folder_.string() +
+                ": a folder without characters; give one of KanjiVG (04e00.svg) or of "
+                "hanzi-writer-data (\u4e00.json)");
   const std::string text = Write("letter.txt", "Dear reader,\n");
   EXPECT_EQ(ErrorOf([&] { FindScript(text); }),
-            text + ":1:1: no XML in this file; give an SVG 1.1 font");
+            text + ":1:1: broken JSON; get the file of medians again");
+  const std::string svg = Write("letter.svg", "Dear reader,\n");
+  EXPECT_EQ(ErrorOf([&] { FindScript(svg); }),
+            svg + ":1:1: no XML in this file; give an SVG 1.1 font");
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ TEST(WriteSvgFont, MoonComesBackWithAllItsRules) {
   EXPECT_EQ(again.grades, moon.grades);
   EXPECT_EQ(again.protect_mark, moon.protect_mark);
   EXPECT_DOUBLE_EQ(again.stroke_width, moon.stroke_width);
+  EXPECT_DOUBLE_EQ(again.size, moon.size);
+  EXPECT_DOUBLE_EQ(again.line_pitch, moon.line_pitch);
   EXPECT_DOUBLE_EQ(again.space_advance, moon.space_advance);
   ASSERT_EQ(again.contractions.size(), moon.contractions.size());
   for (std::size_t i = 0; i < moon.contractions.size(); ++i) {
@@ -75,6 +77,15 @@ TEST(WriteSvgFont, MoonComesBackWithAllItsRules) {
     EXPECT_EQ(again.contractions[i].grade, moon.contractions[i].grade);
     EXPECT_EQ(again.contractions[i].where, moon.contractions[i].where);
   }
+}
+
+TEST(WriteSvgFont, BrailleComesBackWithItsTables) {
+  const Script braille = FindScript("braille");
+  const Script again = Again(braille);
+  ExpectSameGlyphs(braille, again, kRounding);
+  EXPECT_EQ(again.braille_tables, braille.braille_tables);
+  EXPECT_DOUBLE_EQ(again.depth, braille.depth);
+  EXPECT_DOUBLE_EQ(again.size, braille.size);
 }
 
 TEST(WriteSvgFont, CharactersAndSpecialNamesComeBack) {

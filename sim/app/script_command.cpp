@@ -1,0 +1,286 @@
+#include "sim/app/script_command.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <vector>
+
+#include "sim/app/help.h"
+#include "sim/app/messages.h"
+#include "sim/app/script_messages.h"
+#include "sim/app/typeset_report.h"
+#include "sim/view/picture_file.h"
+#include "sim/view/script_table.h"
+#include "textures/error.h"
+#include "textures/fold.h"
+#include "textures/script_check.h"
+#include "textures/script_library.h"
+#include "textures/svg_font_writer.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFindingsSaid = 100;
+constexpr std::size_t kMostCharactersSaid = 400;
+constexpr double kJoinWithin = 0.01;  // [em], as the checker takes ends to meet
+
+int List(const ScriptOptions& options, Console& console) {
+  const std::vector<ScriptEntry> entries = ListScripts();
+  Json list = Json::array();
+  if (!options.output.json) console.Result(say::ScriptCount(entries.size()));
+  for (const ScriptEntry& entry : entries) {
+    console.CheckStop();
+    Json item{{"name", entry.name}, {"path", entry.path}};
+    try {
+      const Script script = LoadScriptFile(entry.path, "");
+      console.Result(say::ScriptLine(entry.name, script));
+      item["title"] = script.title;
+      item["author"] = script.author;
+      item["licence"] = script.licence;
+      item["glyphs"] = script.glyphs.size();
+    } catch (const InputError& error) {
+      console.Result(say::ScriptUnread(entry.name));
+      item["error"] = error.what();
+    }
+    list.push_back(std::move(item));
+  }
+  if (options.output.json) console.Json(Dump(Json{{"scripts", std::move(list)}}));
+  return exit_code::kGood;
+}
+
+/// The characters that have a sign, a few hundred at most, then "...".
+std::string Covered(const Script& script) {
+  std::string characters;
+  std::size_t count = 0;
+  for (const auto& sign : script.signs) {
+    if (++count > kMostCharactersSaid) return characters + " ...";
+    // A blank now and then, so that a long line of them can be wrapped.
+    if (count > 1 && count % 32 == 1) characters += ' ';
+    characters += Shown(ToUtf8(sign.first));
+  }
+  if (!script.digits.empty()) characters += " 0 to 9 behind the numeral sign";
+  return characters;
+}
+
+int Info(const ScriptOptions& options, const Script& script, Console& console) {
+  if (options.output.json) {
+    std::string characters;
+    for (const auto& sign : script.signs) characters += ToUtf8(sign.first);
+    Json names = Json::array();
+    for (const Glyph& glyph : script.glyphs) names.push_back(glyph.name);
+    console.Json(Dump(Json{{"name", script.name},
+                           {"title", script.title},
+                           {"author", script.author},
+                           {"licence", script.licence},
+                           {"glyphs", std::move(names)},
+                           {"characters", characters},
+                           {"stroke_width_em", script.stroke_width},
+                           {"space_advance_em", script.space_advance},
+                           {"grades", script.grades},
+                           {"contractions", script.contractions.size()},
+                           {"outlines", IsOutlineFont(script)}}));
+    return exit_code::kGood;
+  }
+  console.Result(say::ScriptOutcome(script));
+  console.Result(say::ScriptAuthor(script));
+  console.Result(say::ScriptLicence(script));
+  console.Result(say::ScriptSizes(script));
+  console.Result(say::ScriptRules(script));
+  console.Result(say::ScriptCovers(Covered(script)));
+  if (IsOutlineFont(script)) console.Result(say::ScriptIsOutlines());
+  return exit_code::kGood;
+}
+
+Json FindingJson(const ScriptFinding& finding, const Script& script) {
+  constexpr const char* kNames[] = {"split",   "lift",       "reversed",
+                                    "overlap", "tight-bend", "narrow-gap"};
+  const bool turn = finding.kind <= ScriptFinding::Kind::kReversed;
+  Json json{{"glyph", script.glyphs[finding.glyph].name},
+            {"kind", kNames[static_cast<std::size_t>(finding.kind)]},
+            {"strokes", {finding.stroke + 1, finding.other + 1}}};
+  json[turn ? "turn_rad" : "figure_mm"] = turn ? finding.figure : 1e3 * finding.figure;
+  if (finding.needed > 0) json["needed_mm"] = 1e3 * finding.needed;
+  return json;
+}
+
+/// Ends with 1 where there is something to mend, so that a script can be checked unattended.
+int Check(const ScriptOptions& options, const Script& script, Console& console) {
+  const double size = options.size.value_or(script.size);
+  const TypeStyle style = DefaultStyle(size, Relief::kEngraved, script);
+  CheckSize check;
+  check.size = size;
+  check.groove = style.width;
+  const std::vector<ScriptFinding> findings = CheckScript(script, check);
+  const bool outlines = IsOutlineFont(script);
+  if (options.output.json) {
+    Json list = Json::array();
+    for (const ScriptFinding& finding : findings) list.push_back(FindingJson(finding, script));
+    console.Json(Dump(Json{{"size_mm", 1e3 * size},
+                           {"groove_mm", 1e3 * check.groove},
+                           {"probe_mm", 1e3 * check.probe_diameter},
+                           {"outlines", outlines},
+                           {"findings", std::move(list)}}));
+  } else {
+    console.Result(say::CheckOutcome(findings.size(), script.glyphs.size(), check));
+    for (std::size_t i = 0; i < std::min(findings.size(), kMostFindingsSaid); ++i) {
+      console.Result(say::FindingLine(findings[i], script));
+    }
+    if (findings.size() > kMostFindingsSaid) {
+      console.Result(say::MoreFindings(findings.size() - kMostFindingsSaid));
+    }
+    if (outlines) console.Result(say::ScriptIsOutlines());
+  }
+  return findings.empty() && !outlines ? exit_code::kGood : exit_code::kFailed;
+}
+
+/// First beside its place, then renamed: nothing half-written is left.
+void WriteWhole(const std::string& path, const std::string& bytes) {
+  const std::string partial = path + ".partial";
+  std::FILE* file = std::fopen(partial.c_str(), "wb");
+  if (file == nullptr) throw LackError(say::CannotWriteScript(path, std::strerror(errno)));
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  const bool closed = std::fclose(file) == 0;
+  if (!written || !closed || std::rename(partial.c_str(), path.c_str()) != 0) {
+    const std::string cause = std::strerror(errno);
+    std::remove(partial.c_str());
+    throw LackError(say::CannotWriteScript(path, cause));
+  }
+}
+
+int Convert(const ScriptOptions& options, Script script, Console& console) {
+  std::size_t joined = 0;
+  for (Glyph& glyph : script.glyphs) {
+    const std::size_t before = glyph.strokes.size();
+    if (options.join) JoinStrokes(glyph, kJoinWithin);
+    joined += before - glyph.strokes.size();
+  }
+  const std::string rules = fs::path(options.to).replace_extension(".toml").string();
+  WriteWhole(options.to, WriteSvgFont(script));
+  WriteWhole(rules, WriteRules(script));
+  if (options.output.json) {
+    console.Json(Dump(Json{{"font", options.to},
+                           {"rules", rules},
+                           {"glyphs", script.glyphs.size()},
+                           {"joined", joined}}));
+    return exit_code::kGood;
+  }
+  console.Result(say::Converted(script.glyphs.size(), joined));
+  console.Path(options.to);
+  console.Path(rules);
+  return exit_code::kGood;
+}
+
+int Picture(const ScriptOptions& options, const Script& script, Console& console) {
+  WritePicture(options.picture, ScriptTable(script));
+  const std::size_t shown = std::min(script.glyphs.size(), kMostInTable);
+  if (options.output.json) {
+    console.Json(Dump(
+        Json{{"picture", options.picture}, {"shown", shown}, {"glyphs", script.glyphs.size()}}));
+    return exit_code::kGood;
+  }
+  console.Result(say::TableOutcome(shown, script.glyphs.size()));
+  for (std::size_t first = 0; first < shown; first += kRowOfTable) {
+    std::string names;
+    for (std::size_t i = first; i < std::min(first + kRowOfTable, shown); ++i) {
+      names.append(i > first ? " " : "").append(OneLine(script.glyphs[i].name, 40));
+    }
+    console.Result(say::TableRow(first / kRowOfTable, names));
+  }
+  console.Result(say::PictureIn());
+  console.Path(options.picture);
+  return exit_code::kGood;
+}
+
+/// Only the glyphs of these characters, where the loader read more.
+void KeepOnly(const std::string& only, Script& script) {
+  if (only.empty()) return;
+  const std::u32string wanted = ToCodePoints(only);
+  std::vector<Glyph> kept;
+  for (const auto& [character, name] : script.signs) {
+    const std::size_t index = script.Find(name);
+    const bool has = std::any_of(kept.begin(), kept.end(),
+                                 [&name = name](const Glyph& glyph) { return glyph.name == name; });
+    if (wanted.find(character) != std::u32string::npos && index != Script::npos && !has) {
+      kept.push_back(script.glyphs[index]);
+    }
+  }
+  if (kept.empty()) {
+    throw InputError("--only: script " + script.name + " has no sign for any of '" + Shown(only) +
+                     "'; name others");
+  }
+  script.glyphs = std::move(kept);
+  const auto gone = [&script](const std::string& name) {
+    return script.Find(name) == Script::npos;
+  };
+  std::erase_if(script.signs, [&](const auto& sign) { return gone(sign.second); });
+  std::erase_if(script.contractions, [&](const Contraction& contraction) {
+    return std::any_of(contraction.signs.begin(), contraction.signs.end(), gone);
+  });
+  script.digits.clear();
+  script.numeral_sign.clear();
+  script.forms.clear();
+}
+
+void CheckUse(const ScriptOptions& options) {
+  const auto known = {"list", "info", "check", "convert", "picture"};
+  const std::string& action = options.action;
+  if (std::find(known.begin(), known.end(), action) == known.end()) {
+    throw UsageError(say::NotAScriptAction(action));
+  }
+  const auto only_for = [&action](const char* option, bool given, const char* owner) {
+    if (given && action != owner) throw UsageError(say::NotOfThisAction(option, action));
+  };
+  only_for("--size-mm", options.size.has_value(), "check");
+  only_for("--to", !options.to.empty(), "convert");
+  only_for("--join", options.join, "convert");
+  only_for("--picture", !options.picture.empty(), "picture");
+  if (action == "list" && (!options.script.empty() || !options.only.empty())) {
+    throw UsageError(say::NotOfThisAction("a script's name", action));
+  }
+  if (action != "list" && options.script.empty()) throw UsageError(say::NoScriptNamed(action));
+  if (action == "convert" && options.to.empty()) {
+    throw UsageError(say::NeedsOther("script convert", "--to"));
+  }
+  if (action == "picture" && options.picture.empty()) {
+    throw UsageError(say::NeedsOther("script picture", "--picture"));
+  }
+  if (!options.to.empty() && LowerCase(fs::path(options.to).extension().string()) != ".svg") {
+    throw UsageError(say::NotAnSvgPath(options.to));
+  }
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, ScriptOptions& options) {
+  namespace help = say::help;
+  AddPath(app, "ACTION", "WORD", options.action, help::kScriptAction);
+  AddPath(app, "SCRIPT", "NAME", options.script, help::kScriptName);
+  AddPath(app, "--only", "TEXT", options.only, help::kScriptOnly);
+  AddNumber(app, "--size-mm", options.size, 1, 1000, 1e-3, help::kScriptSize);
+  AddPath(app, "--to", "FILE", options.to, help::kScriptTo);
+  app.add_flag("--join", options.join, help::kScriptJoin);
+  AddPath(app, "--picture", "FILE", options.picture, help::kScriptPicture);
+  AddOptions(app, options.output);
+}
+
+int Run(const ScriptOptions& options, Console& console) {
+  CheckUse(options);
+  if (options.action == "list") return List(options, console);
+  if (!options.picture.empty()) CheckPicturePath(options.picture);
+  Script script = LoadScriptNamed(options.script, options.only);
+  KeepOnly(options.only, script);
+  console.CheckStop();
+  if (options.action == "info") return Info(options, script, console);
+  if (options.action == "check") return Check(options, script, console);
+  if (options.action == "convert") return Convert(options, std::move(script), console);
+  return Picture(options, script, console);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,186 @@
+#include "sim/app/script_messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "sim/app/words.h"
+#include "textures/text_file.h"
+
+namespace moontrace::say {
+
+namespace {
+
+using Kind = ScriptFinding::Kind;
+
+std::string Mm(double metres) { return Short(kMillimetres * metres, 2) + " mm"; }
+std::string Em(double em) { return Short(em, 3) + " em"; }
+std::string Degrees(double angle) { return Short(angle * 180 / std::numbers::pi, 0) + " degrees"; }
+
+const char* Name(Kind kind) {
+  switch (kind) {
+    case Kind::kSplit:
+      return "split stroke";
+    case Kind::kLift:
+      return "needless lift";
+    case Kind::kReversed:
+      return "reversed stroke";
+    case Kind::kOverlap:
+      return "overlap";
+    case Kind::kTightBend:
+      return "bend too tight";
+    case Kind::kNarrowGap:
+      return "gap too narrow";
+  }
+  return "";
+}
+
+std::string Explained(const ScriptFinding& finding) {
+  switch (finding.kind) {
+    case Kind::kSplit:
+      return "the second goes on where the first ends, turn " + Degrees(finding.figure) +
+             "; join them";
+    case Kind::kLift:
+      return "the second starts where the first ends, turn " + Degrees(finding.figure) +
+             "; join them";
+    case Kind::kReversed:
+      return "their ends meet, turn " + Degrees(finding.figure) + "; reverse one and join them";
+    case Kind::kOverlap:
+      return Mm(finding.figure) + " are travelled twice";
+    case Kind::kTightBend:
+      return "radius " + Mm(finding.figure) + ", needs " + Mm(finding.needed);
+    case Kind::kNarrowGap:
+      if (finding.figure < 0) return "grooves run " + Mm(-finding.figure) + " into each other";
+      return Mm(finding.figure) + " between the grooves, needs " + Mm(finding.needed);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string NotAScriptAction(std::string_view given) {
+  if (given.empty()) return "script: say what to do: list, info, check, convert or picture";
+  return fmt::format("script: unknown action '{}': give list, info, check, convert or picture",
+                     OneLine(given, 40));
+}
+
+std::string NoScriptNamed(std::string_view action) {
+  return fmt::format("script {}: name a script, as in: moontrace script {} moon", action, action);
+}
+
+std::string NotOfThisAction(std::string_view option, std::string_view action) {
+  return fmt::format("script {}: {} is not for this; leave it out", action, option);
+}
+
+std::string ScriptCount(std::size_t count) { return Counted(count, "script.", "scripts."); }
+
+std::string ScriptLine(std::string_view name, const Script& script) {
+  return fmt::format("{}: {}, {}, licence {}.", OneLine(name, 40), OneLine(script.title, 60),
+                     Counted(script.glyphs.size(), "sign", "signs"), OneLine(script.licence, 80));
+}
+
+std::string ScriptUnread(std::string_view name) {
+  return fmt::format("{}: cannot be read; see: moontrace script info {}", OneLine(name, 40),
+                     OneLine(name, 40));
+}
+
+std::string ScriptOutcome(const Script& script) {
+  return fmt::format("{}: {}.", OneLine(script.title, 60),
+                     Counted(script.glyphs.size(), "sign", "signs"));
+}
+
+std::string ScriptAuthor(const Script& script) {
+  return "Author: " + OneLine(script.author, 300) + ".";
+}
+
+std::string ScriptLicence(const Script& script) {
+  return "Licence: " + OneLine(script.licence, 300) + ".";
+}
+
+std::string ScriptSizes(const Script& script) {
+  double narrow = 1e300, wide = 0;
+  for (const Glyph& glyph : script.glyphs) {
+    narrow = std::min(narrow, glyph.advance);
+    wide = std::max(wide, glyph.advance);
+  }
+  const std::string signs = wide > narrow ? Em(narrow) + " to " + Em(wide) : Em(wide);
+  return fmt::format("Sizes: signs {} wide with their gap, space {}, strokes {}.", signs,
+                     Em(script.space_advance), Em(script.stroke_width));
+}
+
+std::string ScriptCovers(std::string_view characters) {
+  return fmt::format("Writes: {}", characters);
+}
+
+std::string ScriptRules(const Script& script) {
+  std::string grades;
+  for (const double grade : script.grades) {
+    grades += fmt::format("{}{}", grades.empty() ? "" : ", ", grade);
+  }
+  return fmt::format("Rules: {}, {}, grade {}.",
+                     Counted(script.contractions.size(), "contraction", "contractions"),
+                     script.digits.empty() ? "no numeral sign" : "a numeral sign", grades);
+}
+
+std::string ScriptIsOutlines() {
+  return "Most signs are closed outlines: a font for print, felt as filled areas. Give one whose "
+         "letters are open paths; in fontforge set Stroked Font before saving.";
+}
+
+std::string CheckOutcome(std::size_t findings, std::size_t glyphs, const CheckSize& size) {
+  return fmt::format("{} in {}, letters of {}, grooves of {}, a probe of {}.",
+                     Counted(findings, "finding", "findings"), Counted(glyphs, "sign", "signs"),
+                     Mm(size.size), Mm(size.groove), Mm(size.probe_diameter));
+}
+
+std::string FindingLine(const ScriptFinding& finding, const Script& script) {
+  const std::string strokes =
+      finding.other == finding.stroke
+          ? fmt::format("stroke {}", finding.stroke + 1)
+          : fmt::format("strokes {} and {}", finding.stroke + 1, finding.other + 1);
+  return fmt::format("{}: {}, {}: {}.", OneLine(script.glyphs[finding.glyph].name, 40),
+                     Name(finding.kind), strokes, Explained(finding));
+}
+
+std::string MoreFindings(std::size_t count) {
+  return fmt::format("And {}; --json lists all.", Counted(count, "more finding", "more findings"));
+}
+
+std::string Converted(std::size_t glyphs, std::size_t joined) {
+  const std::string signs = Counted(glyphs, "sign", "signs");
+  if (joined == 0) return fmt::format("Converted {}; the font and its rules are in:", signs);
+  return fmt::format("Converted {}, {} joined to the one before; the font and its rules are in:",
+                     signs, Counted(joined, "stroke", "strokes"));
+}
+
+std::string TableOutcome(std::size_t shown, std::size_t glyphs) {
+  if (shown == glyphs) return fmt::format("{} drawn.", Counted(glyphs, "sign", "signs"));
+  return fmt::format("{} of {} signs drawn; name others with --only.", shown, glyphs);
+}
+
+std::string TableRow(std::size_t row, std::string_view names) {
+  return fmt::format("Row {}: {}", row + 1, names);
+}
+
+std::string TableTitle(const Script& script) {
+  return fmt::format("The signs of {}", OneLine(script.title, 60));
+}
+
+std::string TableWords(const Script& script, std::size_t shown) {
+  return fmt::format(
+      "{} of {}, in rows of eight, each with its name below. A ring marks where a stroke starts. "
+      "By {}; licence {}.",
+      Counted(shown, "sign", "signs"), OneLine(script.title, 60), OneLine(script.author, 120),
+      OneLine(script.licence, 80));
+}
+
+std::string CannotWriteScript(std::string_view path, std::string_view cause) {
+  return fmt::format("{}: cannot be written ({}); choose another place", path, cause);
+}
+
+std::string NotAnSvgPath(std::string_view path) {
+  return fmt::format("--to is '{}'; give a path that ends in .svg", OneLine(path, 60));
+}
+
+}  // namespace moontrace::say

@@ -1,0 +1,129 @@
+#include "sim/app/script_command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+const std::string kKanji = MOONTRACE_SOURCE_DIR "/tests/data/kanji";
+
+/// No scripts of the user who runs the tests.
+class ScriptCommand : public CliTest {
+ protected:
+  ScriptCommand() { setenv("XDG_DATA_HOME", folder_.c_str(), 1); }
+  ~ScriptCommand() override { unsetenv("XDG_DATA_HOME"); }
+};
+
+std::string Font(const std::string& path) {
+  return "<svg><font horiz-adv-x=\"1200\"><font-face font-family=\"F\" units-per-em=\"1000\"/>"
+         "<glyph unicode=\"a\" d=\"" +
+         path + "\"/></font></svg>";
+}
+
+TEST_F(ScriptCommand, ListsWithTitleAndLicence) {
+  const Outcome outcome = RunLine({"script", "list"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("moon: Moon, "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("licence CC0-1.0."), std::string::npos);
+  ExpectTextFace(outcome.out);
+}
+
+TEST_F(ScriptCommand, ListsAScriptThatCannotBeReadAndGoesOn) {
+  std::filesystem::create_directories(In("moontrace/scripts"));
+  WriteAll(In("moontrace/scripts/broken.jhf"), "x");
+  const Outcome outcome = RunLine({"script", "list"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("broken: cannot be read; see: moontrace script info broken"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(RunLine({"script", "info", "broken"}).code, 3);
+}
+
+TEST_F(ScriptCommand, TellsAuthorLicenceAndWhatIsWritten) {
+  const Outcome outcome = RunLine({"script", "info", kKanji});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  EXPECT_EQ(lines.at(0), "Sample kanji: 7 signs.");
+  EXPECT_EQ(lines.at(1), "Author: Moontrace.");
+  EXPECT_EQ(lines.at(2), "Licence: CC0-1.0.");
+  EXPECT_NE(outcome.out.find("\u65e5"), std::string::npos);
+  ExpectTextFace(outcome.out);
+  EXPECT_EQ(RunLine({"script", "info", kKanji, "--json", "--only", "\u6728"}).Json()["characters"],
+            "\u6728");
+}
+
+TEST_F(ScriptCommand, ChecksAndExitsWithOneWhereThereIsSomethingToMend) {
+  WriteAll(In("good.svg"), Font("M0 0L1000 0"));
+  EXPECT_EQ(RunLine({"script", "check", In("good.svg")}).code, 0);
+  WriteAll(In("split.svg"), Font("M0 0L500 0M500 0L1000 0"));
+  const Outcome outcome = RunLine({"script", "check", In("split.svg")});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(
+      outcome.out.find("a: split stroke, strokes 1 and 2: the second goes on where the first"),
+      std::string::npos)
+      << outcome.out;
+  ExpectTextFace(outcome.out);
+  const nlohmann::json json = RunLine({"script", "check", In("split.svg"), "--json"}).Json();
+  EXPECT_EQ(json["findings"][0]["kind"], "split");
+  EXPECT_EQ(json["findings"][0]["strokes"], nlohmann::json({1, 2}));
+}
+
+TEST_F(ScriptCommand, FindsMoreAtSmallerSizes) {
+  WriteAll(In("pair.svg"), Font("M0 0L1000 0M0 300L1000 300"));
+  EXPECT_EQ(RunLine({"script", "check", In("pair.svg"), "--size-mm", "20"}).code, 0);
+  EXPECT_EQ(RunLine({"script", "check", In("pair.svg"), "--size-mm", "4"}).code, 1);
+}
+
+TEST_F(ScriptCommand, ConvertsAnyScriptToAFontThatSetsThePage) {
+  const Outcome outcome = RunLine({"script", "convert", kKanji, "--to", In("k.svg")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Lines(outcome.out).back(), In("k.toml"));
+  const nlohmann::json page =
+      RunLine({"page", "\u65e5\u6728", "--json", "--script", In("k.svg")}).Json();
+  EXPECT_EQ(page["signs"], 2);
+  EXPECT_EQ(page["pages"][0]["glyphs"][1]["name"], "\u6728");
+  ExpectOnly({"k.svg", "k.toml"});
+}
+
+TEST_F(ScriptCommand, JoinsStrokesWhereAsked) {
+  WriteAll(In("split.svg"), Font("M0 0L500 0M500 0L1000 0"));
+  ASSERT_EQ(RunLine({"script", "convert", In("split.svg"), "--to", In("one.svg"), "--join"}).code,
+            0);
+  EXPECT_EQ(RunLine({"script", "check", In("one.svg")}).code, 0);
+}
+
+TEST_F(ScriptCommand, DrawsATableWithWordsBesideIt) {
+  const Outcome outcome = RunLine({"script", "picture", kKanji, "--picture", In("t.svg")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Lines(outcome.out).at(0), "7 signs drawn.");
+  EXPECT_EQ(Lines(outcome.out).back(), In("t.svg"));
+  const std::string svg = ReadAll(In("t.svg"));
+  EXPECT_NE(svg.find("<title>The signs of Sample kanji</title>"), std::string::npos);
+  EXPECT_NE(svg.find(">U+6728</text>"), std::string::npos);
+}
+
+TEST_F(ScriptCommand, RefusesWhatItCannotUnderstand) {
+  for (const std::vector<std::string>& args : {std::vector<std::string>{"script"},
+                                               {"script", "lst"},
+                                               {"script", "info"},
+                                               {"script", "convert", "moon"},
+                                               {"script", "convert", "moon", "--to", "x.txt"},
+                                               {"script", "picture", "moon"},
+                                               {"script", "info", "moon", "--join"},
+                                               {"script", "list", "moon"}}) {
+    const Outcome outcome = RunLine(args);
+    EXPECT_EQ(outcome.code, 2) << outcome.out;
+    EXPECT_EQ(Lines(outcome.err).size(), 1U);
+  }
+  EXPECT_EQ(RunLine({"script", "info", "mon"}).code, 3);
+  EXPECT_EQ(RunLine({"script", "info", "moon", "--only", "\u65e5"}).code, 3);
+  EXPECT_EQ(RunLine({"script", "convert", "moon", "--to", In("none/x.svg")}).code, 4);
+}
+
+}  // namespace
+}  // namespace moontrace
