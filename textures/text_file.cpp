@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "textures/error.h"
+#include "textures/utf8_check.h"
 
 namespace moontrace {
 
@@ -33,6 +34,7 @@ std::string OneLine(std::string_view text, std::size_t limit) {
   for (char& c : line) {
     if (static_cast<unsigned char>(c) < 0x20U || c == '\x7f') c = '?';
   }
+  while (const std::optional<std::size_t> bad = FirstBadUtf8(line)) line[*bad] = '?';
   return line;
 }
 

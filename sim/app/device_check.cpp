@@ -35,7 +35,10 @@ class Check {
   std::vector<CheckStep> Run() {
     Say(say::TestBegins(checked_.name, checked_.title));
     Open();
-    if (NeedsToBeHomed()) Step("homing", [this] { return HomeIt(); });
+    if (NeedsToBeHomed()) {
+      Step("homing", [this] { return HomeIt(); });
+      unhomed_ = steps_.empty() || steps_.back().result != StepResult::kGood;
+    }
     Step("position and buttons", [this] { return Look(); });
     Step("small forces", [this] { return Push(); });
     Step("caps", [this] { return Caps(); });
@@ -142,6 +145,7 @@ class Check {
   StepResult Push() {
     if (!glm::any(limits_.pushes)) return LeaveOut(say::PushesNothing());
     if (motors_off_) return LeaveOut(say::MotorsOff());
+    if (unhomed_) return LeaveOut(say::NotHomed());
     agreed_ = Ask(say::AskForForces(force_)).value_or(false);
     if (!agreed_) return LeaveOut(say::ForcesLeftOut());
     StepResult result = StepResult::kGood;
@@ -151,7 +155,7 @@ class Check {
         if (!PushOnce(axis, sign)) result = StepResult::kFailed;
       }
     }
-    return agreed_ ? result : LeaveOut(say::ForcesLeftOut());
+    return agreed_ ? result : LeaveOut(say::PushesEnded());
   }
 
   /// False if somebody says that it went elsewhere.
@@ -258,7 +262,7 @@ class Check {
   std::optional<DeviceSession> session_;
   DeviceLimits limits_;
   double force_ = 0;  ///< that is pushed with [N]
-  bool agreed_ = false, motors_off_ = false, lost_ = false;
+  bool agreed_ = false, motors_off_ = false, unhomed_ = false, lost_ = false;
   std::vector<CheckStep> steps_;
 };
 

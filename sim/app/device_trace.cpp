@@ -52,6 +52,7 @@ class PageScore {
     ++result_.ticks;
     result_.duration += tick;
     if (sample.fault) ++result_.faults;
+    touched_ = touched_ || sample.in_contact;
     result_.energy_out = std::max(result_.energy_out, sample.energy_out);
     const PathPoint point{sample.tip_P, scored.phase, sample.in_contact};
     std::vector<PathPoint>& path = result_.path;
@@ -59,6 +60,8 @@ class PageScore {
                       glm::distance(path.back().tip_P, point.tip_P) < spacing_;
     if (spacing_ > 0 && !same) path.push_back(point);
   }
+
+  bool touched() const { return touched_; }
 
   TrialResult Finish(double force_bound) {
     result_.score = scorer_.Finish();
@@ -72,6 +75,7 @@ class PageScore {
   NearestStroke nearest_;
   TraceScorer scorer_;
   double spacing_ = 0;
+  bool touched_ = false;
   TrialResult result_;
 };
 
@@ -97,13 +101,20 @@ SessionRequest RequestOf(const TraceOptions& options) {
   return request;
 }
 
-void Tell(const TraceOptions& options, const Trace& trace, double scale, Console& console) {
+/// A tip that never touched made no errors either: that must not read as a perfect trace.
+void Tell(const TraceOptions& options, const Trace& trace, double scale, bool touched,
+          Console& console) {
   const TrialResult all = Merged(trace.pages);
   if (options.output.json) {
     Json json = TraceJson(trace, options.feel.scene, all);
     json["device"] = options.device;
     json["scale"] = scale;
+    for (const char* key : {"mean_error_mm", "rms_error_mm", "max_error_mm", "excursions"}) {
+      if (!touched) json["total"][key] = nullptr;
+    }
     console.Json(Dump(json));
+  } else if (!touched) {
+    console.Result(say::NeverTouched(all.duration));
   } else {
     SayTrace(trace, all, say::DeviceTime(all.duration), console);
   }
@@ -138,7 +149,9 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   drive.sample = [&scores, tick](const LoopSample& s) { scores.at(s.page).Add(s, tick); };
   Drive(session, drive, console);
 
+  bool touched = false;
   for (std::size_t page = 0; page < pages; ++page) {
+    touched = touched || scores[page].touched();
     TrialResult result = scores[page].Finish(session.force_bound());
     if (!options.picture.empty()) {
       trace.pictures.push_back(PicturePath(options.picture, page, pages));
@@ -149,7 +162,8 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
     }
     trace.pages.push_back(std::move(result));
   }
-  Tell(options, trace, session.request().scale.value_or(1), console);
+  Tell(options, trace, session.request().scale.value_or(1), touched, console);
+  RequireDevice(session);
   return exit_code::kGood;
 }
 

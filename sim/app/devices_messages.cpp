@@ -143,7 +143,7 @@ std::string AskForHoming() {
          "hold it, no to leave this out.";
 }
 
-std::string NotHomed() { return "Left out: it is not homed, so it has no position and no force."; }
+std::string NotHomed() { return "Left out: the arm was not homed here, so it is given no force."; }
 
 std::string HomingFailed(double seconds) {
   return fmt::format("Failed: not homed within {} seconds.", Short(seconds, 0));
@@ -191,6 +191,8 @@ std::string AskForForces(double force) {
 }
 
 std::string ForcesLeftOut() { return "Left out: nobody agreed to forces."; }
+
+std::string PushesEnded() { return "Left out from here: stopped, or no answer came."; }
 
 std::string Countdown(int seconds, int axis, double sign, double force) {
   return seconds > 0 ? fmt::format("{}", seconds)

@@ -41,6 +41,7 @@ std::string DidNotMove();
 std::string PushesNothing();
 std::string AskForForces(double force);
 std::string ForcesLeftOut();
+std::string PushesEnded();
 std::string Countdown(int seconds, int axis, double sign, double force);
 std::string Pushed(glm::dvec3 way_D);
 std::string AskDirection(int axis, double sign);

@@ -17,10 +17,17 @@ constexpr std::size_t kLongestLine = 1000;
 LineReader::LineReader(std::istream& in) : in_(in), terminal_(&in == &std::cin) {}
 
 std::optional<std::string> LineReader::Whole() {
-  const std::size_t end = begun_.find('\n');
+  std::size_t end = begun_.find('\n');
+  if (dropping_) {
+    begun_.erase(0, end == std::string::npos ? begun_.size() : end + 1);
+    if (end == std::string::npos) return std::nullopt;
+    dropping_ = false;
+    end = begun_.find('\n');
+  }
   if (end == std::string::npos && begun_.size() < kLongestLine) return std::nullopt;
   std::string line = begun_.substr(0, std::min(end, kLongestLine));
-  begun_.erase(0, end == std::string::npos ? begun_.size() : end + 1);
+  dropping_ = end == std::string::npos;  // its end must not be read as a word
+  begun_.erase(0, dropping_ ? begun_.size() : end + 1);
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return line;
 }
@@ -43,7 +50,8 @@ std::optional<std::string> LineReader::Next(int milliseconds) {
   const ssize_t count = read(STDIN_FILENO, block, sizeof block);
   if (count <= 0) {
     ended_ = true;
-    return std::nullopt;
+    if (!begun_.empty()) begun_ += '\n';
+    return Whole();
   }
   begun_.append(block, static_cast<std::size_t>(count));
   return Whole();

@@ -12,16 +12,20 @@ namespace moontrace {
 class LineReader {
  public:
   explicit LineReader(std::istream& in);
-  /// The next whole line without its end, waiting at most `milliseconds`; lines are cut at 1000
-  /// bytes.
+  /// The next whole line without its end, waiting at most `milliseconds`; what is beyond
+  /// 1000 bytes of a line is dropped.
   std::optional<std::string> Next(int milliseconds);
+
+  /// No line will ever come again.
+  bool ended() const { return ended_ && begun_.empty(); }
 
  private:
   std::optional<std::string> Whole();
   std::istream& in_;
   bool terminal_ = false;  ///< `in` is the process's standard input
   bool ended_ = false;
-  std::string begun_;  ///< read and not yet given out
+  bool dropping_ = false;  ///< the rest of a line that was too long
+  std::string begun_;      ///< read and not yet given out
 };
 
 }  // namespace moontrace

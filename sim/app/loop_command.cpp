@@ -23,11 +23,9 @@ struct Felt {
   std::uint64_t samples = 0, contacts = 0;
   double force_sum = 0, peak_force = 0;  ///< [N]
   double energy_out = 0;                 ///< [J]
-  double last_time = 0;                  ///< [s]
 
   void Add(const LoopSample& sample) {
     ++samples;
-    last_time = sample.time;
     energy_out = std::max(energy_out, sample.energy_out);
     if (!sample.in_contact) return;
     const double force = glm::length(sample.force_P);
@@ -68,14 +66,20 @@ Json DeviceJson(const LoopSession& session) {
   return json;
 }
 
+/// How long the loop ran, with a device or without [s].
+double TimeOf(const LoopSession& session, const LoopReport& report) {
+  return static_cast<double>(report.ticks + report.lost_ticks) / session.request().rate;
+}
+
 Json LoopJson(const LoopSession& session, const LoopReport& report, const std::string& why_not,
               const Felt& felt) {
+  const double seconds = TimeOf(session, report);
   Json json = TypesetJson(session.text().set, session.text().script);
   json["pages"] = session.text().set.pages.size();
   json["device"] = DeviceJson(session);
   json["scale"] = session.request().scale.value_or(1);
   json["rate_hz"] = session.request().rate;
-  json["seconds"] = felt.last_time;
+  json["seconds"] = seconds;
   json["ticks"] = report.ticks;
   json["lost_ticks"] = report.lost_ticks;
   json["lateness_us"] = PercentilesJson(report.lateness);
@@ -142,14 +146,16 @@ int Run(const LoopCommandOptions& options, Console& console) {
   const LoopReport& report = session.loop().report();
   if (options.output.json) {
     console.Json(Dump(LoopJson(session, report, why_not, felt)));
+    RequireDevice(session);
     return exit_code::kGood;
   }
-  console.Result(say::LoopOutcome(report, felt.last_time));
+  console.Result(say::LoopOutcome(report, TimeOf(session, report)));
   console.Result(say::Lateness(report));
   console.Result(say::Cost(report));
   console.Result(say::Realtime(why_not));
   console.Result(say::Touched(felt.Share(), felt.Mean(), felt.peak_force));
   console.Result(say::SafetyActed(report));
+  RequireDevice(session);
   return exit_code::kGood;
 }
 

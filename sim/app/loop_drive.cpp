@@ -29,6 +29,10 @@ class Driver {
       if (options_.seconds && passed.count() >= *options_.seconds) break;
       Look();
       if (const std::optional<std::string> line = lines_.Next(kPoll)) Obey(*line);
+      if (lines_.ended() && !told_end_ && !options_.seconds) {
+        told_end_ = true;
+        console_.Remark(say::CannotSpeak());
+      }
       console_.out().flush();
     }
     session_.loop().End();
@@ -119,6 +123,7 @@ class Driver {
   LineReader lines_;
   LoopSnapshot newest_;
   bool silent_ = false;
+  bool told_end_ = false;
   bool quit_ = false;
   std::string why_lost_;
 };
@@ -127,6 +132,11 @@ class Driver {
 
 void Drive(LoopSession& session, const DriveOptions& options, Console& console) {
   Driver(session, options, console).Run();
+}
+
+void RequireDevice(LoopSession& session) {
+  const std::string why = session.loop().WhyLost();
+  if (!why.empty()) throw LackError(say::EndedLost(why));
 }
 
 void SayBeginning(const LoopSession& session, Console& console) {
@@ -141,7 +151,8 @@ void SayBeginning(const LoopSession& session, Console& console) {
     console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
   }
   if (!simulated && !glm::any(session.limits().pushes)) console.Result(say::NoMotors());
-  console.Remark(say::HowToSpeak());
+  const bool text_read = request.text.text.text == "-";
+  console.Remark(text_read ? say::CannotSpeak() : say::HowToSpeak());
   console.out().flush();
 }
 

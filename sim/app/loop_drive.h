@@ -21,6 +21,9 @@ struct DriveOptions {
 void Drive(LoopSession& session, const DriveOptions& options, Console& console);
 
 /// What is said before a session: device, rate, priority, pages, scale.
+/// Behind Drive: throws LackError if the device was lost and did not come back.
+void RequireDevice(LoopSession& session);
+
 void SayBeginning(const LoopSession& session, Console& console);
 
 }  // namespace moontrace

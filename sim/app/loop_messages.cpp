@@ -84,6 +84,14 @@ std::string SofterThanUsual(double stiffness) {
 
 std::string HowToSpeak() { return "Type a word and Enter; ? tells the words."; }
 
+std::string CannotSpeak() {
+  return "No words can come: standard input has ended. Ctrl-C ends this.";
+}
+
+std::string EndedLost(std::string_view why) {
+  return fmt::format("the device did not come back: {}", OneLine(why, 300));
+}
+
 std::string LoopHelp() {
   std::vector<std::string> words;
   for (const std::string& word : LoopWords()) {
@@ -252,6 +260,10 @@ std::string OnlyWithDevice(std::string_view option) {
 
 std::string DeviceTime(double seconds) {
   return fmt::format("Time: {} s, in real time.", Short(seconds, 1));
+}
+
+std::string NeverTouched(double seconds) {
+  return fmt::format("Never touched the page in {} s: nothing to score.", Short(seconds, 1));
 }
 
 std::string NothingTraced() { return "the device was never there: nothing was traced"; }

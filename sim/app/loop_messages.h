@@ -34,6 +34,8 @@ std::string Scaled(double scale);
 std::string SetFor(const PageSpec& page, std::size_t pages);
 std::string SofterThanUsual(double stiffness);
 std::string HowToSpeak();
+std::string CannotSpeak();
+std::string EndedLost(std::string_view why);
 std::string LoopHelp();
 std::string UnknownWord(std::string_view given);
 std::string AmbiguousWord(std::string_view given, const std::vector<std::string>& words);
@@ -75,5 +77,6 @@ std::string NotWithDevice(std::string_view option);
 std::string OnlyWithDevice(std::string_view option);
 std::string DeviceTime(double seconds);
 std::string NothingTraced();
+std::string NeverTouched(double seconds);
 
 }  // namespace moontrace::say

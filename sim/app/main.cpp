@@ -26,6 +26,9 @@ void StopOn(int signal_number) {
 int main(int argc, char** argv) {
   StopOn(SIGINT);
   StopOn(SIGTERM);
+  // a terminal that closes must not leave force on a device
+  StopOn(SIGHUP);
+  StopOn(SIGQUIT);
   // A limit on file sizes and a reader who left are failures of writing, with their line and their
   // clean-up, not sudden deaths.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -41,7 +41,7 @@ void AddProfile(const DeviceProfile& profile, const HandModel& hand, BenchRows& 
     rows.push_back(Shown(name + ": 2 f_c / step",
                          2 * profile.coulomb_friction / profile.position_step, "N/m"));
   }
-  rows.push_back(Shown(name + ": its maker's figure", profile.limits.stiffness, "N/m"));
+  rows.push_back(Shown(name + ": the profile's figure", profile.limits.stiffness, "N/m"));
   rows.push_back(AtLeast(name + ": a wall held quiet",
                          GreatestStableWall(ModelOf(profile, hand.mass, options.tick)), "N/m",
                          StableStiffness(profile)));

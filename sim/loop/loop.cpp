@@ -1,5 +1,6 @@
 #include "sim/loop/loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <future>
@@ -11,8 +12,10 @@ namespace moontrace {
 
 namespace {
 
-constexpr int kReopenEvery = 500;  ///< [ms]
-constexpr int kPoll = 1;           ///< [ms]
+constexpr int kReopenEvery = 500;   ///< [ms]
+constexpr int kLongestWait = 8000;  ///< [ms]
+constexpr int kSteady = 2000;       ///< held so long a device counts as well [ms]
+constexpr int kPoll = 1;            ///< [ms]
 
 /// As the safety stage sees a late loop: a period and kWatchdogTime more. [ns]
 std::int64_t Silence(double rate) {
@@ -75,18 +78,22 @@ void Loop::Watch() {
 
 void Loop::Supervise() {
   bool lost = false;
-  int waited = 0;
+  int waited = 0, wait = 0, held = 0;  // [ms]
   while (SleepUnlessEnding(kPoll)) {
     // destroying and opening may block for long: here nobody waits for it
     const std::unique_ptr<Device> worn(mail_.worn.exchange(nullptr, std::memory_order_acquire));
     if (worn != nullptr) {
       lost = true;
-      waited = kReopenEvery;
+      waited = 0;
+      // one that was lost again at once is left alone for longer and longer
+      wait = held < kSteady ? std::clamp(2 * wait, kReopenEvery, kLongestWait) : 0;
     }
-    if (!lost || (waited += kPoll) < kReopenEvery) continue;
-    waited = 0;
+    held += kPoll;
+    if (!lost || (waited += kPoll) < wait) continue;
+    waited = held = 0;
     Reopen();
     lost = !WhyLost().empty();
+    wait = std::max(wait, kReopenEvery);
   }
 }
 
@@ -96,6 +103,7 @@ void Loop::Reopen() {
     std::unique_ptr<Device> device = source_(ending_);
     mail_.fresh.store(device.release(), std::memory_order_release);
   } catch (const std::exception& error) {
+    if (ending_) return;
     why = error.what();
   }
   const std::lock_guard lock(mutex_);

@@ -95,9 +95,9 @@ void LoopTick::TakeMail() noexcept {
   device_.reset(fresh);
   begun_ = false;
   ramp_ = true;
+  back_ = true;
   buttons_ = ButtonState{};
   Restart();
-  Tell(LoopEventKind::kDeviceBack);
 }
 
 /// The swap itself, at zero force: the last command was zero and this tick begins a ramp-in.
@@ -133,6 +133,10 @@ DeviceStatus LoopTick::Read() noexcept {
   if (device_ == nullptr) return DeviceStatus::kLost;
   const DeviceStatus status = device_->Read(state_);
   if (status == DeviceStatus::kOk) begun_ = true;
+  if (status == DeviceStatus::kOk && back_) {
+    back_ = false;
+    Tell(LoopEventKind::kDeviceBack);
+  }
   velocity_.Advance(elapsed_, status == DeviceStatus::kOk, state_.p_D);
   if (status == DeviceStatus::kLost) Lose();
   if (status != DeviceStatus::kLost && written_ == DeviceStatus::kNotReady) return written_;

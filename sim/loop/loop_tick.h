@@ -72,8 +72,9 @@ class LoopTick {
   std::uint64_t ticks_ = 0;
   std::uint32_t page_ = 0;
   PostedPage* posted_ = nullptr;
-  double fade_ = 1;   ///< share of the force that is left before a page change
-  bool ramp_ = true;  ///< the next tick begins a ramp-in
+  double fade_ = 1;    ///< share of the force that is left before a page change
+  bool back_ = false;  ///< a lost device was opened again, and has not been read
+  bool ramp_ = true;   ///< the next tick begins a ramp-in
   bool was_stopped_ = false;
   double lifted_ = 0;  ///< for so long [s]
   ButtonState buttons_;
