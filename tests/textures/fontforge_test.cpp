@@ -27,7 +27,9 @@ class Fontforge : public testing::Test {
     if (std::system("command -v fontforge >/dev/null 2>&1") != 0) {
       GTEST_SKIP() << "fontforge is not installed (Debian: fontforge-nox)";
     }
-    folder_ = fs::path(testing::TempDir()) / "moontrace_fontforge";
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("moontrace_fontforge_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
