@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/app/words.h"
+#include "sim/app/writing_messages.h"
 #include "textures/character_name.h"
 #include "textures/text_file.h"
 
@@ -162,12 +163,16 @@ std::string Folded(const Replacement& replacement) {
     return fmt::format("Left out: {}, {}.", Was(replacement), Where(replacement));
   }
   const std::string name = CharacterName(replacement.became);
-  return fmt::format("Replaced: {} by {}, {}.", Was(replacement),
-                     name.empty() ? Quoted(replacement.became) : name, Where(replacement));
+  return WrittenBy(replacement, Was(replacement), name.empty() ? Quoted(replacement.became) : name,
+                   Where(replacement));
 }
 
 std::string Missing(const Replacement& replacement) {
   return fmt::format("Left out: {}, no sign for it, {}.", Was(replacement), Where(replacement));
+}
+
+std::string Untaught(const Replacement& replacement) {
+  return NotTaught(Was(replacement), Where(replacement));
 }
 
 std::string Doubtful(const Replacement& replacement) {

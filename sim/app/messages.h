@@ -50,6 +50,7 @@ std::string PageLine(std::size_t page, std::size_t pages, std::size_t line, std:
 std::string LinesLeftOut(std::size_t count);
 std::string Folded(const Replacement& replacement);
 std::string Missing(const Replacement& replacement);
+std::string Untaught(const Replacement& replacement);
 std::string Doubtful(const Replacement& replacement);
 std::string MoreReplacements(std::size_t count);
 std::string PictureIn();

@@ -11,7 +11,11 @@
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
+#include "sim/app/writing_messages.h"
 #include "textures/error.h"
+#include "textures/fallback.h"
+#include "textures/layout.h"
+#include "textures/taught.h"
 #include "textures/text_file.h"
 
 namespace moontrace {
@@ -141,6 +145,9 @@ void AddOptions(CLI::App& app, StyleOptions& options) {
   add_word("--script", options.script, help::kScript);
   add_word("--h-form", options.h_form, help::kHForm);
   AddNumber(app, "--grade", options.grade, 0, 10, 1, help::kGrade);
+  add_word("--table", options.table, help::kTable);
+  add_word("--fallback-script", options.fallback_script, help::kFallbackScript);
+  add_word("--only", options.only, help::kOnly);
 }
 
 void AddOptions(CLI::App& app, LayoutOptions& options) {
@@ -152,6 +159,16 @@ void AddOptions(CLI::App& app, LayoutOptions& options) {
   AddNumber(app, "--word-gap-mm", options.word_gap, 0, kLongest, kMillimetre, help::kWordGap);
   AddNumber(app, "--line-pitch-mm", options.line_pitch, 0.1, kLongest, kMillimetre,
             help::kLinePitch);
+  AddNumber(app, "--paragraph-gap-mm", options.paragraph_gap, 0, kLongest, kMillimetre,
+            help::kParagraphGap);
+  AddValue(
+      app, "--lines", "WORD",
+      [&options](const std::string& given) {
+        const std::optional<LineDirection> lines = LineDirectionOf(given);
+        if (!lines) throw UsageError(say::NotAChoice("--lines", given, kLineDirections));
+        options.lines = *lines;
+      },
+      help::kLines);
 }
 
 void AddOptions(CLI::App& app, Surface& surface) {
@@ -201,19 +218,22 @@ std::string ReadText(const TextOptions& options, const std::string& command, Con
   }
 }
 
-Script ScriptOf(const StyleOptions& options, const Label* label) {
-  if (options.script) return FindScript(*options.script);
-  if (label != nullptr && label->script) return FindScript(*label->script);
-  return FindScript("moon");
+Script ScriptOf(const StyleOptions& options, const Label* label, std::string_view text) {
+  const std::optional<std::string> named =
+      options.script || label == nullptr ? options.script : label->script;
+  // One to fall back on may write what this one lacks, so then it is read whole.
+  Script script = FindScript(named.value_or("moon"), options.fallback_script ? "" : text);
+  if (options.fallback_script) Borrow(script, *options.fallback_script);
+  return script;
 }
 
-TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, const Script& script,
+TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Script& script,
                   const Label* label) {
   const Label none;
   const Label& from = label != nullptr ? *label : none;
   const auto chosen = [](const auto& first, const auto& second) { return first ? first : second; };
 
-  const double size = chosen(options.size, from.size).value_or(0.012);
+  const double size = chosen(options.size, from.size).value_or(script.size);
   const bool embossed = chosen(options.embossed, from.embossed).value_or(false);
   TypeStyle style = DefaultStyle(size, embossed ? Relief::kEmbossed : Relief::kEngraved, script);
   const double width = chosen(options.width, from.width).value_or(style.width);
@@ -227,6 +247,11 @@ TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, cons
   style.letter_gap = layout.letter_gap.value_or(style.letter_gap);
   style.word_gap = layout.word_gap.value_or(style.word_gap);
   style.line_pitch = layout.line_pitch.value_or(style.line_pitch);
+  style.table = chosen(options.table, from.table).value_or("");
+  if (options.only) style.only = TaughtSigns(*options.only, script);
+  style.lines = layout.lines;
+  style.paragraph_gap = layout.paragraph_gap;
+  if (style.lines == LineDirection::kAlternate) AddGuides(script, style);
   return style;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/app/console.h"
 #include "sim/scene/label.h"
@@ -36,12 +37,14 @@ struct StyleOptions {
   std::optional<bool> embossed;
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
+  std::optional<std::string> table, only, fallback_script;
 };
 
 /// The paper and the spaces on it.
 struct LayoutOptions {
   PageSpec page{"a4", 0.210, 0.297, 0.015};
-  std::optional<double> margin, letter_gap, word_gap, line_pitch;  ///< [m]
+  std::optional<double> margin, letter_gap, word_gap, line_pitch, paragraph_gap;  ///< [m]
+  LineDirection lines = LineDirection::kLeftToRight;
 };
 
 /// What is felt and how.
@@ -73,12 +76,14 @@ double ReadNumber(const std::string& option, const std::string& given, double lo
 /// The text of a command, at most 16 MB. Throws UsageError (none, two) and InputError.
 std::string ReadText(const TextOptions& options, const std::string& command, Console& console);
 
-/// The script asked for: command line, else label, else moon.
-Script ScriptOf(const StyleOptions& options, const Label* label);
+/// The script asked for: command line, else label, else moon; with the signs of the one to fall
+/// back on.
+Script ScriptOf(const StyleOptions& options, const Label* label, std::string_view text = {});
 
 /// The letters asked for: command line before label before the design's defaults. A width given
-/// alone takes depth and rounding with it in proportion.
-TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, const Script& script,
+/// alone takes depth and rounding with it in proportion. Alternating lines add their guide lines to
+/// the script.
+TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Script& script,
                   const Label* label);
 PageSpec PageOf(const LayoutOptions& layout);
 

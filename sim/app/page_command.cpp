@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <ostream>
 #include <vector>
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
 #include "sim/app/typeset_report.h"
+#include "sim/app/writing_messages.h"
 #include "sim/view/page_picture.h"
 #include "sim/view/picture_file.h"
+#include "textures/back_translate.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -21,6 +24,7 @@ namespace {
 
 constexpr std::size_t kMostPictures = 100;
 constexpr std::size_t kMostLinesSaid = 100;
+constexpr std::size_t kMostWordsSaid = 20;
 
 std::size_t CountLines(const Typeset& set) {
   std::size_t lines = 0;
@@ -71,14 +75,43 @@ std::string PageJson(const TextPage& page, const std::vector<std::string>& names
   return json + "]}";
 }
 
+Json ReadBackJson(const BackTranslation& back) {
+  Json json = {{"text", back.text},
+               {"wanted", back.wanted},
+               {"words", back.words},
+               {"differ_count", back.differ_count},
+               {"differ", Json::array()}};
+  for (const auto& [was, became] : back.differ) {
+    json["differ"].push_back({{"was", was}, {"became", became}});
+  }
+  return json;
+}
+
+void SayReadBack(const BackTranslation& back, Console& console) {
+  console.Result(say::ReadBackOutcome(back));
+  const std::size_t said = std::min(back.differ.size(), kMostWordsSaid);
+  for (std::size_t i = 0; i < said; ++i) {
+    console.Result(say::ReadOtherwise(back.differ[i].first, back.differ[i].second));
+  }
+  if (back.differ_count > said) console.Result(say::MoreWords(back.differ_count - said));
+  std::size_t lines = 0;
+  for (std::size_t at = 0; at < back.text.size() && lines < kMostLinesSaid; ++lines) {
+    const std::size_t end = std::min(back.text.find('\n', at), back.text.size());
+    if (end > at)
+      console.Result(say::ReadBackLine(std::string_view(back.text).substr(at, end - at)));
+    at = end + 1;
+  }
+}
+
 /// One object, written page by page: a book's signs are never all held as JSON at once.
 void WriteJson(const Typeset& set, const Script& script, const std::vector<std::string>& pictures,
-               Console& console) {
+               const std::optional<BackTranslation>& back, Console& console) {
   std::ostream& out = console.out();
   Json head = TypesetJson(set, script);
   head["lines"] = CountLines(set);
   head["signs"] = CountSigns(set);
   head["pictures"] = pictures;
+  if (back) head["read_back"] = ReadBackJson(*back);
   std::string text = Dump(head);
   text.pop_back();
   out << text << ",\"pages\":[";
@@ -99,6 +132,7 @@ void AddOptions(CLI::App& app, PageOptions& options) {
   AddOptions(app, options.layout);
   AddPath(app, "--picture", "FILE", options.picture, say::help::kPicture);
   app.add_flag("--letters", options.letters, say::help::kLetters);
+  app.add_flag("--read-back", options.read_back, say::help::kReadBack);
   AddOptions(app, options.output);
 }
 
@@ -108,7 +142,7 @@ int Run(const PageOptions& options, Console& console) {
   }
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   const std::string text = ReadText(options.text, "page", console);
-  const Script script = ScriptOf(options.style, nullptr);
+  Script script = ScriptOf(options.style, nullptr, text);
   const TypeStyle style = StyleOf(options.style, options.layout, script, nullptr);
   const Typeset set = SetText(text, script, style, PageOf(options.layout));
 
@@ -123,8 +157,10 @@ int Run(const PageOptions& options, Console& console) {
       WritePicture(pictures.back(), PagePicture(set, p, script, text, options.letters));
     }
   }
+  std::optional<BackTranslation> back;
+  if (options.read_back) back = TranslateBack(text, script, style);
   if (options.output.json) {
-    WriteJson(set, script, pictures, console);
+    WriteJson(set, script, pictures, back, console);
     return exit_code::kGood;
   }
   console.Result(say::PageOutcome(set, CountSigns(set), CountLines(set)));
@@ -132,6 +168,7 @@ int Run(const PageOptions& options, Console& console) {
   console.Result(say::LetterShape(set.style));
   console.Result(say::Paper(set.page));
   SayLines(set, script, console);
+  if (back) SayReadBack(*back, console);
   if (!pictures.empty()) console.Result(say::PictureIn());
   for (const std::string& picture : pictures) console.Path(picture);
   return exit_code::kGood;

@@ -14,6 +14,7 @@ struct PageOptions {
   LayoutOptions layout;
   std::string picture;
   bool letters = false;
+  bool read_back = false;
 };
 void AddOptions(CLI::App& app, PageOptions& options);
 int Run(const PageOptions& options, Console& console);

@@ -59,7 +59,7 @@ int Run(const ProbeOptions& options, Console& console) {
     throw UsageError(say::NoPoint());
   }
   const std::string text = ReadText(options.text, "probe X Y Z", console);
-  const Script script = ScriptOf(options.style, nullptr);
+  Script script = ScriptOf(options.style, nullptr, text);
   const TypeStyle style = StyleOf(options.style, options.layout, script, nullptr);
   const Typeset set = SetText(text, script, style, PageOf(options.layout));
   const TextPage& page = set.pages.front();

@@ -7,6 +7,8 @@
 #include "sim/app/typeset_report.h"
 #include "sim/scene/record.h"
 #include "textures/error.h"
+#include "textures/fallback.h"
+#include "textures/layout.h"
 
 namespace moontrace {
 
@@ -14,7 +16,10 @@ namespace {
 
 /// The page of the record, built again.
 TextureField FieldOf(const TrialParameters& parameters, const std::string& folder) {
-  const Script script = FindScript(parameters.script);
+  const bool alone = parameters.fallback_script.empty();
+  Script script = FindScript(parameters.script, alone ? parameters.text : "");
+  if (!parameters.fallback_script.empty()) Borrow(script, parameters.fallback_script);
+  if (parameters.style.lines == LineDirection::kAlternate) AddGuides(script, parameters.style);
   const Typeset set = SetText(parameters.text, script, parameters.style, parameters.paper);
   if (parameters.page >= set.pages.size()) {
     throw InputError(say::BadParameters(folder, "page"));

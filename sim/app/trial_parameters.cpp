@@ -10,17 +10,22 @@ namespace {
 
 // Metres as they are, not millimetres: a record must give back every bit.
 Json StyleJson(const TypeStyle& style) {
-  return {{"size_m", style.size},
-          {"width_m", style.width},
-          {"depth_m", style.depth},
-          {"rounding_m", style.rounding},
-          {"blend_radius_m", style.blend_radius},
-          {"embossed", style.relief == Relief::kEmbossed},
-          {"letter_gap_m", style.letter_gap},
-          {"word_gap_m", style.word_gap},
-          {"line_pitch_m", style.line_pitch},
-          {"grade", style.grade},
-          {"h_form", style.h_form}};
+  Json json = {{"size_m", style.size},
+               {"width_m", style.width},
+               {"depth_m", style.depth},
+               {"rounding_m", style.rounding},
+               {"blend_radius_m", style.blend_radius},
+               {"embossed", style.relief == Relief::kEmbossed},
+               {"letter_gap_m", style.letter_gap},
+               {"word_gap_m", style.word_gap},
+               {"line_pitch_m", style.line_pitch},
+               {"grade", style.grade},
+               {"h_form", style.h_form},
+               {"table", style.table},
+               {"only", style.only},
+               {"lines", NameOf(style.lines)}};
+  if (style.paragraph_gap) json["paragraph_gap_m"] = *style.paragraph_gap;
+  return json;
 }
 
 TypeStyle StyleFrom(const Json& json) {
@@ -36,6 +41,12 @@ TypeStyle StyleFrom(const Json& json) {
   style.line_pitch = json.at("line_pitch_m");
   style.grade = json.at("grade");
   style.h_form = json.at("h_form");
+  // Records of earlier versions have none of these.
+  style.table = json.value("table", std::string());
+  style.only = json.value("only", std::vector<std::string>());
+  style.lines =
+      LineDirectionOf(json.value("lines", std::string())).value_or(LineDirection::kLeftToRight);
+  if (json.contains("paragraph_gap_m")) style.paragraph_gap = json.at("paragraph_gap_m");
   return style;
 }
 
@@ -45,6 +56,7 @@ std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& 
   Json json;
   json["text"] = parameters.text;
   json["script"] = parameters.script;
+  if (setup.script != nullptr) json["fallback_script"] = setup.script->borrowed_from;
   json["style"] = StyleJson(parameters.style);
   json["paper"] = {{"name", parameters.paper.name},
                    {"width_m", parameters.paper.width},
@@ -73,6 +85,7 @@ TrialParameters ReadParameters(const std::string& json_text, const std::string& 
     TrialParameters parameters;
     parameters.text = json.at("text");
     parameters.script = json.at("script");
+    parameters.fallback_script = json.value("fallback_script", std::string());
     parameters.style = StyleFrom(json.at("style"));
     const Json& paper = json.at("paper");
     parameters.paper = {paper.at("name"), paper.at("width_m"), paper.at("height_m"),

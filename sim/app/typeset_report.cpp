@@ -11,10 +11,26 @@ namespace {
 
 constexpr std::size_t kMostSaid = 20;
 
+const char* How(Replaced how) {
+  switch (how) {
+    case Replaced::kFolded:
+      return "folded";
+    case Replaced::kOtherScript:
+      return "other-script";
+    case Replaced::kTransliterated:
+      return "transliterated";
+    case Replaced::kNamed:
+      return "named";
+  }
+  return "";
+}
+
 Json ReplacementsJson(const std::vector<Replacement>& replacements) {
   Json list = Json::array();
   for (const Replacement& r : replacements) {
-    list.push_back({{"was", r.was}, {"became", r.became}, {"line", r.line}, {"column", r.column}});
+    Json entry = {{"was", r.was}, {"became", r.became}, {"line", r.line}, {"column", r.column}};
+    if (!r.became.empty()) entry["how"] = How(r.how);
+    list.push_back(std::move(entry));
   }
   return list;
 }
@@ -44,6 +60,11 @@ Json TypesetJson(const Typeset& set, const Script& script) {
   json["folded"] = ReplacementsJson(set.folded);
   json["missing"] = ReplacementsJson(set.missing);
   json["doubtful"] = ReplacementsJson(set.doubtful);
+  json["untaught"] = ReplacementsJson(set.untaught);
+  json["counts"] = {{"folded", set.folded_count},
+                    {"missing", set.missing_count},
+                    {"doubtful", set.doubtful_count},
+                    {"untaught", set.untaught_count}};
   return json;
 }
 
@@ -54,6 +75,7 @@ void SayReplacements(const Typeset& set, const std::function<void(const std::str
     if (count > kMostSaid) say_line(say::MoreReplacements(count - kMostSaid));
   };
   say_all(set.missing, set.missing_count, [](const Replacement& r) { return say::Missing(r); });
+  say_all(set.untaught, set.untaught_count, [](const Replacement& r) { return say::Untaught(r); });
   say_all(set.folded, set.folded_count, [](const Replacement& r) { return say::Folded(r); });
   say_all(set.doubtful, set.doubtful_count, [](const Replacement& r) { return say::Doubtful(r); });
 }

@@ -71,6 +71,7 @@ Label ParseLabel(const std::string& name, const std::string& data, const std::st
   label.script = Word(table, "script");
   label.h_form = Word(table, "h_form");
   if (table.Has("grade")) label.grade = table.Number("grade");
+  label.table = Word(table, "table");
   table.FailUnknown();
   return label;
 }

@@ -19,6 +19,7 @@ struct Label {
   std::optional<bool> embossed;
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
+  std::optional<std::string> table;  ///< of liblouis, for Braille
 };
 
 /// What the name of a text begins with when the text is a label.

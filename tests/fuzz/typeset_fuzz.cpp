@@ -1,11 +1,14 @@
 // Any bytes as text, on any page: set, or refused with an InputError, never anything else. The
-// first four bytes choose script, grade, relief, size and page.
+// first four bytes choose script, grade, relief, direction of lines, taught signs, size and page.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
 #include "tests/textures/small_script.h"
+#include "textures/back_translate.h"
 #include "textures/error.h"
+#include "textures/layout.h"
+#include "textures/taught.h"
 #include "textures/typeset.h"
 
 namespace {
@@ -38,17 +41,23 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Script moon = FindScript("moon");
   static const Script small = SmallScript();
   if (size < 4) return 0;
-  const Script& script = data[0] & 1 ? moon : small;
+  Script script = data[0] & 1 ? moon : small;
   const Relief relief = data[0] & 2 ? Relief::kEngraved : Relief::kEmbossed;
   TypeStyle style = DefaultStyle(0.001 + 0.0002 * data[1], relief, script);
   style.grade = data[0] & 4 ? 1 : 0.5;
   if (data[0] & 8) style.h_form = "arc";
+  style.lines = static_cast<LineDirection>((data[0] >> 4) & 3);
+  if (style.lines == LineDirection::kAlternate) AddGuides(script, style);
+  if (data[0] & 64) style.paragraph_gap = 0.001 * data[1];
+  if (data[0] & 128) style.only = TaughtSigns("abcdehnt+and", script);
   const PageSpec page{"custom", 0.021 + 0.001 * data[2], 0.021 + 0.001 * data[3], 0.010};
   const std::string_view text(reinterpret_cast<const char*>(data) + 4, size - 4);
   try {
     const Typeset set = SetText(text, script, style, page);
     CheckPages(set, text, script);
     BuildTexture(set.pages.front(), script, style);
+    const BackTranslation back = TranslateBack(text, script, style);
+    Require(back.differ.size() <= back.differ_count);
   } catch (const InputError&) {
   }
   return 0;

@@ -31,13 +31,37 @@ TEST(Cli, EachCommandsHelpNamesItsOptionsInPlainLines) {
     }
   }
   const Outcome trace = RunLine({"trace", "--help"});
-  for (const char* option :
-       {"--size-mm",       "--width-mm",    "--depth-mm",      "--rounding-mm", "--embossed",
-        "--script",        "--h-form",      "--grade",         "--tilt-deg",    "--seed",
-        "--render",        "--law",         "--model",         "--page",        "--margin-mm",
-        "--letter-gap-mm", "--word-gap-mm", "--line-pitch-mm", "--friction",    "--press-n",
-        "--speed-mm-s",    "--record",      "--picture",       "--blank",       "--csv",
-        "--file"}) {
+  for (const char* option : {"--size-mm",
+                             "--width-mm",
+                             "--depth-mm",
+                             "--rounding-mm",
+                             "--embossed",
+                             "--script",
+                             "--h-form",
+                             "--grade",
+                             "--tilt-deg",
+                             "--seed",
+                             "--render",
+                             "--law",
+                             "--model",
+                             "--page",
+                             "--margin-mm",
+                             "--letter-gap-mm",
+                             "--word-gap-mm",
+                             "--line-pitch-mm",
+                             "--friction",
+                             "--press-n",
+                             "--speed-mm-s",
+                             "--record",
+                             "--picture",
+                             "--blank",
+                             "--csv",
+                             "--file",
+                             "--table",
+                             "--only",
+                             "--lines",
+                             "--fallback-script",
+                             "--paragraph-gap-mm"}) {
     EXPECT_NE(trace.out.find(std::string("\n") + option), std::string::npos) << option;
   }
 }

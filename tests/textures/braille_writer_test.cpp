@@ -122,5 +122,39 @@ TEST_F(Braille, DotsBelowTheLineStayOnTheSheet) {
   EXPECT_THROW(Set("A", 1, "en-us-comp8-ext.utb", narrow), InputError);
 }
 
+std::string RulesError(const std::string& more) {
+  const char* svg =
+      "<svg><defs><font horiz-adv-x='1200'><font-face units-per-em='1000' cap-height='1000'/>"
+      "<glyph unicode='\u2801' glyph-name='dots-1'><circle cx='0' cy='1000' r='150'/></glyph>"
+      "</font></defs></svg>";
+  const std::string toml =
+      "title='B'\nauthor='x'\nlicence='CC0-1.0'\nstroke_width_em=0.3\nspace_advance_em=1.2\n"
+      "grades=[1]\n" +
+      more;
+  try {
+    const Script script = ParseScript(svg, "b.svg", toml, "b.toml");
+    return script.braille_tables.empty() ? "no tables" : script.braille_tables.begin()->second;
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(BrailleRules, NameATableForEachGrade) {
+  EXPECT_EQ(RulesError("[[braille]]\ngrade=1\ntable='a.ctb'\n"), "a.ctb");
+  EXPECT_EQ(RulesError("[[braille]]\ngrade=2\ntable='a.ctb'\n"),
+            "b.toml:8:7: grade: not among the grades above; add it there or correct it");
+  EXPECT_EQ(RulesError("[[braille]]\ngrade=1\ntable=''\n"),
+            "b.toml:9:7: table: empty; name a table of liblouis");
+  EXPECT_EQ(RulesError("[[braille]]\ngrade=1\ntable='a'\n[[braille]]\ngrade=1\ntable='b'\n"),
+            "b.toml:11:7: grade: a second table for this grade; keep one");
+}
+
+TEST(BrailleRules, GiveUsualMeasures) {
+  EXPECT_EQ(RulesError("size_mm=0\n"),
+            "b.toml:7:9: size_mm: not above 0 and up to 1000 mm; correct it");
+  EXPECT_EQ(RulesError("depth_em=2\n"),
+            "b.toml:7:10: depth_em: not above 0 and up to 1 em; correct it");
+}
+
 }  // namespace
 }  // namespace moontrace

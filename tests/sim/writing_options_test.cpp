@@ -1,0 +1,112 @@
+// Options about how text becomes signs, from the command line to the page.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+class WritingOptions : public CliTest {};
+
+nlohmann::json PageJson(const std::vector<std::string>& more, const std::string& text) {
+  const Outcome outcome = RunLine(With({"page", text, "--json"}, more));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.Json();
+}
+
+std::string Names(const nlohmann::json& page) {
+  std::string names;
+  for (const auto& glyph : page["pages"][0]["glyphs"]) {
+    names += (names.empty() ? "" : " ") + glyph["name"].get<std::string>();
+  }
+  return names;
+}
+
+bool HasBraille() { return RunLine({"page", "a", "--script", "braille", "--json"}).code != 4; }
+
+// Unified English Braille: "the" is dots 2346 in grade 2, letter by letter in grade 1.
+TEST_F(WritingOptions, BrailleIsWrittenByGradeOrByTable) {
+  if (!HasBraille()) GTEST_SKIP() << "built without liblouis";
+  EXPECT_EQ(Names(PageJson({"--script", "braille"}, "the")), "dots-2345 dots-125 dots-15");
+  EXPECT_EQ(Names(PageJson({"--script", "braille", "--grade", "2"}, "the")), "dots-2346");
+  EXPECT_EQ(Names(PageJson({"--script", "braille", "--table", "en-us-comp8-ext.utb"}, "A")),
+            "dots-17");
+  const nlohmann::json json = PageJson({"--script", "braille"}, "a");
+  EXPECT_DOUBLE_EQ(json["size_mm"], 5);
+  EXPECT_DOUBLE_EQ(json["width_mm"], 1.5);
+  EXPECT_DOUBLE_EQ(json["depth_mm"], 0.5);
+  const Outcome missing = RunLine({"page", "a", "--script", "braille", "--table", "en-ueb-g3.ctb"});
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_NE(missing.err.find("did you mean en-ueb-g1.ctb?"), std::string::npos);
+  EXPECT_EQ(RunLine({"page", "a", "--table", "en-ueb-g2.ctb"}).code, 3);  // Moon has no tables
+}
+
+TEST_F(WritingOptions, ReadBackSaysWhetherTheSignsAreTheText) {
+  const Outcome same = RunLine({"page", "The band", "--read-back"});
+  EXPECT_NE(same.out.find("Reads back as the text: 2 words."), std::string::npos) << same.out;
+  EXPECT_NE(same.out.find("Reads: the band"), std::string::npos);
+  const Outcome other = RunLine({"page", "room 3d", "--read-back"});
+  EXPECT_NE(other.out.find("Reads back otherwise: 1 word of 2."), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("Reads otherwise: \"3d\" as \"34\"."), std::string::npos);
+  ExpectTextFace(other.out);
+  const nlohmann::json json = PageJson({"--read-back"}, "room 3d");
+  EXPECT_EQ(json["read_back"]["differ"][0]["became"], "34");
+}
+
+TEST_F(WritingOptions, OnlyKeepsToTheSignsTaught) {
+  const Outcome outcome = RunLine({"page", "the hat sits", "--only", "thea"});
+  EXPECT_NE(outcome.out.find("Line 1: t h e, h a t, t"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Not taught, left out: \"s\", line 1, character 9."),
+            std::string::npos);
+  EXPECT_EQ(PageJson({"--only", "thea"}, "the hat sits")["counts"]["untaught"], 3);
+  EXPECT_EQ(RunLine({"page", "a", "--only", "a+tk"}).code, 3);
+}
+
+TEST_F(WritingOptions, FallbacksAreToldByTheirKind) {
+  const Outcome outcome = RunLine({"page", "\u0416 5 \u20AC"});
+  EXPECT_NE(outcome.out.find("By sound: \"\u0416\" by \"zh\", line 1, character 1."),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("By name: \"\u20AC\" as \"(euro sign)\", line 1, character 5."),
+            std::string::npos)
+      << outcome.out;
+  const nlohmann::json json = PageJson({}, "\u0416 5 \u20AC");
+  EXPECT_EQ(json["folded"][0]["how"], "transliterated");
+  EXPECT_EQ(json["folded"][1]["how"], "named");
+  EXPECT_EQ(json["counts"]["folded"], 2);
+}
+
+TEST_F(WritingOptions, LinesRunInEachDirection) {
+  const auto x = [](const nlohmann::json& page, std::size_t i) {
+    return page["pages"][0]["glyphs"][i]["origin_mm"][0].get<double>();
+  };
+  const nlohmann::json back = PageJson({"--lines", "right-to-left"}, "AB");
+  EXPECT_GT(x(back, 0), x(back, 1));
+  const nlohmann::json old = PageJson({"--lines", "alternate", "--page", "100x100"}, "AAAAAAAA");
+  EXPECT_NE(Names(old).find("a guide-right a"), std::string::npos);
+  const nlohmann::json down = PageJson({"--lines", "vertical"}, "AA");
+  EXPECT_DOUBLE_EQ(x(down, 0), x(down, 1));
+  EXPECT_EQ(RunLine({"page", "A", "--lines", "up"}).code, 2);
+}
+
+TEST_F(WritingOptions, AreKeptByARecord) {
+  const std::vector<std::vector<std::string>> all = {
+      {"--lines", "alternate", "--page", "60x60", "--only", "ait"},
+      {"--lines", "vertical", "--paragraph-gap-mm", "3"},
+      {"--script", "braille", "--grade", "2"}};
+  for (const std::vector<std::string>& more : all) {
+    const Outcome trace =
+        RunLine(With({"trace", "it\n\nait", "--record", In("r"), "--quiet"}, more));
+    if (trace.code == 4) continue;  // built without liblouis
+    ASSERT_EQ(trace.code, 0) << trace.err;
+    const Outcome replay = RunLine({"replay", In("r"), "--check"});
+    EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+    std::filesystem::remove_all(In("r"));
+  }
+}
+
+}  // namespace
+}  // namespace moontrace
