@@ -20,7 +20,8 @@ nlohmann::json PageJson(const std::vector<std::string>& more, const std::string&
 std::string Names(const nlohmann::json& page) {
   std::string names;
   for (const auto& glyph : page["pages"][0]["glyphs"]) {
-    names += (names.empty() ? "" : " ") + glyph["name"].get<std::string>();
+    if (!names.empty()) names += ' ';
+    names += glyph["name"].get<std::string>();
   }
   return names;
 }
