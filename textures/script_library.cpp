@@ -94,7 +94,9 @@ Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
     const bool listed = entry.name.compare(0, kHershey.size(), kHershey) != 0;
     if (listed) message.append(" ").append(OneLine(entry.name, 40));
   }
-  const std::string nearest = NearestWord(name, names);
+  const std::string with_prefix = std::string(kHershey).append(name);
+  const bool is_hershey = std::find(names.begin(), names.end(), with_prefix) != names.end();
+  const std::string nearest = is_hershey ? with_prefix : NearestWord(name, names);
   message += nearest.empty() ? std::string("; or give the path of an SVG font")
                              : fmt::format("; did you mean '{}'?", OneLine(nearest, 40));
   throw InputError(message);

@@ -118,7 +118,7 @@ TEST(Cli, EmptyPathsAreUsageAndNameTheOption) {
 
 TEST(Cli, HelpTellsTheLimitsThatHold) {
   const Outcome help = RunLine({"trace", "--help"});
-  EXPECT_NE(help.out.find("height of the letters in mm, 1 to 1000."), std::string::npos);
+  EXPECT_NE(help.out.find("height of the letters in mm, 1 to 1000"), std::string::npos);
   EXPECT_EQ(RunLine({"page", "I", "--size-mm", "1"}).code, 0);
   for (const char* beyond : {"0.99", "0.05", "1001"}) {
     const Outcome outcome = RunLine({"page", "I", "--size-mm", beyond});

@@ -81,6 +81,7 @@ TEST_F(ScriptLibrary, FindsDebiansHersheyFonts) {
   }
   EXPECT_TRUE(Lists("hershey:rowmans"));
   EXPECT_EQ(LoadScriptNamed("hershey:rowmans", "").glyphs.size(), 95U);
+  EXPECT_NE(Error("rowmans").find("did you mean 'hershey:rowmans'?"), std::string::npos);
   EXPECT_NE(Error("hershey:rowman").find("did you mean 'hershey:rowman"), std::string::npos);
 }
 
