@@ -9,12 +9,12 @@
 
    Threads: every function of one plug-in is called by one and the same thread, never two at once.
    describe comes first, then open, then in turn read and write at `rate`, last close. read and
-   write must return well within a period; a plug-in that is silent for 0.1 s is ended and its device
-   lost. open may take up to 10 s.
+   write must return well within a period; a plug-in that is silent for 0.1 s is ended and its
+   device lost. open may take up to 10 s.
 
    Safety: write is given what Moontrace's own limits let through, never more than `peak_force` on
-   an axis and always finite numbers. If Moontrace stops, hangs or ends, write gets zero within 20 ms
-   and, if it ended, close follows.
+   an axis and always finite numbers. If Moontrace stops, hangs or ends, write gets zero within 20
+   ms and, if it ended, close follows.
 
    C99 and C++. The structs only grow at their ends within a version; `size` tells how far.
 */
@@ -33,24 +33,24 @@ extern "C" {
 /* What a device is and can do. All zero when describe gets it. Zero means "unknown" or "none" where
    it says so below. */
 struct moontrace_description {
-  uint32_t size;            /* sizeof this struct, set by Moontrace */
-  char title[64];           /* for people, UTF-8, ends with 0 */
-  double rate;              /* calls of read and write a second, 100 to 10000 [Hz] */
-  double workspace[3];      /* from the origin to its edge along x, y, z, above 0 [m] */
-  uint32_t measures;        /* bit 0, 1, 2: it measures x, y, z. At least x and y */
-  uint32_t pushes;          /* bit 0, 1, 2: it pushes along x, y, z; 0: position only */
-  uint32_t buttons;         /* how many, 0 to 32 */
-  double peak_force;        /* on one axis for a moment, up to 100; above 0 if it pushes [N] */
-  double continuous_force;  /* on one axis for ever [N]; 0: the motors do not heat */
-  double heat_time;         /* time constant by which the motors cool [s]; 0 only with the above */
-  double peak_power;        /* given to the hand [W]; 0: without limit */
-  double stiffness;         /* greatest that it renders stably, by its maker [N/m]; 0: unknown */
-  double damping;           /* of the device alone [N s/m]; 0: unknown */
-  double coulomb_friction;  /* [N]; 0: unknown */
-  double position_step;     /* resolution [m]; 0: unknown */
-  double force_step;        /* resolution [N]; 0: unknown */
-  double delay;             /* from force to motion and back, beside one period [s] */
-  double dead_man;          /* after which the device itself lets go [s]; 0: it never does */
+  uint32_t size;           /* sizeof this struct, set by Moontrace */
+  char title[64];          /* for people, UTF-8, ends with 0 */
+  double rate;             /* calls of read and write a second, 100 to 10000 [Hz] */
+  double workspace[3];     /* from the origin to its edge along x, y, z, above 0 [m] */
+  uint32_t measures;       /* bit 0, 1, 2: it measures x, y, z. At least x and y */
+  uint32_t pushes;         /* bit 0, 1, 2: it pushes along x, y, z; 0: position only */
+  uint32_t buttons;        /* how many, 0 to 32 */
+  double peak_force;       /* on one axis for a moment, up to 100; above 0 if it pushes [N] */
+  double continuous_force; /* on one axis for ever [N]; 0: the motors do not heat */
+  double heat_time;        /* time constant by which the motors cool [s]; 0 only with the above */
+  double peak_power;       /* given to the hand [W]; 0: without limit */
+  double stiffness;        /* greatest that it renders stably, by its maker [N/m]; 0: unknown */
+  double damping;          /* of the device alone [N s/m]; 0: unknown */
+  double coulomb_friction; /* [N]; 0: unknown */
+  double position_step;    /* resolution [m]; 0: unknown */
+  double force_step;       /* resolution [N]; 0: unknown */
+  double delay;            /* from force to motion and back, beside one period [s] */
+  double dead_man;         /* after which the device itself lets go [s]; 0: it never does */
 };
 
 /* One reading. */
@@ -96,7 +96,8 @@ struct moontrace_device {
 #if defined(__GNUC__)
 __attribute__((visibility("default")))
 #endif
-const struct moontrace_device* moontrace_device_entry(void);
+const struct moontrace_device*
+moontrace_device_entry(void);
 
 #ifdef __cplusplus
 }

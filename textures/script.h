@@ -76,9 +76,9 @@ struct Script {
 Script LoadScript(const std::string& path);
 
 /// Loads by name ("moon") from the installed or source `textures/scripts` folder, the user's own or
-/// Debian's Hershey fonts, or by path (script_library.h). `text`, if not empty, is what will be set:
-/// scripts of thousands of characters are read only as far as it needs. Unknown name: InputError
-/// naming the known ones.
+/// Debian's Hershey fonts, or by path (script_library.h). `text`, if not empty, is what will be
+/// set: scripts of thousands of characters are read only as far as it needs. Unknown name:
+/// InputError naming the known ones.
 Script FindScript(const std::string& name_or_path, std::string_view text = {});
 
 /// Reads from memory, for tests and fuzzing; `svg_name` and `toml_name` stand in messages.

@@ -33,7 +33,8 @@ inline constexpr const char* kText = "the text; - reads standard input.";
 inline constexpr const char* kFile = "read the text from this file; - is standard input.";
 inline constexpr const char* kJson = "write one JSON object instead of words.";
 inline constexpr const char* kQuiet = "no remarks, only results and errors.";
-inline constexpr const char* kSize = "height of the letters in mm, 1 to 1000; of Braille from dot 1 to dot 3. Default the script's: "
+inline constexpr const char* kSize =
+    "height of the letters in mm, 1 to 1000; of Braille from dot 1 to dot 3. Default the script's: "
     "12, Braille 5.";
 inline constexpr const char* kWidth =
     "width of the groove in mm. Default 0.1165 of the size, more below 8 mm.";
@@ -45,7 +46,8 @@ inline constexpr const char* kRounding =
 inline constexpr const char* kEmbossed = "ridges instead of grooves.";
 inline constexpr const char* kScript = "name of a script or path of its SVG font. Default moon.";
 inline constexpr const char* kHForm = "form of H: crescent, arc, pocket or reverse-n.";
-inline constexpr const char* kGrade = "Moon: 0.5 no contractions, 1 those of grade 1, 2 what is known of grade 2. Braille: 1 "
+inline constexpr const char* kGrade =
+    "Moon: 0.5 no contractions, 1 those of grade 1, 2 what is known of grade 2. Braille: 1 "
     "uncontracted, 2 contracted. Default 1.";
 inline constexpr const char* kPaper =
     "a4, a5, workspace (160 by 120 mm) or width x height in mm like 120x80. Default a4.";
@@ -53,7 +55,8 @@ inline constexpr const char* kMargin =
     "margin on all sides in mm. Default 15 on a4 and a5, else 10.";
 inline constexpr const char* kLetterGap = "added between letters in mm. Default 0.";
 inline constexpr const char* kWordGap = "added between words in mm. Default 0.";
-inline constexpr const char* kLinePitch = "from base line to base line in mm. Default 1.8 sizes, Braille 2.";
+inline constexpr const char* kLinePitch =
+    "from base line to base line in mm. Default 1.8 sizes, Braille 2.";
 inline constexpr const char* kTilt =
     "raises the far edge of the page, in degrees from -60 to 60. Default 0.";
 inline constexpr const char* kSeed = "of tremor and drift, a whole number. Default 1.";

@@ -13,8 +13,8 @@ namespace moontrace {
 double WallLimit(double damping, double period, double delay);
 
 /// The greatest stiffness of a wall that the model holds quiet [N/m], by simulation and bisection
-/// to 0.01 percent: the tip, put off its place in the wall, must come back to it. Readings are taken
-/// without steps.
+/// to 0.01 percent: the tip, put off its place in the wall, must come back to it. Readings are
+/// taken without steps.
 double GreatestStableWall(SampledModel model);
 
 /// How far the tip still stirs [m] 2.7 s after it was put down in a groove of 12 mm letters at

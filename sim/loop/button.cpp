@@ -40,7 +40,8 @@ ButtonAction AdvanceButtons(ButtonState& state, std::uint32_t buttons, double ti
   if (state.raw != state.down && time - state.raw_since >= kButtonBounce) {
     action = Change(state, hold_to_feel);
   }
-  if (state.down && state.raw && !state.spent && !hold_to_feel && time - state.changed >= kButtonHeld) {
+  if (state.down && state.raw && !state.spent && !hold_to_feel &&
+      time - state.changed >= kButtonHeld) {
     state.spent = true;
     state.presses = 0;
     action = ButtonAction::kStop;
