@@ -273,7 +273,11 @@ void Layout::AddRunning(const std::vector<Sign>& signs) {
     } else {
       Sign end;
       end.space = before == nullptr || before->space;
-      if (!row_empty_ && !FitsBeforeGuide(signs, at)) Wrap(end);
+      if (!row_empty_ && !FitsBeforeGuide(signs, at)) {
+        Wrap(end);
+        // A line too short to begin under its guide begins at the margin.
+        if (!Fits(signs, at, at + 1, pen_)) pen_ = 0;
+      }
       if (new_word) ++words_;
       new_word = false;
       Place(signs, at);

@@ -142,6 +142,15 @@ TEST_F(OldMoon, EveryLineStaysWithinItsMargins) {
   EXPECT_EQ(letters, static_cast<std::size_t>(std::count(text.begin(), text.end(), 'a')));
 }
 
+TEST_F(OldMoon, BeginsAShortLineAtTheMarginWhereTheGuideLeavesNoRoom) {
+  // A wide b: on lines of 22 mm it would begin at 17 mm, under the guide behind a.
+  Script wide = script_;
+  wide.glyphs[wide.Find("b")].strokes[0].pieces = {Line{{0, 0}, {1, 1}}};
+  const Typeset set = Set("ab", LineDirection::kAlternate, wide, {"custom", 0.042, 0.10, 0.010});
+  ASSERT_EQ(set.pages[0].glyphs.size(), 3U);
+  EXPECT_NEAR(set.pages[0].glyphs[2].origin_P.x, 0.042 - 0.010 - 0.010, 1e-12);
+}
+
 TEST(Paragraphs, TakeTheGapInPlaceOfAnEmptyLine) {
   const Script script = SmallScript();
   const Typeset set =
