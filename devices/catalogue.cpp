@@ -159,6 +159,7 @@ std::vector<DeviceProfile> LoadProfiles(const std::string& folder) {
   if (error) throw DeviceError(folder + ": cannot be read: install the program again");
   std::sort(paths.begin(), paths.end());
   std::vector<DeviceProfile> profiles;
+  profiles.reserve(paths.size());
   for (const std::string& path : paths) profiles.push_back(LoadProfile(path));
   return profiles;
 }

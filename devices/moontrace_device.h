@@ -18,6 +18,7 @@
 
    C99 and C++. The structs only grow at their ends within a version; `size` tells how far.
 */
+/* C names and headers: NOLINTBEGIN */
 #ifndef MOONTRACE_DEVICE_H_
 #define MOONTRACE_DEVICE_H_
 
@@ -104,3 +105,4 @@ moontrace_device_entry(void);
 #endif
 
 #endif /* MOONTRACE_DEVICE_H_ */
+/* NOLINTEND */

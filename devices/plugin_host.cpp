@@ -39,7 +39,7 @@ double Now() noexcept {
 
 void* MapPage(int page, int protection) {
   void* place = mmap(nullptr, kPageBytes, protection, MAP_SHARED, kMemoryFile,
-                     static_cast<::off_t>(page * static_cast<int>(kPageBytes)));
+                     static_cast<::off_t>(page) * static_cast<::off_t>(kPageBytes));
   return place == MAP_FAILED ? nullptr : place;
 }
 
