@@ -1,6 +1,7 @@
 #include "devices/smallest_letter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace moontrace {
