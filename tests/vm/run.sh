@@ -67,7 +67,7 @@ chmod +x "$root/init"
 
 # In software, which works everywhere, with time by instructions (-icount): however busy this machine
 # is, the same happens inside.
-timeout 180 qemu-system-x86_64 -M q35 -accel tcg -icount shift=3,sleep=off -cpu max -smp 1 -m 768 \
+timeout 400 qemu-system-x86_64 -M q35 -accel tcg -icount shift=3,sleep=off -cpu max -smp 1 -m 768 \
   -nodefaults -no-user-config -display none -serial stdio -no-reboot -net none \
   -kernel kernel/boot/vmlinuz-* -initrd initrd.gz \
   -append "console=ttyS0 quiet panic=-1 tsc=unstable mitigations=off" </dev/null 2>&1 |
