@@ -48,14 +48,12 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   const Label* from = model ? &model->label : nullptr;
   TextSetup setup;
   const bool given = request.text.text || !request.text.file.empty();
-  if (given) {
-    setup.text = ReadText(request.text, request.command, console);
-  } else if (from != nullptr && !from->text.empty()) {
+  if (!given && from != nullptr && !from->text.empty()) {
     setup.text = from->text;
-  } else if (!request.default_text.empty()) {
+  } else if (!given && !request.default_text.empty()) {
     setup.text = request.default_text;
   } else {
-    setup.text = ReadText(request.text, request.command, console);  // says that there is none
+    setup.text = ReadText(request.text, request.command, console);  // or says that there is none
   }
   setup.script = ScriptOf(request.style, from);
   setup.script_name = request.style.script.value_or(
