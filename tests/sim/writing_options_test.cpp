@@ -95,7 +95,7 @@ TEST_F(WritingOptions, LinesRunInEachDirection) {
 
 TEST_F(WritingOptions, AreKeptByARecord) {
   const std::vector<std::vector<std::string>> all = {
-      {"--lines", "alternate", "--page", "70x80", "--only", "ait"},
+      {"--lines", "alternate", "--page", "70x150", "--only", "ait"},
       {"--lines", "vertical", "--paragraph-gap-mm", "3"},
       {"--script", "braille", "--grade", "2"}};
   for (const std::vector<std::string>& more : all) {
