@@ -163,6 +163,7 @@ class CellReader : public Reader {
   }
   std::string Read(const std::vector<Sign>& signs) const override {
     std::vector<std::uint8_t> cells;
+    cells.reserve(signs.size());
     for (const Sign& sign : signs) cells.push_back(sign.space ? 0 : cells_[sign.glyph]);
     return table_.ReadBack(cells);
   }

@@ -99,6 +99,7 @@ std::vector<Stroke> ParseKanjiVg(std::string_view svg, const std::string& file_n
   std::stable_sort(numbered.begin(), numbered.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Stroke> strokes;
+  strokes.reserve(numbered.size());
   for (auto& each : numbered) strokes.push_back(std::move(each.second));
   return strokes;
 }

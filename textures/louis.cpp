@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <mutex>
@@ -38,6 +37,8 @@ struct Library {
   std::mutex mutex;
   std::string first_error;
   std::size_t files = 0;
+  std::vector<std::string> answer;  ///< of Resolve
+  std::vector<char*> answer_pointers;
 };
 
 Library& State() {
@@ -87,12 +88,6 @@ std::string FindTable(const std::string& name, const char* base) {
   return {};
 }
 
-char* Copied(const std::string& text) {
-  char* copy = static_cast<char*>(std::malloc(text.size() + 1));
-  if (copy != nullptr) std::memcpy(copy, text.c_str(), text.size() + 1);
-  return copy;
-}
-
 std::vector<std::string> SplitNames(std::string_view list) {
   std::vector<std::string> names;
   while (true) {
@@ -104,7 +99,8 @@ std::vector<std::string> SplitNames(std::string_view list) {
 }
 
 // liblouis asks here for the files of a table list, and again for each `include`. Its own resolver
-// follows a table that includes itself until the stack ends. The answer is freed by liblouis.
+// follows a table that includes itself until the stack ends. It copies the
+// answer at once, and frees only what its own resolver gave.
 char** Resolve(const char* list, const char* base) {
   const std::vector<std::string> names = SplitNames(list);
   State().files += names.size();
@@ -114,19 +110,23 @@ char** Resolve(const char* list, const char* base) {
     }
     return nullptr;
   }
-  char** found = static_cast<char**>(std::calloc(names.size() + 1, sizeof(char*)));
-  for (std::size_t i = 0; found != nullptr && i < names.size(); ++i) {
-    const std::string file = FindTable(names[i], base);
-    found[i] = file.empty() ? nullptr : Copied(file);
-    if (found[i] != nullptr) continue;
+  std::vector<std::string>& files = State().answer;
+  files.clear();
+  files.reserve(names.size());
+  for (const std::string& name : names) {
+    files.push_back(FindTable(name, base));
+    if (!files.back().empty()) continue;
     if (State().first_error.empty()) {
-      State().first_error = "cannot find '" + OneLine(names[i], 60) + "'";
+      State().first_error = "cannot find '" + OneLine(name, 60) + "'";
     }
-    while (i > 0) std::free(found[--i]);
-    std::free(found);
     return nullptr;
   }
-  return found;
+  std::vector<char*>& pointers = State().answer_pointers;
+  pointers.clear();
+  pointers.reserve(files.size() + 1);
+  for (std::string& file : files) pointers.push_back(file.data());
+  pointers.push_back(nullptr);
+  return pointers.data();
 }
 
 std::string NearestTable(const std::string& name) {
@@ -273,6 +273,7 @@ std::vector<BrailleCell> BrailleTable::Translate(std::u32string_view line) const
 std::string BrailleTable::ReadBack(const std::vector<std::uint8_t>& cells) const {
   const std::lock_guard<std::mutex> lock(State().mutex);
   std::vector<widechar> input;
+  input.reserve(cells.size());
   for (const std::uint8_t dots : cells) input.push_back(0x8000U | dots);  // as dotsIO gives
   std::vector<widechar> output(kMostCells * input.size() + 64);
   int taken = static_cast<int>(input.size());

@@ -181,6 +181,7 @@ class GlyphChecker {
     const std::vector<Sample>&one = samples_[i], &other = samples_[j];
     const bool itself = i == j;
     std::vector<Nearest> nearest;
+    nearest.reserve(one.size());
     for (const Sample& sample : one) {
       nearest.push_back(NearestIn(j, sample, itself, apart));
     }

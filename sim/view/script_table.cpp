@@ -112,8 +112,9 @@ Drawing ScriptTable(const Script& script) {
   }
   const Box box = CommonBox(script, shown);
   for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t row = i / kRowOfTable;
     const glm::dvec2 cell(kMargin + kCell * static_cast<double>(i % kRowOfTable),
-                          top - kCell * static_cast<double>(i / kRowOfTable + 1));
+                          top - kCell * static_cast<double>(row + 1));
     AppendSign(script, i, box, cell, drawing);
   }
   return drawing;

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #define NONE 0
@@ -33,7 +34,7 @@ static int faulty_describe(struct moontrace_description* d) {
 
 static void* faulty_open(char* error, size_t size) {
   const char* path = getenv("MOONTRACE_TEST_FORCES");
-  if (FAULT == CRASH_AT_OPEN) raise(SIGSEGV);
+  if (FAULT == CRASH_AT_OPEN) abort();
   if (FAULT == REFUSE) {
     snprintf(error, size, "no arm found: plug it in");
     return NULL;
