@@ -113,7 +113,7 @@ bool NextLine(std::istream& stream, std::string& line, const std::string& where)
   std::string part(std::size_t{1} << 16U, '\0');
   while (true) {
     stream.getline(part.data(), static_cast<std::streamsize>(part.size()));
-    line += part.c_str();  // up to a zero byte: JSON has none
+    line.append(part, 0, part.find('\0'));  // JSON has no zero byte
     if (line.size() > kLongestLine) {
       throw InputError(where + ": a line of more than 1 MB; give one character's JSON a line");
     }
