@@ -55,6 +55,21 @@ void Add(Digest& digest, const Rows& rows) {
   for (const double y : rows.y) digest.Add(y);
 }
 
+void Add(Digest& digest, const PaperField& paper) {
+  for (const FlatPatch& patch : paper.patches()) {
+    digest.Add(patch.box.min);
+    digest.Add(patch.box.max);
+    digest.Add(patch.fade_per_m);
+    digest.Add(static_cast<std::uint64_t>(patch.kind));
+    digest.Add(patch.amplitude);
+    digest.Add(patch.wave);
+    digest.Add(std::uint64_t{patch.seed} * 2 + (patch.tiled ? 1 : 0));
+    if (patch.heights == nullptr) continue;
+    digest.Add(std::uint64_t{patch.heights->columns()});
+    for (const float height : patch.heights->heights()) digest.Add(static_cast<double>(height));
+  }
+}
+
 template <class T>
 std::size_t Bytes(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
@@ -67,7 +82,7 @@ TextureField::~TextureField() = default;
 TextureField::TextureField(TextureField&&) noexcept = default;
 TextureField& TextureField::operator=(TextureField&&) noexcept = default;
 
-TextureField::TextureField(const Texture& texture) {
+TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
   for (const Layer& layer : texture.layers) {
     if (layer.group == nullptr || layer.group->bounds.min.x > layer.group->bounds.max.x) continue;
     layers_.push_back(CompileLayer(layer));
@@ -81,11 +96,14 @@ TextureField::TextureField(const Texture& texture) {
     greatest_curvature_ += curvature;
     greatest_displacement_ += depth;
   }
+  greatest_slope_ += paper_.bounds().slope;
+  greatest_curvature_ += paper_.bounds().curvature;
+  greatest_displacement_ += paper_.bounds().displacement;
   steepest_cosine_ = 1 / std::sqrt(1 + greatest_slope_ * greatest_slope_);
 }
 
 std::size_t TextureField::memory_bytes() const noexcept {
-  std::size_t bytes = sizeof *this + Bytes(layers_);
+  std::size_t bytes = sizeof *this + Bytes(layers_) + paper_.memory_bytes();
   for (const CompiledLayer& layer : layers_) {
     bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.bands) +
              Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.blocks) + Bytes(layer.cells) +
@@ -117,6 +135,7 @@ std::uint64_t TextureField::Hash() const noexcept {
       digest.Add(profile.depth);
     }
   }
+  Add(digest, paper_);
   return digest.value();
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "textures/paper_field.h"
 #include "textures/texture.h"
 
 namespace moontrace {
@@ -23,7 +24,7 @@ class TextureField {
   Sample SampleAt(glm::dvec2 p_P) const noexcept;
 
   /// Greatest slope and curvature over all elements: s_max [m/m], (s/r)_max [1/m]; zero when empty.
-  /// Layers add.
+  /// Layers and paper add.
   double greatest_slope() const noexcept { return greatest_slope_; }
   /// Cosine of the steepest inclination, 1 / sqrt(1 + s_max^2); 1 when empty.
   double steepest_cosine() const noexcept { return steepest_cosine_; }
@@ -38,6 +39,7 @@ class TextureField {
 
  private:
   std::vector<CompiledLayer> layers_;
+  PaperField paper_;
   double greatest_slope_ = 0;
   double steepest_cosine_ = 1;
   double greatest_curvature_ = 0;

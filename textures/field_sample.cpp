@@ -297,7 +297,9 @@ Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
     sum.displacement += layer.sign * magnitude.height;
     sum.gradient += layer.sign * magnitude.gradient;
   }
-  return sum;
+  if (paper_.empty()) return sum;
+  const Sample paper = paper_.SampleAt(p_P);
+  return {sum.displacement + paper.displacement, sum.gradient + paper.gradient};
 }
 
 }  // namespace moontrace

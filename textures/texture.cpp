@@ -114,6 +114,11 @@ Sample SampleTree(const Texture& texture, glm::dvec2 p_P) {
     sum.displacement += sign * magnitude.height;
     sum.gradient += sign * magnitude.gradient;
   }
+  for (const PaperPatch& patch : texture.paper) {
+    const Sample sample = Evaluate(patch, p_P);
+    sum.displacement += sample.displacement;
+    sum.gradient += sample.gradient;
+  }
   return sum;
 }
 

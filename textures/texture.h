@@ -4,14 +4,10 @@
 #include <vector>
 
 #include "textures/element.h"
+#include "textures/paper.h"
+#include "textures/sample.h"
 
 namespace moontrace {
-
-/// Displacement of the surface along its normal, and the derivative along x and y.
-struct Sample {
-  double displacement = 0;        ///< [m], below zero in grooves
-  glm::dvec2 gradient{0.0, 0.0};  ///< [m/m]
-};
 
 struct Group;
 
@@ -45,9 +41,10 @@ struct Layer {
   Relief relief = Relief::kEngraved;
 };
 
-/// The tactile surface as a tree: the sum of its layers.
+/// The tactile surface as a tree: the sum of its layers and its patches of rough paper.
 struct Texture {
   std::vector<Layer> layers;
+  std::vector<PaperPatch> paper;
 };
 
 /// Samples the tree itself by walking it. Exact, slow, allocates nothing; the compiled field agrees
