@@ -5,10 +5,10 @@
 namespace moontrace {
 namespace {
 
-std::vector<Piece> SpineOf(const Stroke& stroke, const TypeStyle& style, glm::dvec2 origin_P) {
+std::vector<Piece> SpineOf(const Stroke& stroke, double size, double width, glm::dvec2 origin_P) {
   std::vector<Piece> placed;
-  for (const Piece& piece : stroke.pieces) placed.push_back(Placed(piece, style.size, origin_P));
-  return stroke.kind == StrokeKind::kStroke ? placed : CentreArc(placed, style.width / 2);
+  for (const Piece& piece : stroke.pieces) placed.push_back(Placed(piece, size, origin_P));
+  return stroke.kind == StrokeKind::kStroke ? placed : CentreArc(placed, width / 2);
 }
 
 }  // namespace
@@ -18,12 +18,13 @@ std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& 
   std::vector<IntendedStroke> strokes;
   for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
     const PlacedGlyph& placed = page.glyphs[i];
+    const double scale = ScaleOf(placed.kind, style);
     for (const Stroke& stroke : script.glyphs.at(placed.glyph).strokes) {
       if (stroke.pieces.empty()) continue;
       IntendedStroke intended;
       intended.kind = stroke.kind;
-      intended.spine_P = SpineOf(stroke, style, placed.origin_P);
-      intended.width = style.width;
+      intended.width = scale * style.width;
+      intended.spine_P = SpineOf(stroke, scale * style.size, intended.width, placed.origin_P);
       intended.glyph = i;
       strokes.push_back(intended);
     }

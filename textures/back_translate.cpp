@@ -228,6 +228,7 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
   std::vector<Sign> signs;
   for (std::size_t number = 1; folder.NextLine(line); ++number) {
     signs.clear();
+    if (style.structure.read) TakeMarks(text, line);
     writer->Write(text, number, line, signs, notes);
     Compare(reader->Read(signs), Wanted(line), result);
   }

@@ -53,6 +53,7 @@ void Add(Digest& digest, const Rows& rows) {
     }
   }
   for (const double y : rows.y) digest.Add(y);
+  for (const std::uint32_t row : rows.of_band) digest.Add(std::uint64_t{row});
 }
 
 void Add(Digest& digest, const PaperField& paper) {

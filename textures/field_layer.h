@@ -109,6 +109,8 @@ struct Rows {
   std::vector<Letters> slots;
   std::array<Code, 256> codes{};
   std::vector<double> y;  ///< of each row's letters [m]
+  /// The row that each band meets, where lines are unevenly spaced; else empty: bands are rows.
+  std::vector<std::uint32_t> of_band;
 };
 
 /// One layer of the tree, flattened: nested groups of a layer are one group, since "the greatest

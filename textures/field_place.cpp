@@ -93,7 +93,7 @@ void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
       return a->box.min.x < b->box.min.x;
     });
   }
-  if (AddRows(bands, all, layer)) return;
+  if (AddRows(bands, all, layer) || AddUnevenRows(places, all, layer)) return;
   std::size_t longest = 1;
   for (const auto& band : bands) longest = std::max(longest, band.size());
   ChooseBuckets(places.size(), longest, all, layer);

@@ -27,4 +27,10 @@ void AddPlaces(const std::vector<PlacedGroup>& places, TextureField::CompiledLay
 /// band; else leaves the layer as it is and returns false. `all`: the box of all of them.
 bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& layer);
 
+/// The same for lines at uneven distances, as of letters of two sizes: bands are then so narrow
+/// that each meets one line at most, and know which. False, and the layer as it was, where lines
+/// do not stand apart.
+bool AddUnevenRows(const std::vector<PlacedGroup>& places, const Box& all,
+                   TextureField::CompiledLayer& layer);
+
 }  // namespace moontrace

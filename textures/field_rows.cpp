@@ -145,6 +145,36 @@ bool SpreadAll(const std::vector<std::vector<Letters>>& lines, std::size_t count
   return true;
 }
 
+/// The groups that stand at one height, and the heights that they reach over.
+struct TextLine {
+  Row row;
+  double low = 0, high = 0;  ///< [m]
+};
+
+/// Lines from the lowest to the highest.
+std::vector<TextLine> LinesOf(const std::vector<PlacedGroup>& places) {
+  std::map<double, TextLine> by_height;
+  for (const PlacedGroup& place : places) {
+    TextLine& line = by_height[place.origin.y];
+    const bool first = line.row.empty();
+    line.low = first ? place.box.min.y : std::min(line.low, place.box.min.y);
+    line.high = first ? place.box.max.y : std::max(line.high, place.box.max.y);
+    line.row.push_back(&place);
+  }
+  std::vector<TextLine> lines;
+  for (auto& [y, line] : by_height) lines.push_back(std::move(line));
+  return lines;
+}
+
+/// The narrowest gap between neighbouring lines [m]; zero or less where they overlap.
+double NarrowestGap(const std::vector<TextLine>& lines) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    gap = std::min(gap, lines[i].low - lines[i - 1].high);
+  }
+  return gap;
+}
+
 }  // namespace
 
 bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& layer) {
@@ -181,6 +211,38 @@ bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& la
     return true;
   }
   return false;
+}
+
+bool AddUnevenRows(const std::vector<PlacedGroup>& places, const Box& all,
+                   TextureField::CompiledLayer& layer) {
+  std::vector<TextLine> lines = LinesOf(places);
+  const double gap = NarrowestGap(lines), height = all.max.y - all.min.y;
+  const double most = 4.0 * static_cast<double>(places.size()) + 64;
+  // bands narrower than any gap meet one line at most; so many that they would outgrow buckets: no
+  if (lines.size() < 2 || !(gap > 0) || height / (0.9 * gap) > most) return false;
+  Bands rows;
+  for (TextLine& line : lines) {
+    std::stable_sort(line.row.begin(), line.row.end(),
+                     [](const PlacedGroup* a, const PlacedGroup* b) {
+                       return a->box.min.x < b->box.min.x;
+                     });
+    rows.push_back(line.row);
+  }
+  if (!AddRows(rows, all, layer)) return false;
+  layer.origin.y = all.min.y;
+  layer.bands_per_m = 1 / (0.9 * gap);
+  layer.band_count = std::floor((all.max.y - layer.origin.y) * layer.bands_per_m) + 1;
+  layer.rows.of_band.assign(static_cast<std::size_t>(layer.band_count), 0);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    // computed as a query computes it, so that rounding cannot part them
+    const auto band_of = [&layer](double y) {
+      return static_cast<std::size_t>((y - layer.origin.y) * layer.bands_per_m);
+    };
+    for (std::size_t band = band_of(lines[i].low); band <= band_of(lines[i].high); ++band) {
+      layer.rows.of_band[band] = static_cast<std::uint32_t>(i);
+    }
+  }
+  return true;
 }
 
 }  // namespace moontrace

@@ -285,7 +285,9 @@ inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept 
   const double v = (p.y - layer.origin.y) * layer.bands_per_m;
   if (!(v >= 0 && v < layer.band_count)) return {};
   const auto band = static_cast<std::uint32_t>(v);
-  return layer.rows.length > 0 ? SampleRow(layer, band, p) : SampleBuckets(layer, band, p);
+  if (layer.rows.length == 0) return SampleBuckets(layer, band, p);
+  const std::vector<std::uint32_t>& of_band = layer.rows.of_band;
+  return SampleRow(layer, of_band.empty() ? band : of_band[band], p);
 }
 
 }  // namespace

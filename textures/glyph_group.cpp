@@ -2,7 +2,10 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <map>
+#include <memory>
+#include <utility>
 
+#include "textures/structure_patches.h"
 #include "textures/typeset.h"
 
 namespace moontrace {
@@ -78,21 +81,27 @@ Group BuildGlyph(const Glyph& glyph, const TypeStyle& style) {
 }
 
 Texture BuildTexture(const TextPage& page, const Script& script, const TypeStyle& style) {
-  std::map<std::size_t, std::shared_ptr<const Group>> built;
-  Group sheet;
+  const TypeStyle heading = LineStyle(LineKind::kHeading, style, script);
+  std::map<std::pair<bool, std::size_t>, std::shared_ptr<const Group>> built;
+  std::map<Relief, Group> sheets;
   for (std::size_t i = 0; i < page.glyphs.size();) {
     Group line;
     const std::size_t number = page.glyphs[i].line;
+    const bool is_heading = page.glyphs[i].kind == LineKind::kHeading;
+    const TypeStyle& own = is_heading ? heading : style;
     for (; i < page.glyphs.size() && page.glyphs[i].line == number; ++i) {
       const PlacedGlyph& placed = page.glyphs[i];
-      auto& group = built[placed.glyph];
-      if (!group) group = Finish(BuildGlyph(script.glyphs.at(placed.glyph), style));
+      auto& group = built[{is_heading, placed.glyph}];
+      if (!group) group = Finish(BuildGlyph(script.glyphs.at(placed.glyph), own));
       line.placements.push_back({group, placed.origin_P});
     }
-    sheet.placements.push_back({Finish(std::move(line)), {0, 0}});
+    sheets[own.relief].placements.push_back({Finish(std::move(line)), {0, 0}});
   }
   Texture texture;
-  texture.layers.push_back({Finish(std::move(sheet)), style.relief});
+  for (auto& [relief, sheet] : sheets) {
+    texture.layers.push_back({Finish(std::move(sheet)), relief});
+  }
+  AddStructurePatches(page, script, style, texture);
   return texture;
 }
 

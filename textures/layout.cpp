@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "textures/error.h"
 
@@ -11,31 +12,11 @@ namespace moontrace {
 namespace {
 
 constexpr double kSlack = 1e-9;        // a line that fits but for rounding fits [m]
-constexpr double kGuideBulge = 0.3;    // of the line pitch
 constexpr double kGuideAdvance = 0.9;  // [em]; nothing follows a guide on its line
 
+constexpr double kMostIndent = 0.125;  // of a quotation, of the line
+
 double Mm(double metres) { return metres * 1000; }
-
-Box BoundsOf(const Glyph& glyph) {
-  Box box{{0, 0}, {0, 0}};
-  for (const Stroke& stroke : glyph.strokes) {
-    for (const Piece& piece : stroke.pieces) Include(box, moontrace::BoundsOf(piece));
-  }
-  return box;
-}
-
-// The middle of the lowest stroke or dot, below which only its own width lies [em].
-double LowestMiddle(const Glyph& glyph) {
-  double lowest = 0;
-  for (const Stroke& stroke : glyph.strokes) {
-    for (const Piece& piece : stroke.pieces) {
-      const Box box = moontrace::BoundsOf(piece);
-      const bool dot = stroke.kind == StrokeKind::kDot;
-      lowest = std::min(lowest, dot ? (box.min.y + box.max.y) / 2 : box.min.y);
-    }
-  }
-  return lowest;
-}
 
 }  // namespace
 
@@ -62,44 +43,80 @@ Layout::Layout(const Script& script, const TypeStyle& style, const PageSpec& pag
     : script_(script),
       direction_(style.lines),
       page_(page),
-      size_(style.size),
-      space_(script.space_advance * style.size + style.word_gap),
+      plain_(MeasureRows(script, style, 1)),
       line_pitch_(style.line_pitch) {
   const bool vertical = direction_ == LineDirection::kVertical;
   line_length_ = (vertical ? page.height : page.width) - 2 * page.margin;
-  const double across = (vertical ? page.width : page.height) - 2 * page.margin;
-  room_ = across - size_ + kSlack;
-  if (room_ < 0) {
-    throw InputError(
-        fmt::format("the page has {:.4g} mm between its margins, a line needs {:.4g} "
-                    "mm: choose smaller letters or a larger page",
-                    Mm(across), Mm(size_)));
+  room_ = (vertical ? page.width : page.height) - 2 * page.margin;
+  CheckRoom();
+  if (style.structure.read) {
+    heading_ = MeasureRows(script, style, ScaleOf(LineKind::kHeading, style));
   }
   empty_rows_ = !style.paragraph_gap;
-  paragraph_gap_ = style.paragraph_gap.value_or(Alternates() ? 2 * space_ : line_pitch_);
-  for (const Glyph& glyph : script.glyphs) {
-    const Box bounds = BoundsOf(glyph);
-    right_.push_back(bounds.max.x * size_);
-    lowest_.push_back(LowestMiddle(glyph) * size_);
-    const double advance = glyph.advance * size_ + style.letter_gap;
-    // Down a column each sign has its whole box, and below it the gap that it has along a line.
-    extent_.push_back(vertical ? size_ : right_.back());
-    advance_.push_back(vertical ? size_ + std::max(advance - right_.back(), 0.0) : advance);
-  }
+  paragraph_gap_ = style.paragraph_gap.value_or(Alternates() ? 2 * plain_.space : line_pitch_);
   if (Alternates()) {
     guide_right_ = script.Find("guide-right");
     guide_left_ = script.Find("guide-left");
-    bulge_ = kGuideBulge * line_pitch_;
   }
+}
+
+// Whether the page holds a row of the kind that is set.
+void Layout::CheckRoom() const {
+  if (room_ - Row().size + kSlack >= 0) return;
+  throw InputError(
+      fmt::format("the page has {:.4g} mm between its margins, a line needs {:.4g} "
+                  "mm: choose smaller letters or a larger page",
+                  Mm(room_), Mm(Row().size)));
 }
 
 // Whether the row that is being set runs right to left.
 bool Layout::RunsBack() const {
   if (direction_ == LineDirection::kRightToLeft) return true;
-  return Alternates() && next_row_ % 2 == 0;
+  return Alternates() && (next_row_ - run_row_) % 2 == 0;
 }
 
 void Layout::EndParagraph() { paragraph_ended_ = true; }
+
+// How far a row of the last page lies from the margin.
+double Layout::Across(std::size_t row) const {
+  return static_cast<double>(row) * line_pitch_ + gaps_;
+}
+
+// What the step from the row before to this one is beyond the text's pitch.
+double Layout::Deviation() const {
+  const RowMetrics& before = RowsOf(kind_before_);
+  if (pages_.empty() || (&before == &plain_ && &Row() == &plain_)) return 0;
+  return before.size + std::max(before.gap, Row().gap) - line_pitch_;
+}
+
+// Begins a page, with the heading that would else stand alone at the foot of the last.
+void Layout::NextPage() {
+  const Heading moved = std::exchange(last_heading_, Heading{});
+  const std::size_t expected = pages_.empty() ? 0 : pages_.back().glyphs.size();
+  pages_.emplace_back();
+  TextPage& page = pages_.back();
+  page.glyphs.reserve(expected);
+  if (moved.glyph == Script::npos || moved.glyph == 0) {
+    next_row_ = run_row_ = 0;
+    gaps_ = 0;
+    return;
+  }
+  TextPage& before = pages_[pages_.size() - 2];
+  const double shift = static_cast<double>(moved.row) * line_pitch_ + moved.gaps;
+  const bool vertical = direction_ == LineDirection::kVertical;
+  const auto first = before.glyphs.begin() + static_cast<std::ptrdiff_t>(moved.glyph);
+  for (auto glyph = first; glyph != before.glyphs.end(); ++glyph) {
+    glyph->line -= moved.row;
+    glyph->origin_P += vertical ? glm::dvec2(shift, 0) : glm::dvec2(0, shift);
+    page.glyphs.push_back(*glyph);
+  }
+  before.glyphs.erase(first, before.glyphs.end());
+  before.lines = before.glyphs.back().line + 1;
+  next_row_ -= moved.row;
+  run_row_ -= std::min(run_row_, moved.row);
+  gaps_ -= moved.gaps;
+  last_heading_ = {0, 0, 0};
+}
 
 void Layout::StartRow() {
   if (paragraph_ended_ && !pages_.empty() && !Alternates()) {
@@ -110,16 +127,18 @@ void Layout::StartRow() {
     }
   }
   paragraph_ended_ = false;
-  const double used = static_cast<double>(next_row_) * line_pitch_ + gaps_;
-  if (pages_.empty() || used > room_) {
-    const std::size_t expected = pages_.empty() ? 0 : pages_.back().glyphs.size();
-    pages_.emplace_back();
-    pages_.back().glyphs.reserve(expected);
-    next_row_ = 0;
-    gaps_ = 0;
+  gaps_ += Deviation();
+  CheckRoom();
+  if (pages_.empty()) NextPage();
+  while (Across(next_row_) > room_ - Row().size + kSlack) NextPage();
+  if (kind_ != LineKind::kHeading) {
+    last_heading_ = {};
+  } else if (kind_before_ != LineKind::kHeading || last_heading_.glyph == Script::npos) {
+    last_heading_ = {pages_.back().glyphs.size(), next_row_, gaps_};
   }
+  kind_before_ = kind_;
   pages_.back().lines = ++next_row_;
-  pen_ = 0;
+  pen_ = indent_;
   row_empty_ = true;
 }
 
@@ -134,22 +153,22 @@ std::size_t Layout::ChunkEnd(const std::vector<Sign>& signs, std::size_t at) con
 bool Layout::Fits(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
                   double pen) const {
   for (; at < end; ++at) {
-    if (pen + extent_[signs[at].glyph] > line_length_ + kSlack) return false;
-    pen += advance_[signs[at].glyph];
+    if (pen + Row().extent[signs[at].glyph] > line_length_ + kSlack) return false;
+    pen += Row().advance[signs[at].glyph];
   }
   return true;
 }
 
 // Where a glyph stands whose start is `pen` from the start of the current row.
 glm::dvec2 Layout::OriginOf(std::size_t glyph, double pen) const {
-  const double across = static_cast<double>(next_row_ - 1) * line_pitch_ + gaps_;
+  const double across = Across(next_row_ - 1), size = Row().size;
   if (direction_ == LineDirection::kVertical) {
-    const double column = page_.width - page_.margin - size_ - across;
-    return {column + (size_ - right_[glyph]) / 2, page_.height - page_.margin - pen - size_};
+    const double column = page_.width - page_.margin - size - across;
+    return {column + (size - Row().right[glyph]) / 2, page_.height - page_.margin - pen - size};
   }
-  const double base = page_.height - page_.margin - size_ - across;
+  const double base = page_.height - page_.margin - size - across;
   const double x =
-      RunsBack() ? page_.width - page_.margin - pen - right_[glyph] : page_.margin + pen;
+      RunsBack() ? page_.width - page_.margin - pen - Row().right[glyph] : page_.margin + pen;
   return {x, base};
 }
 
@@ -161,15 +180,17 @@ void Layout::Put(const Sign& sign) {
   placed.source_begin = sign.begin;
   placed.source_end = sign.end;
   placed.word = words_ - 1;
-  const double lowest = placed.origin_P.y + lowest_[sign.glyph];
+  placed.kind = kind_;
+  placed.link = sign.link;
+  const double lowest = placed.origin_P.y + Row().lowest[sign.glyph];
   if (lowest < -kSlack) {
     throw InputError(
         fmt::format("the sign '{}' hangs {:.4g} mm below the sheet: choose a margin of "
                     "{:.4g} mm or more",
-                    script_.glyphs[sign.glyph].name, -Mm(lowest), -Mm(lowest_[sign.glyph])));
+                    script_.glyphs[sign.glyph].name, -Mm(lowest), -Mm(Row().lowest[sign.glyph])));
   }
   pages_.back().glyphs.push_back(placed);
-  pen_ += advance_[sign.glyph];
+  pen_ += Row().advance[sign.glyph];
   row_empty_ = false;
 }
 
@@ -182,12 +203,15 @@ void Layout::Place(const std::vector<Sign>& signs, std::size_t at) {
         fmt::format("the page's lines are {:.4g} mm {}, the letter '{}' needs "
                     "{:.4g} mm: choose smaller letters or a larger page",
                     Mm(line_length_), direction_ == LineDirection::kVertical ? "high" : "wide",
-                    script_.glyphs[sign.glyph].name, Mm(extent_[sign.glyph])));
+                    script_.glyphs[sign.glyph].name, Mm(Row().extent[sign.glyph])));
   }
   Put(sign);
 }
 
-void Layout::AddLine(const std::vector<Sign>& signs) {
+void Layout::AddLine(const std::vector<Sign>& signs, LineKind kind) {
+  kind_ = kind;
+  const bool indented = kind == LineKind::kQuotation && !Alternates();
+  indent_ = indented ? std::min(plain_.size, kMostIndent * line_length_) : 0;
   if (std::all_of(signs.begin(), signs.end(), [](const Sign& sign) { return sign.space; })) {
     EndParagraph();
   } else if (Alternates()) {
@@ -202,7 +226,7 @@ void Layout::AddWrapped(const std::vector<Sign>& signs) {
   bool new_word = true;
   for (std::size_t at = 0; at < signs.size();) {
     if (signs[at].space) {
-      pen_ += space_;
+      pen_ += Row().space;
       ++at;
       new_word = true;
       continue;
@@ -210,7 +234,7 @@ void Layout::AddWrapped(const std::vector<Sign>& signs) {
     const std::size_t end = ChunkEnd(signs, at);
     if (!Fits(signs, at, end, pen_)) {
       if (!row_empty_) StartRow();
-      pen_ = 0;  // spaces at the wrap, or an indent that leaves no room
+      pen_ = indent_;  // spaces at the wrap, or an indent that leaves no room
     }
     if (new_word) ++words_;
     new_word = false;
@@ -221,17 +245,18 @@ void Layout::AddWrapped(const std::vector<Sign>& signs) {
 // From the strokes of a line's last sign to its guide: the usual gap, and behind a finished word
 // the space too.
 double Layout::ClosingGap(std::size_t glyph, bool finished) const {
-  return advance_[glyph] - extent_[glyph] + (finished ? space_ : 0);
+  return Row().advance[glyph] - Row().extent[glyph] + (finished ? Row().space : 0);
 }
 
 // Whether a sign fits on the row with its guide behind it.
 bool Layout::FitsBeforeGuide(const std::vector<Sign>& signs, std::size_t at) const {
   const bool together = signs[at].keep_next && at + 1 < signs.size() && !signs[at + 1].space;
-  const double pen = pen_ + (together ? advance_[signs[at].glyph] : 0);
+  const double pen = pen_ + (together ? Row().advance[signs[at].glyph] : 0);
   const std::size_t last = together ? at + 1 : at;
   const bool finished = last + 1 == signs.size() || signs[last + 1].space;
   const std::size_t glyph = signs[last].glyph;
-  return pen + extent_[glyph] + ClosingGap(glyph, finished) + bulge_ <= line_length_ + kSlack;
+  return pen + Row().extent[glyph] + ClosingGap(glyph, finished) + Row().bulge <=
+         line_length_ + kSlack;
 }
 
 // Ends a running row behind the sign that was set last, with a guide to the next.
@@ -242,25 +267,29 @@ void Layout::Wrap(const Sign& last) {
   // What was added behind the last sign (its own gap, spaces) is not counted.
   const glm::dvec2 origin = end.origin_P;
   const double reached = RunsBack() ? page_.width - page_.margin - origin.x
-                                    : origin.x + right_[end.glyph] - page_.margin;
+                                    : origin.x + Row().right[end.glyph] - page_.margin;
   const double guide = reached + gap;  // from the row's start
-  const std::size_t pages = pages_.size();
   const std::size_t glyph = RunsBack() ? guide_left_ : guide_right_;
   PlacedGlyph placed = end;
   placed.glyph = glyph;
   placed.source_begin = placed.source_end;
-  if (glyph != Script::npos) {
-    placed.origin_P = {RunsBack() ? page_.width - page_.margin - guide : page_.margin + guide,
-                       origin.y};
-  }
+  placed.link = false;
+  placed.origin_P = {RunsBack() ? page_.width - page_.margin - guide : page_.margin + guide,
+                     origin.y};
+  const std::size_t page = pages_.size() - 1;
+  if (glyph != Script::npos) pages_[page].glyphs.push_back(placed);
   StartRow();
-  if (pages_.size() > pages) return;  // no line follows on that page
-  if (glyph != Script::npos) pages_.back().glyphs.push_back(placed);
+  if (pages_.back().glyphs.empty()) {  // no line follows on that page
+    if (glyph != Script::npos) pages_[page].glyphs.pop_back();
+    return;
+  }
   pen_ = line_length_ - guide + gap;
 }
 
 void Layout::AddRunning(const std::vector<Sign>& signs) {
-  if (pages_.empty()) StartRow();
+  const bool own_row = kind_ == LineKind::kHeading || kind_ != kind_before_;
+  if (own_row) run_row_ = next_row_;
+  if (pages_.empty() || own_row) StartRow();
   if (!row_empty_) pen_ += paragraph_gap_;
   paragraph_ended_ = false;
   bool new_word = true;
@@ -268,7 +297,7 @@ void Layout::AddRunning(const std::vector<Sign>& signs) {
   for (std::size_t at = 0; at < signs.size(); ++at) {
     const Sign& sign = signs[at];
     if (sign.space) {
-      if (!row_empty_) pen_ += space_;
+      if (!row_empty_) pen_ += Row().space;
       new_word = true;
     } else {
       Sign end;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "textures/row_metrics.h"
 #include "textures/script.h"
 #include "textures/typeset.h"
 #include "textures/writer.h"
@@ -18,22 +19,35 @@ void AddGuides(Script& script, const TypeStyle& style);
 /// Sets signs in lines, and lines on pages. Lengths along a line are counted from its start, so
 /// that only Place knows where lines run on the page.
 ///
+/// Between rows of different sizes lies the larger of their gaps. A heading that nothing follows on
+/// its page goes to the next with what does, unless it begins the page. Rows of a quotation are
+/// indented by an em, where lines do not alternate.
+///
 /// Alternating lines follow old Moon: text runs on, a line of the text ends in a paragraph's space;
 /// a word is broken where the line ends, without a mark; a broken part stands close to the guide
-/// line, a finished word keeps its space; the next line begins under the guide's lower end.
+/// line, a finished word keeps its space; the next line begins under the guide's lower end. A
+/// heading and what follows it begin a row of their own, as if on a page's top.
 class Layout {
  public:
   /// Throws InputError when the page holds no line.
   Layout(const Script& script, const TypeStyle& style, const PageSpec& page);
 
   /// Sets one line of the text, wrapped into as many rows as it needs. Throws InputError when a
-  /// sign is wider than the page.
-  void AddLine(const std::vector<Sign>& signs);
+  /// sign is wider than the page, or the page holds no row of a heading.
+  void AddLine(const std::vector<Sign>& signs, LineKind kind = LineKind::kPlain);
   std::vector<TextPage> TakePages() { return std::move(pages_); }
 
  private:
   bool Alternates() const { return direction_ == LineDirection::kAlternate; }
   bool RunsBack() const;
+  const RowMetrics& RowsOf(LineKind kind) const {
+    return kind == LineKind::kHeading ? heading_ : plain_;
+  }
+  const RowMetrics& Row() const { return RowsOf(kind_); }
+  double Across(std::size_t row) const;
+  void CheckRoom() const;
+  double Deviation() const;
+  void NextPage();
   void StartRow();
   void EndParagraph();
   void Wrap(const Sign& last);
@@ -50,21 +64,28 @@ class Layout {
   const Script& script_;
   LineDirection direction_;
   PageSpec page_;
-  double size_ = 0, line_length_ = 0, space_ = 0, line_pitch_ = 0, room_ = 0;  // [m]
-  double paragraph_gap_ = 0;                                                   // [m]
-  bool empty_rows_ = true;                // between paragraphs, in place of the gap
-  std::vector<double> advance_, extent_;  // by glyph, along the line [m]
-  std::vector<double> right_, lowest_;    // by glyph, of its strokes [m]
+  RowMetrics plain_, heading_;
+  double line_length_ = 0, line_pitch_ = 0, room_ = 0;  // [m]
+  double paragraph_gap_ = 0;                            // [m]
+  bool empty_rows_ = true;                              // between paragraphs, in place of the gap
   std::size_t guide_right_ = Script::npos, guide_left_ = Script::npos;
-  double bulge_ = 0;  // of the guide lines [m]
 
   std::vector<TextPage> pages_;
   std::size_t next_row_ = 0;      // on the last page
-  double gaps_ = 0;               // between the paragraphs of the last page [m]
+  double gaps_ = 0;               // on the last page beyond rows of the text's pitch [m]
   bool paragraph_ended_ = false;  // a blank line stands before the next
-  double pen_ = 0;                // from the row's start [m]
+  LineKind kind_ = LineKind::kPlain, kind_before_ = LineKind::kPlain;  // of this row, the last one
+  double indent_ = 0, pen_ = 0;                                        // from the row's start [m]
   bool row_empty_ = true;
   std::size_t words_ = 0;
+  std::size_t run_row_ = 0;  // the row at which alternating lines began to run
+
+  // Where the heading begins that ends the last page so far: its first glyph, row and gaps.
+  struct Heading {
+    std::size_t glyph = Script::npos, row = 0;
+    double gaps = 0;  // [m]
+  };
+  Heading last_heading_;
 };
 
 }  // namespace moontrace

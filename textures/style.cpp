@@ -23,6 +23,8 @@ constexpr double kSteepestFlank = 5;
 constexpr double kLargeSize = 8e-3, kSmallSize = 6e-3;  // [m], between them the groove widens
 constexpr double kSmallWidth = 0.2;                     // w of small letters [em]
 
+constexpr double kGreatestHeading = 5;  // over the text
+
 constexpr double kLargestGap = 1;  // between paragraphs [m]
 
 double Mm(double metres) { return metres * 1000; }
@@ -37,7 +39,7 @@ void CheckGroove(const TypeStyle& style) {
   CheckPositive(style.width, "groove width");
   CheckPositive(style.depth, "groove depth");
   CheckPositive(style.rounding, "rounding");
-  const double widest = kWidestGroove * style.size;
+  const double widest = kWidestGroove * style.size * std::min(style.form.stretch, 1.0);
   if (style.width > widest) {
     throw InputError(
         fmt::format("groove width {:.4g} mm is wider than a letter of {:.4g} mm can "
@@ -118,27 +120,56 @@ std::string NameOf(LineDirection lines) {
   return {};
 }
 
+namespace {
+
+// 0 for large letters, 1 for small ones.
+double Smallness(double size) {
+  return std::clamp((kLargeSize - size) / (kLargeSize - kSmallSize), 0.0, 1.0);
+}
+
+// Depth and blend that follow from size and width.
+void ChooseDepth(TypeStyle& style, const Script& script) {
+  const bool engraved = style.relief == Relief::kEngraved;
+  style.depth = engraved ? style.width * (1.0 / 2 + Smallness(style.size) * (1.0 / 3 - 1.0 / 2))
+                         : style.width / 4;
+  style.blend_radius = engraved ? 0 : style.width / 4;
+  if (script.depth > 0) style.depth = script.depth * style.size;
+}
+
+}  // namespace
+
 TypeStyle DefaultStyle(double size, Relief relief, const Script& script) {
   TypeStyle style;
   style.size = size;
   style.relief = relief;
-  // 0 for large letters, 1 for small ones.
-  const double small = std::clamp((kLargeSize - size) / (kLargeSize - kSmallSize), 0.0, 1.0);
+  const double small = Smallness(size);
   const double small_width = std::max(kSmallWidth, script.stroke_width);
   style.width = size * (script.stroke_width + small * (small_width - script.stroke_width));
   style.rounding = 0.2 * style.width;
-  if (relief == Relief::kEngraved) {
-    style.depth = style.width * (1.0 / 2 + small * (1.0 / 3 - 1.0 / 2));
-  } else {
-    style.depth = style.width / 4;
-    style.blend_radius = style.width / 4;
-  }
-  if (script.depth > 0) style.depth = script.depth * size;
+  ChooseDepth(style, script);
   style.line_pitch = script.line_pitch * size;
   return style;
 }
 
+TypeStyle LineStyle(LineKind kind, const TypeStyle& style, const Script& script) {
+  TypeStyle line = style;
+  const double scale = ScaleOf(kind, style);
+  for (double* length : {&line.size, &line.width, &line.depth, &line.rounding, &line.blend_radius,
+                         &line.letter_gap, &line.word_gap, &line.line_pitch}) {
+    *length *= scale;
+  }
+  if (kind != LineKind::kHeading || !style.structure.heading_relief) return line;
+  line.relief = *style.structure.heading_relief;
+  if (line.relief != style.relief) ChooseDepth(line, script);
+  return line;
+}
+
 void CheckStyle(const TypeStyle& style, const Script& script) {
+  const double scale = style.structure.heading_scale;
+  if (!(scale >= 1 && scale <= kGreatestHeading)) {
+    throw InputError(fmt::format("headings of {:.4g} times the size: give 1 to {:.4g}", scale,
+                                 kGreatestHeading));
+  }
   CheckPositive(style.size, "letter size");
   if (style.size < kSmallestSize) {
     throw InputError(fmt::format("letter size {:.4g} mm is too small to feel: at least {:.4g} mm",

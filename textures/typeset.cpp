@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <memory>
 
 #include "textures/error.h"
@@ -35,6 +36,20 @@ void CheckPage(const PageSpec& page) {
                     "above twice the margin, up to {:.0f} mm",
                     Mm(page.width), Mm(page.height), Mm(page.margin), Mm(kLargestPage)));
   }
+}
+
+// Marks the signs of links and counts what a line is.
+void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& signs,
+                   StructureCounts& counts) {
+  for (Sign& sign : signs) {
+    const auto behind =
+        std::upper_bound(marks.links.begin(), marks.links.end(), sign.begin,
+                         [](std::uint32_t at, const ByteRange& link) { return at < link.begin; });
+    sign.link = behind != marks.links.begin() && sign.begin < std::prev(behind)->end;
+  }
+  counts.links += marks.links.size();
+  if (marks.kind == LineKind::kHeading) ++counts.headings;
+  if (marks.kind == LineKind::kQuotation && before != marks.kind) ++counts.quotations;
 }
 
 }  // namespace
@@ -72,15 +87,20 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
   std::size_t count = 0;
+  LineKind before = LineKind::kPlain;
   for (std::size_t number = 1; folder.NextLine(line); ++number) {
     signs.clear();
+    LineMarks marks;
+    if (style.structure.read) marks = TakeMarks(text, line);
     writer->Write(text, number, line, signs, result);
+    TakeStructure(marks, before, signs, result.structure);
+    before = marks.kind;
     count += signs.size();
     if (count > kMostSigns) {
       throw InputError(
           fmt::format("the text makes more than {} million signs: split it", kMostSigns >> 20));
     }
-    layout.AddLine(signs);
+    layout.AddLine(signs, marks.kind);
   }
   result.pages = layout.TakePages();
   if (!result.pages.empty()) return result;

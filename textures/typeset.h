@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "textures/fold.h"
+#include "textures/reshape.h"
 #include "textures/script.h"
+#include "textures/structure.h"
 #include "textures/texture.h"
 
 namespace moontrace {
@@ -44,6 +46,8 @@ struct TypeStyle {
   /// In place of the empty line between paragraphs (blank lines of the text) [m]; in alternating
   /// lines, which run on, along the line. Default: an empty line; two word spaces.
   std::optional<double> paragraph_gap;
+  LetterForm form;  ///< that the script was given by Reshaped
+  StructureStyle structure;
 };
 
 /// The design's defaults for a size (section 3): w = 0.1165 em, D = w/2, r = 0.2 w; below 8 mm w
@@ -56,6 +60,15 @@ TypeStyle DefaultStyle(double size, Relief relief, const Script& script);
 /// letters would run backwards or lines into each other. Grade and form of h are the script's
 /// matter: SetText checks them.
 void CheckStyle(const TypeStyle& style, const Script& script);
+
+/// Size of a line's letters over that of the text.
+inline double ScaleOf(LineKind kind, const TypeStyle& style) {
+  return kind == LineKind::kHeading ? style.structure.heading_scale : 1;
+}
+
+/// The style of a line: headings have all lengths in proportion. A relief of their own takes the
+/// usual depth of that relief, and ridges their blend, unless the script says how deep it is.
+TypeStyle LineStyle(LineKind kind, const TypeStyle& style, const Script& script);
 
 /// A sheet. Frame P: origin at its lower left corner, x along the text, y up.
 struct PageSpec {
@@ -77,8 +90,10 @@ struct PlacedGlyph {
   glm::dvec2 origin_P{0, 0};     ///< of the glyph's em box: left edge on the base line [m]
   std::size_t source_begin = 0;  ///< byte offset in the UTF-8 text
   std::size_t source_end = 0;
-  std::size_t line = 0;  ///< on the page, from 0 at the top
-  std::size_t word = 0;  ///< running number in the text
+  std::size_t line = 0;              ///< on the page, from 0 at the top
+  std::size_t word = 0;              ///< running number in the text
+  LineKind kind = LineKind::kPlain;  ///< of its line: the size it has, see ScaleOf
+  bool link = false;                 ///< of a link's words
 };
 
 struct TextPage {
@@ -106,6 +121,7 @@ struct Typeset {
   /// Untaught have a sign that is not among TypeStyle::only: left out.
   std::vector<Replacement> folded, missing, doubtful, untaught;
   std::size_t folded_count = 0, missing_count = 0, doubtful_count = 0, untaught_count = 0;
+  StructureCounts structure;
 };
 
 /// Sets UTF-8 text, by the rules of fold.h and signs.h, or of liblouis for Braille; the order of
@@ -120,8 +136,9 @@ struct Typeset {
 Typeset SetText(std::string_view text, const Script& script, const TypeStyle& style,
                 const PageSpec& page);
 
-/// The tree of one page: page > line > glyph, in one layer. A glyph's group is shared by all its
-/// places; lines stand at the page's origin.
+/// The tree of one page: page > line > glyph, in one layer, or two where headings have another
+/// relief. A glyph's group is shared by all its places of one size; lines stand at the page's
+/// origin.
 Texture BuildTexture(const TextPage& page, const Script& script, const TypeStyle& style);
 
 /// Elements of one glyph at a size, in the glyph's frame [m]: the pieces of strokes, then a dot at

@@ -20,6 +20,7 @@ struct Sign {
   bool space = false;
   bool break_after = false;  ///< a hyphen within a word: the line may end behind it
   bool keep_next = false;    ///< a numeral sign: stays on the line of its first digit
+  bool link = false;         ///< of a link's words
 };
 
 /// Turns folded text into signs: by a script's own rules (signs.h) or by liblouis

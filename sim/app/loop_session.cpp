@@ -22,9 +22,14 @@ namespace {
 
 constexpr double kPress = 1;  ///< [N]
 
+/// Height of a letter [m].
+double SizeOf(const PlacedGlyph& glyph, const TextSetup& text) {
+  return ScaleOf(glyph.kind, text.set.style) * text.set.style.size;
+}
+
 /// Distance of a point to a letter's em box; 0 inside.
 double DistanceTo(const PlacedGlyph& glyph, const TextSetup& text, glm::dvec2 p_P) {
-  const double size = text.set.style.size;
+  const double size = SizeOf(glyph, text);
   const glm::dvec2 extent(size * text.script.glyphs[glyph.glyph].advance, size);
   const glm::dvec2 low = glyph.origin_P, high = glyph.origin_P + extent;
   return glm::length(p_P - glm::clamp(p_P, low, high));
@@ -202,7 +207,7 @@ std::string LoopSession::Where(const LoopSnapshot& now) const {
   const PlacedGlyph* glyph = NearestGlyph(text_, page_, tip_P);
   const std::size_t pages = text_.set.pages.size();
   if (glyph == nullptr) return say::Where("", 0, page_, pages, feeling);
-  const bool near = DistanceTo(*glyph, text_, tip_P) <= 0.25 * text_.set.style.size;
+  const bool near = DistanceTo(*glyph, text_, tip_P) <= 0.25 * SizeOf(*glyph, text_);
   std::string name(SourceOf(text_, *glyph));
   if (name.empty()) name = text_.script.glyphs[glyph->glyph].name;
   return say::Where(near ? name : "", glyph->line, page_, pages, feeling);
@@ -211,7 +216,8 @@ std::string LoopSession::Where(const LoopSnapshot& now) const {
 void LoopSession::SetMark(glm::dvec3 tip_P) {
   const PlacedGlyph* letter = NearestGlyph(text_, page_, tip_P);
   if (letter == nullptr) return;
-  mark_ = Mark{letter->source_begin, (glm::dvec2(tip_P) - letter->origin_P) / text_.set.style.size};
+  mark_ =
+      Mark{letter->source_begin, (glm::dvec2(tip_P) - letter->origin_P) / SizeOf(*letter, text_)};
 }
 
 std::string LoopSession::WayToMark(const LoopSnapshot& now) {
@@ -220,7 +226,8 @@ std::string LoopSession::WayToMark(const LoopSnapshot& now) {
   if (found.glyph == nullptr) return say::NoMark();
   const bool turned = found.page != page_;
   if (turned) Show(found.page, std::nullopt);
-  const glm::dvec2 mark_P = found.glyph->origin_P + text_.set.style.size * mark_->from_letter;
+  const glm::dvec2 mark_P =
+      found.glyph->origin_P + SizeOf(*found.glyph, text_) * mark_->from_letter;
   return say::WayToMark(
       SourceOf(text_, *found.glyph), found.page, text_.set.pages.size(),
       turned ? std::nullopt : std::optional<glm::dvec2>(mark_P - glm::dvec2(now.tip_P)));

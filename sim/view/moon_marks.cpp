@@ -1,5 +1,6 @@
 #include "sim/view/moon_marks.h"
 
+#include <array>
 #include <utility>
 
 namespace moontrace {
@@ -12,61 +13,78 @@ constexpr double kMillimetres = 1e3;
 std::vector<Piece> InDrawing(const Stroke& stroke, const PlacedGlyph& placed,
                              const TypeStyle& style, glm::dvec2 from_P) {
   std::vector<Piece> pieces;
+  const double size = ScaleOf(placed.kind, style) * style.size;
   for (const Piece& piece : stroke.pieces) {
-    pieces.push_back(
-        Placed(piece, kMillimetres * style.size, kMillimetres * (placed.origin_P - from_P)));
+    pieces.push_back(Placed(piece, kMillimetres * size, kMillimetres * (placed.origin_P - from_P)));
   }
   return pieces;
+}
+
+/// Open strokes of one line kind or another, each in its width: the text's, then headings'.
+using Lines = std::array<PathMark, 2>;
+
+Lines LinesOf(double width, const TypeStyle& style, Color color) {
+  Lines lines;
+  for (const LineKind kind : {LineKind::kPlain, LineKind::kHeading}) {
+    PathMark& mark = lines[kind == LineKind::kHeading];
+    mark.stroke = color;
+    mark.width = kMillimetres * width * ScaleOf(kind, style);
+  }
+  return lines;
+}
+
+void AppendDrawn(std::vector<Mark>& marks, PathMark mark) {
+  if (!mark.subpaths.empty()) marks.emplace_back(std::move(mark));
 }
 
 }  // namespace
 
 std::vector<Mark> MoonMarks(const TextPage& page, const Script& script, const TypeStyle& style,
                             glm::dvec2 from_P, Color color) {
-  PathMark lines;
-  lines.stroke = color;
-  lines.width = kMillimetres * style.width;
+  Lines lines = LinesOf(style.width, style, color);
   PathMark fills;
   fills.fill = color;
   for (const PlacedGlyph& placed : page.glyphs) {
+    PathMark& own = lines[placed.kind == LineKind::kHeading];
     for (const Stroke& stroke : script.glyphs[placed.glyph].strokes) {
-      PathMark& mark = stroke.kind == StrokeKind::kStroke ? lines : fills;
+      PathMark& mark = stroke.kind == StrokeKind::kStroke ? own : fills;
       mark.subpaths.push_back(InDrawing(stroke, placed, style, from_P));
     }
   }
   std::vector<Mark> marks;
-  if (!lines.subpaths.empty()) marks.emplace_back(std::move(lines));
-  if (!fills.subpaths.empty()) marks.emplace_back(std::move(fills));
+  for (PathMark& mark : lines) AppendDrawn(marks, std::move(mark));
+  AppendDrawn(marks, std::move(fills));
   return marks;
 }
 
 std::vector<Mark> CentreLineMarks(const TextPage& page, const Script& script,
                                   const TypeStyle& style, glm::dvec2 from_P, Color color) {
-  PathMark lines;
-  lines.stroke = color;
-  lines.width = kMillimetres * style.width / 8;
-  lines.dashed = true;
+  Lines lines = LinesOf(style.width / 8, style, color);
   for (const PlacedGlyph& placed : page.glyphs) {
+    PathMark& own = lines[placed.kind == LineKind::kHeading];
+    own.dashed = true;
     for (const Stroke& stroke : script.glyphs[placed.glyph].strokes) {
-      lines.subpaths.push_back(InDrawing(stroke, placed, style, from_P));
+      own.subpaths.push_back(InDrawing(stroke, placed, style, from_P));
     }
   }
   std::vector<Mark> marks;
-  if (!lines.subpaths.empty()) marks.emplace_back(std::move(lines));
+  for (PathMark& mark : lines) AppendDrawn(marks, std::move(mark));
   return marks;
 }
 
 Box InkBounds(const TextPage& page, const Script& script, const TypeStyle& style) {
   Box bounds;
   for (const PlacedGlyph& placed : page.glyphs) {
+    const double scale = ScaleOf(placed.kind, style);
     for (const Stroke& stroke : script.glyphs[placed.glyph].strokes) {
       for (const Piece& piece : stroke.pieces) {
-        Include(bounds, BoundsOf(Placed(piece, style.size, placed.origin_P)));
+        const Box box = BoundsOf(Placed(piece, scale * style.size, placed.origin_P));
+        Include(bounds, Grown(box, scale * style.width / 2));
       }
     }
   }
-  if (bounds.min.x > bounds.max.x) Include(bounds, glm::dvec2(0, 0));
-  return Grown(bounds, style.width / 2);
+  if (bounds.min.x > bounds.max.x) Include(bounds, Grown({{0, 0}, {0, 0}}, style.width / 2));
+  return bounds;
 }
 
 }  // namespace moontrace

@@ -6,7 +6,10 @@
 #include <utility>
 
 #include "sim/app/messages.h"
+#include "sim/app/sheet_messages.h"
 #include "sim/view/moon_marks.h"
+#include "sim/view/sheet_marks.h"
+#include "textures/structure_patches.h"
 
 namespace moontrace {
 
@@ -33,7 +36,14 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
   drawing.height = kMillimetres * set.page.height;
   drawing.title = say::PagePictureTitle(script.title, page, set.pages.size());
   drawing.description = say::PagePictureWords(text_page.glyphs.size(), text_page.lines, set.style);
+  Texture rough;
+  AddStructurePatches(text_page, script, set.style, rough);
+  const bool drawn = std::all_of(rough.paper.begin(), rough.paper.end(), CanDraw);
+  drawing.description += say::SheetWords(set.style, drawn);
+  for (Mark& mark : TextureMarks(rough.paper)) drawing.marks.push_back(std::move(mark));
   drawing.marks.emplace_back(Edge(drawing.width, drawing.height));
+  for (Mark& mark : RuleMarks(text_page, script, set.style))
+    drawing.marks.push_back(std::move(mark));
   for (Mark& mark : MoonMarks(text_page, script, set.style, {0, 0}, palette::kInk)) {
     drawing.marks.push_back(std::move(mark));
   }
@@ -43,8 +53,8 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
   const double height = std::clamp(0.25 * kMillimetres * set.style.size, 0.5, 0.5 * gap);
   for (const PlacedGlyph& glyph : text_page.glyphs) {
     TextMark mark;
-    mark.at = kMillimetres * glyph.origin_P - glm::dvec2(0, 1.6 * height);
-    mark.height = height;
+    mark.height = ScaleOf(glyph.kind, set.style) * height;
+    mark.at = kMillimetres * glyph.origin_P - glm::dvec2(0, 1.6 * mark.height);
     mark.text = source.substr(glyph.source_begin, glyph.source_end - glyph.source_begin);
     mark.color = palette::kTip;
     drawing.marks.emplace_back(std::move(mark));

@@ -1,5 +1,6 @@
 // Any bytes as text, on any page: set, or refused with an InputError, never anything else. The
-// first four bytes choose script, grade, relief, direction of lines, taught signs, size and page.
+// first four bytes choose script, grade, relief, direction of lines, taught signs, size, page and
+// whether marks of structure are read.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -50,6 +51,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (style.lines == LineDirection::kAlternate) AddGuides(script, style);
   if (data[0] & 64) style.paragraph_gap = 0.001 * data[1];
   if (data[0] & 128) style.only = TaughtSigns("abcdehnt+and", script);
+  style.structure.read = data[3] & 1;
+  style.structure.heading_scale = 1 + 0.01 * data[2];
+  if (data[3] & 2) style.structure.heading_relief = Relief::kEmbossed;
+  style.structure.texture = data[3] & 4;
   const PageSpec page{"custom", 0.021 + 0.001 * data[2], 0.021 + 0.001 * data[3], 0.010};
   const std::string_view text(reinterpret_cast<const char*>(data) + 4, size - 4);
   try {
