@@ -101,6 +101,8 @@ Texture BuildTexture(const TextPage& page, const Script& script, const TypeStyle
   for (auto& [relief, sheet] : sheets) {
     texture.layers.push_back({Finish(std::move(sheet)), relief});
   }
+  AddRules(page, script, style, texture);
+  AddSheetTexture(page, style, texture);
   AddStructurePatches(page, script, style, texture);
   return texture;
 }

@@ -186,10 +186,12 @@ void Check(const PaperPatch& patch) {
   }
   const double slope = BoundsOf(texture, patch.box_P).slope;
   if (slope <= kSteepestPaper) return;
-  throw InputError(fmt::format(
-      "texture amplitude {:.4g} mm is too steep for the {} {:.4g} mm: at most {:.4g} mm",
-      Mm(texture.amplitude), texture.kind == PaperKind::kSampled ? "heights, tile" : "wavelength",
-      Mm(texture.wavelength), Mm(texture.amplitude * kSteepestPaper / slope)));
+  const std::string what = texture.kind == PaperKind::kSampled && !texture.tiled
+                               ? "picture"
+                               : fmt::format("wavelength {:.4g} mm", Mm(texture.wavelength));
+  throw InputError(
+      fmt::format("texture amplitude {:.4g} mm is too steep for the {}: at most {:.3g} mm",
+                  Mm(texture.amplitude), what, Mm(texture.amplitude * kSteepestPaper / slope)));
 }
 
 }  // namespace moontrace

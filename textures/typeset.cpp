@@ -77,6 +77,9 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
                 const PageSpec& page) {
   CheckStyle(style, script);
   CheckPage(page);
+  const Box sheet_P{{0, 0}, {page.width, page.height}};
+  CheckRules(style);
+  CheckSheetTexture(style, sheet_P);
   const std::unique_ptr<Writer> writer = MakeWriter(script, style);
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
   Layout layout(script, style, page);
@@ -103,6 +106,10 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
     layout.AddLine(signs, marks.kind);
   }
   result.pages = layout.TakePages();
+  for (TextPage& one : result.pages) {
+    one.sheet_P = sheet_P;
+    one.text_area_P = Grown(sheet_P, -page.margin);
+  }
   if (!result.pages.empty()) return result;
   if (result.untaught_count > 0) {
     const Replacement& first = result.untaught.front();

@@ -8,7 +8,9 @@
 
 #include "textures/fold.h"
 #include "textures/reshape.h"
+#include "textures/rules.h"
 #include "textures/script.h"
+#include "textures/sheet_texture.h"
 #include "textures/structure.h"
 #include "textures/texture.h"
 
@@ -46,6 +48,8 @@ struct TypeStyle {
   /// In place of the empty line between paragraphs (blank lines of the text) [m]; in alternating
   /// lines, which run on, along the line. Default: an empty line; two word spaces.
   std::optional<double> paragraph_gap;
+  RuleStyle rules;
+  SheetTexture texture;
   LetterForm form;  ///< that the script was given by Reshaped
   StructureStyle structure;
 };
@@ -99,6 +103,8 @@ struct PlacedGlyph {
 struct TextPage {
   std::vector<PlacedGlyph> glyphs;
   std::size_t lines = 0;
+  Box sheet_P;      ///< [m]
+  Box text_area_P;  ///< between the margins [m]
 };
 
 /// Something the script has no sign for, wrote otherwise, or cannot tell from something else.
