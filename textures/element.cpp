@@ -47,6 +47,31 @@ std::optional<glm::dvec2> FromSpine(const Arc& arc, glm::dvec2 p) {
 
 std::optional<glm::dvec2> FromSpine(const Dot& dot, glm::dvec2 p) { return p - dot.center; }
 
+/// How far along the spine the foot of `p` lies, 0 at the start and 1 at the end, and its gradient.
+struct Along {
+  double share = 0;
+  glm::dvec2 gradient{0.0, 0.0};  ///< [1/m]
+};
+Along AlongSpine(const Line& line, glm::dvec2 p) {
+  const glm::dvec2 along = line.to - line.from;
+  const double length2 = glm::dot(along, along);
+  return {glm::dot(p - line.from, along) / length2, along / length2};
+}
+Along AlongSpine(const Arc& arc, glm::dvec2 p) {
+  const glm::dvec2 v = p - arc.center;
+  const double square = glm::dot(v, v);
+  if (square == 0) return {};
+  return {AngleAlong(arc, v) / std::abs(arc.sweep), glm::dvec2(-v.y, v.x) / (square * arc.sweep)};
+}
+
+/// The magnitude made shallower along the spine: the product rule.
+Magnitude Faded(const Magnitude& magnitude, const Fade& fade, const Along& along) {
+  const double u = std::clamp(along.share, 0.0, 1.0), change = fade.to - fade.from;
+  const double share = fade.from + change * u * u * (3 - 2 * u);
+  return {share * magnitude.height, share * magnitude.gradient + magnitude.height * change * 6 * u *
+                                                                     (1 - u) * along.gradient};
+}
+
 glm::dvec2 NearestOn(const Piece& piece, glm::dvec2 p) {
   if (const Line* line = std::get_if<Line>(&piece)) {
     const glm::dvec2 along = line->to - line->from;
@@ -189,7 +214,12 @@ Magnitude Evaluate(const Element& element, glm::dvec2 p) {
   if (const Dot* dot = std::get_if<Dot>(&element.shape)) v = FromSpine(*dot, p);
   if (!v) return {};
   const double distance = glm::length(*v);
-  return ToMagnitude(Evaluate(element.profile, distance), *v, distance);
+  const Magnitude magnitude = ToMagnitude(Evaluate(element.profile, distance), *v, distance);
+  if (element.fade.IsNone()) return magnitude;
+  const Line* line = std::get_if<Line>(&element.shape);
+  if (line) return Faded(magnitude, element.fade, AlongSpine(*line, p));
+  const Arc* arc = std::get_if<Arc>(&element.shape);
+  return arc ? Faded(magnitude, element.fade, AlongSpine(*arc, p)) : magnitude;
 }
 
 }  // namespace moontrace

@@ -69,10 +69,21 @@ Box BoundsOf(const Piece& piece);
 
 using Shape = std::variant<Line, Arc, Dot, Fill>;
 
+/// How deep an element is along its spine: shares of the profile's depth at its start and its end,
+/// and the smooth step (C1, level at both) between. For lines and arcs of less than a turn; other
+/// shapes have none.
+struct Fade {
+  double from = 1;
+  double to = 1;
+  bool operator==(const Fade&) const = default;
+  bool IsNone() const { return from == 1 && to == 1; }
+};
+
 /// An elementary texture (the paper, section 4): a shape with its cross-section.
 struct Element {
   Shape shape;
   Profile profile;
+  Fade fade{};
 };
 
 /// Where the element can be other than zero.

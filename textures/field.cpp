@@ -106,10 +106,10 @@ TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
 std::size_t TextureField::memory_bytes() const noexcept {
   std::size_t bytes = sizeof *this + Bytes(layers_) + paper_.memory_bytes();
   for (const CompiledLayer& layer : layers_) {
-    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.bands) +
-             Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.blocks) + Bytes(layer.cells) +
-             Bytes(layer.items) + Bytes(layer.elements) + Bytes(layer.fills) +
-             Bytes(layer.profiles);
+    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.rows.of_band) +
+             Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.blocks) +
+             Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.elements) + Bytes(layer.fills) +
+             Bytes(layer.fades) + Bytes(layer.profiles);
     for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
   }
   return bytes;
@@ -127,6 +127,10 @@ std::uint64_t TextureField::Hash() const noexcept {
     }
     for (const Block& block : layer.blocks) digest.Add(block.blend_radius);
     for (const FlatElement& element : layer.elements) Add(digest, element);
+    for (const FlatFade& fade : layer.fades) {
+      Add(digest, fade.spine);
+      for (const double value : {fade.from, fade.to, fade.sense}) digest.Add(value);
+    }
     for (const FlatFill& fill : layer.fills) {
       for (const FlatEdge& edge : fill.edges) Add(digest, edge.spine);
     }

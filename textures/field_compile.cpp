@@ -97,6 +97,15 @@ FlatElement FlattenFill(const Fill& fill, CompiledLayer& layer) {
   return flat;
 }
 
+void FlattenFade(const Element& element, FlatElement& flat, CompiledLayer& layer) {
+  if (layer.fades.size() >= 65535) throw InputError("more than 65535 fading strokes on a page");
+  const Arc* arc = std::get_if<Arc>(&element.shape);
+  layer.fades.push_back(
+      {flat, element.fade.from, element.fade.to, arc && arc->sweep < 0 ? -1.0 : 1.0});
+  flat.kind = FlatKind::kFading;
+  flat.fill = static_cast<std::uint16_t>(layer.fades.size() - 1);
+}
+
 FlatElement Flatten(const Element& element, CompiledLayer& layer) {
   FlatElement flat;
   if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
@@ -109,6 +118,7 @@ FlatElement Flatten(const Element& element, CompiledLayer& layer) {
     flat = FlattenPiece(Piece(std::get<Arc>(element.shape)));
   }
   flat.profile = ProfileNumber(element.profile, layer);
+  if (!element.fade.IsNone() && flat.kind <= FlatKind::kArc) FlattenFade(element, flat, layer);
   return flat;
 }
 

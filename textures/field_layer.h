@@ -20,7 +20,7 @@ struct FlatProfile {
   bool operator==(const FlatProfile&) const = default;
 };
 
-enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill };
+enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kFading };
 
 /// An element ready for the query; a cache line. Lines, arcs, rings and dots share one formula
 /// without branches, since at random points a branch on the kind would be mispredicted every second
@@ -34,7 +34,7 @@ struct FlatElement {
   double length = 0;    ///< of a line [m]; else infinite
   FlatKind kind = FlatKind::kLine;
   std::uint16_t profile = 0;
-  std::uint16_t fill = 0;  ///< number of the outline, if any
+  std::uint16_t fill = 0;  ///< number of the outline or of the fade, if any
 };
 
 /// A piece of a fill's outline with its ends, which its neighbours share.
@@ -47,6 +47,13 @@ struct FlatEdge {
 struct FlatFill {
   std::vector<FlatEdge> edges;
   std::vector<RisingEdge> rising;
+};
+
+/// A line or an arc that becomes shallower along its spine (Fade in element.h).
+struct FlatFade {
+  FlatElement spine;
+  double from = 1, to = 1;  ///< shares of the profile's depth
+  double sense = 1;         ///< of an arc's travel: below zero clockwise
 };
 
 /// The elements that can matter in one cell of a block: up to three of them in place, else a list.
@@ -134,6 +141,7 @@ struct TextureField::CompiledLayer {
   std::vector<std::uint16_t> items;
   std::vector<FlatElement> elements;
   std::vector<FlatFill> fills;
+  std::vector<FlatFade> fades;
   std::vector<FlatProfile> profiles;
 };
 

@@ -161,9 +161,37 @@ Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
   return foot;
 }
 
+Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::dvec2 p) noexcept {
+  const FlatFade& fade = layer.fades[element.fill];
+  const FlatElement& spine = fade.spine;
+  const FlatProfile& profile = layer.profiles[element.profile];
+  const Near near = NearestOf(spine, p);
+  if (!(near.distance < profile.half)) return {};
+  const Magnitude whole = FromSpine(profile, near.distance, near.away);
+  const glm::dvec2 v = p - spine.anchor, a = spine.direction;
+  double u = 0;
+  glm::dvec2 rise(0.0, 0.0);  // of u
+  if (spine.kind == FlatKind::kLine) {
+    u = (v.x * a.x + v.y * a.y) / spine.length;
+    rise = a / spine.length;
+  } else {
+    const double rate = fade.sense / (2 * std::acos(spine.cos_half));
+    u = 0.5 + rate * std::atan2(a.x * v.y - a.y * v.x, a.x * v.x + a.y * v.y);
+    rise = rate / std::max(v.x * v.x + v.y * v.y, kTiny) * glm::dvec2(-v.y, v.x);
+  }
+  u = u < 0 ? 0 : u > 1 ? 1 : u;
+  const double change = fade.to - fade.from;
+  const double share = fade.from + change * u * u * (3 - 2 * u);
+  return {share * whole.height,
+          share * whole.gradient + whole.height * change * 6 * u * (1 - u) * rise};
+}
+
 inline Magnitude OfElement(const CompiledLayer& layer, const FlatElement& element,
                            glm::dvec2 p) noexcept {
-  if (element.kind >= FlatKind::kDisc) return OfFill(layer, element, p);
+  if (element.kind >= FlatKind::kDisc) {
+    return element.kind == FlatKind::kFading ? OfFading(layer, element, p)
+                                             : OfFill(layer, element, p);
+  }
   const FlatProfile& profile = layer.profiles[element.profile];
   const Near near = NearestOf(element, p);
   if (!(near.distance < profile.half)) return {};

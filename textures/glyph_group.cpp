@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "textures/groove_links.h"
 #include "textures/structure_patches.h"
 #include "textures/typeset.h"
 
@@ -84,6 +85,9 @@ Texture BuildTexture(const TextPage& page, const Script& script, const TypeStyle
   const TypeStyle heading = LineStyle(LineKind::kHeading, style, script);
   std::map<std::pair<bool, std::size_t>, std::shared_ptr<const Group>> built;
   std::map<Relief, Group> sheets;
+  const GrooveLinks links = LinkPage(page, script, style);
+  const std::vector<Placement> placed_links = LinkPlacements(links, script, style);
+  std::size_t next_link = 0;
   for (std::size_t i = 0; i < page.glyphs.size();) {
     Group line;
     const std::size_t number = page.glyphs[i].line;
@@ -94,6 +98,9 @@ Texture BuildTexture(const TextPage& page, const Script& script, const TypeStyle
       auto& group = built[{is_heading, placed.glyph}];
       if (!group) group = Finish(BuildGlyph(script.glyphs.at(placed.glyph), own));
       line.placements.push_back({group, placed.origin_P});
+    }
+    for (; next_link < links.links.size() && links.links[next_link].from < i; ++next_link) {
+      line.placements.push_back(placed_links[next_link]);
     }
     sheets[own.relief].placements.push_back({Finish(std::move(line)), {0, 0}});
   }

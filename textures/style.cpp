@@ -68,6 +68,19 @@ void CheckGroove(const TypeStyle& style) {
   }
 }
 
+void CheckLinks(const TypeStyle& style) {
+  // Written so that a NaN fails.
+  if (!(style.links.depth > 0 && style.links.depth <= 1)) {
+    throw InputError(
+        fmt::format("links of {:.4g} of the letters' depth: give above 0 to 1", style.links.depth));
+  }
+  const double gap = style.links.gap.value_or(0);
+  if (!(gap >= 0 && gap <= style.size)) {
+    throw InputError(fmt::format("link gap {:.4g} mm: give 0 to {:.4g} mm, a letter's height",
+                                 Mm(gap), Mm(style.size)));
+  }
+}
+
 void CheckSpacing(const TypeStyle& style, const Script& script) {
   double narrowest = HUGE_VAL;
   for (const Glyph& glyph : script.glyphs) narrowest = std::min(narrowest, glyph.advance);
@@ -176,6 +189,7 @@ void CheckStyle(const TypeStyle& style, const Script& script) {
                                  Mm(style.size), Mm(kSmallestSize)));
   }
   CheckGroove(style);
+  CheckLinks(style);
   CheckSpacing(style, script);
   const double gap = style.paragraph_gap.value_or(0);
   if (!(gap >= 0 && gap <= kLargestGap)) {

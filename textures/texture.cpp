@@ -13,6 +13,7 @@ namespace moontrace {
 namespace {
 
 bool CanBlend(const Element& element) {
+  if (!element.fade.IsNone()) return false;
   return std::holds_alternative<Line>(element.shape) || std::holds_alternative<Arc>(element.shape);
 }
 
@@ -63,7 +64,8 @@ Magnitude BlendedMagnitude(const Group& group, std::size_t i, glm::dvec2 p) {
     if (const Line* line = std::get_if<Line>(&element.shape)) feet[j] = FootOf(*line, p);
     if (const Arc* arc = std::get_if<Arc>(&element.shape)) feet[j] = FootOf(*arc, p);
     const Profile &a = element.profile, &b = group.elements[i].profile;
-    if (a.width != b.width || a.depth != b.depth || a.rounding != b.rounding) {
+    const bool same = a.width == b.width && a.depth == b.depth && a.rounding == b.rounding;
+    if (!same || !CanBlend(element)) {
       feet[j].distance = -1;
     }
   }

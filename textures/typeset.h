@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "textures/fold.h"
+#include "textures/link_style.h"
 #include "textures/reshape.h"
 #include "textures/rules.h"
 #include "textures/script.h"
@@ -52,6 +53,7 @@ struct TypeStyle {
   SheetTexture texture;
   LetterForm form;  ///< that the script was given by Reshaped
   StructureStyle structure;
+  LinkStyle links;
 };
 
 /// The design's defaults for a size (section 3): w = 0.1165 em, D = w/2, r = 0.2 w; below 8 mm w
