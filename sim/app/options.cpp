@@ -169,6 +169,7 @@ void AddOptions(CLI::App& app, LayoutOptions& options) {
         options.lines = *lines;
       },
       help::kLines);
+  AddOptions(app, options.sheet);
 }
 
 void AddOptions(CLI::App& app, Surface& surface) {
@@ -251,6 +252,8 @@ TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Scri
   if (options.only) style.only = TaughtSigns(*options.only, script);
   style.lines = layout.lines;
   style.paragraph_gap = layout.paragraph_gap;
+  style.rules = RulesOf(layout.sheet);
+  style.texture = SheetTextureOf(layout.sheet, from);
   if (style.lines == LineDirection::kAlternate) AddGuides(script, style);
   return style;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "sim/app/console.h"
+#include "sim/app/sheet_options.h"
 #include "sim/scene/label.h"
 #include "sim/scene/scene_options.h"
 #include "textures/script.h"
@@ -45,6 +46,7 @@ struct LayoutOptions {
   PageSpec page{"a4", 0.210, 0.297, 0.015};
   std::optional<double> margin, letter_gap, word_gap, line_pitch, paragraph_gap;  ///< [m]
   LineDirection lines = LineDirection::kLeftToRight;
+  SheetOptions sheet;
 };
 
 /// What is felt and how.

@@ -167,6 +167,7 @@ int Run(const PageOptions& options, Console& console) {
   SayReplacements(set, [&console](const std::string& line) { console.Result(line); });
   console.Result(say::LetterShape(set.style));
   console.Result(say::Paper(set.page));
+  SaySheet(set, script, [&console](const std::string& line) { console.Result(line); });
   SayLines(set, script, console);
   if (back) SayReadBack(*back, console);
   if (!pictures.empty()) console.Result(say::PictureIn());

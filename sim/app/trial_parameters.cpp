@@ -8,6 +8,45 @@ namespace moontrace {
 
 namespace {
 
+Json RulesJson(const RuleStyle& rules) {
+  return {{"lines", rules.lines},
+          {"margin", rules.margin},
+          {"width_m", rules.width},
+          {"height_m", rules.height},
+          {"margin_width_m", rules.margin_width},
+          {"margin_height_m", rules.margin_height}};
+}
+
+RuleStyle RulesFrom(const Json& json) {
+  return {json.at("lines"),    json.at("margin"),         json.at("width_m"),
+          json.at("height_m"), json.at("margin_width_m"), json.at("margin_height_m")};
+}
+
+Json TextureJson(const SheetTexture& texture) {
+  const PaperTexture& paper = *texture.paper;
+  return {{"kind", NameOf(paper.kind)},
+          {"amplitude_m", paper.amplitude},
+          {"wavelength_m", paper.wavelength},
+          {"angle_rad", paper.angle},
+          {"seed", paper.seed},
+          {"tiled", paper.tiled},
+          {"file", texture.file}};
+}
+
+SheetTexture TextureFrom(const Json& json) {
+  SheetTexture texture;
+  PaperTexture& paper = texture.paper.emplace();
+  paper.kind = PaperKindOf(json.at("kind").get<std::string>()).value_or(PaperKind::kNoise);
+  paper.amplitude = json.at("amplitude_m");
+  paper.wavelength = json.at("wavelength_m");
+  paper.angle = json.at("angle_rad");
+  paper.seed = json.at("seed");
+  paper.tiled = json.at("tiled");
+  texture.file = json.at("file");
+  ReadHeights(texture);
+  return texture;
+}
+
 // Metres as they are, not millimetres: a record must give back every bit.
 Json StyleJson(const TypeStyle& style) {
   Json json = {{"size_m", style.size},
@@ -24,6 +63,8 @@ Json StyleJson(const TypeStyle& style) {
                {"table", style.table},
                {"only", style.only},
                {"lines", NameOf(style.lines)}};
+  json["rules"] = RulesJson(style.rules);
+  if (style.texture.paper) json["texture"] = TextureJson(style.texture);
   if (style.paragraph_gap) json["paragraph_gap_m"] = *style.paragraph_gap;
   return json;
 }
@@ -46,6 +87,8 @@ TypeStyle StyleFrom(const Json& json) {
   style.only = json.value("only", std::vector<std::string>());
   style.lines =
       LineDirectionOf(json.value("lines", std::string())).value_or(LineDirection::kLeftToRight);
+  if (json.contains("rules")) style.rules = RulesFrom(json.at("rules"));
+  if (json.contains("texture")) style.texture = TextureFrom(json.at("texture"));
   if (json.contains("paragraph_gap_m")) style.paragraph_gap = json.at("paragraph_gap_m");
   return style;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/app/messages.h"
+#include "sim/app/sheet_messages.h"
 
 namespace moontrace {
 
@@ -35,7 +36,59 @@ Json ReplacementsJson(const std::vector<Replacement>& replacements) {
   return list;
 }
 
+constexpr double kMillimetres = 1e3;
+
+Json RidgeJson(const Profile& profile) {
+  return {{"width_mm", kMillimetres * profile.width},
+          {"height_mm", kMillimetres * profile.depth},
+          {"turning_force_n", TurningForce(profile, 1)}};
+}
+
+Json RulesJson(const TypeStyle& style, std::size_t count) {
+  if (!style.rules.lines) return nullptr;
+  Json json = RidgeJson(RuleProfile(style));
+  json["count"] = count;
+  return json;
+}
+
+Json MarginJson(const TypeStyle& style) {
+  return style.rules.margin ? RidgeJson(MarginProfile(style)) : Json(nullptr);
+}
+
+Json TextureJson(const TypeStyle& style) {
+  if (!style.texture.paper) return nullptr;
+  const PaperTexture& paper = *style.texture.paper;
+  Json json = {{"kind", NameOf(paper.kind)}, {"amplitude_mm", kMillimetres * paper.amplitude}};
+  if (paper.kind != PaperKind::kSampled || paper.tiled) {
+    json["wavelength_mm"] = kMillimetres * paper.wavelength;
+  }
+  if (paper.heights != nullptr) {
+    json["file"] = style.texture.file;
+    json["samples"] = {paper.heights->columns(), paper.heights->rows()};
+    json["memory_bytes"] = paper.heights->memory_bytes();
+  }
+  return json;
+}
+
+Json LinksJson(const LinkStyle& links, const LinkCounts& counts, const TypeStyle& style) {
+  Json json = {{"reach", NameOf(links.reach)}};
+  if (links.reach == LinkReach::kNone) return json;
+  json["depth"] = links.depth;
+  json["gap_mm"] = kMillimetres * links.gap.value_or(style.width / 4);
+  json["count"] = counts.links;
+  json["missing"] = counts.missing;
+  return json;
+}
+
 }  // namespace
+
+std::size_t CountRules(const Typeset& set, const Script& script) {
+  std::size_t count = 0;
+  for (const TextPage& page : set.pages) {
+    count += RaisedLinesOf(page, script, set.style).rules.size();
+  }
+  return count;
+}
 
 std::size_t CountSigns(const Typeset& set) {
   std::size_t signs = 0;
@@ -57,6 +110,9 @@ Json TypesetJson(const Typeset& set, const Script& script) {
                    {"width_mm", kMillimetres * set.page.width},
                    {"height_mm", kMillimetres * set.page.height},
                    {"margin_mm", kMillimetres * set.page.margin}};
+  json["rules"] = RulesJson(set.style, CountRules(set, script));
+  json["raised_margin"] = MarginJson(set.style);
+  json["texture"] = TextureJson(set.style);
   json["folded"] = ReplacementsJson(set.folded);
   json["missing"] = ReplacementsJson(set.missing);
   json["doubtful"] = ReplacementsJson(set.doubtful);
@@ -66,6 +122,21 @@ Json TypesetJson(const Typeset& set, const Script& script) {
                     {"doubtful", set.doubtful_count},
                     {"untaught", set.untaught_count}};
   return json;
+}
+
+void SaySheet(const Typeset& set, const Script& script,
+              const std::function<void(const std::string&)>& say_line) {
+  const TypeStyle& style = set.style;
+  const std::size_t rules = CountRules(set, script);
+  if (style.rules.lines) {
+    say_line(say::Rules(style, rules));
+    say_line(say::TurnsBack("A rule", RuleProfile(style)));
+  }
+  if (style.rules.margin) {
+    say_line(say::RaisedMargin(style));
+    say_line(say::TurnsBack("The margin", MarginProfile(style)));
+  }
+  if (style.texture.paper) say_line(say::SheetTexture(style));
 }
 
 void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line) {

@@ -6,11 +6,24 @@
 
 #include "sim/app/metrics_json.h"
 #include "textures/script.h"
+#include "textures/groove_links.h"
 #include "textures/typeset.h"
 
 namespace moontrace {
 
 std::size_t CountSigns(const Typeset& set);
+/// Line rules on all pages. Throws InputError where there is no room for them or for the raised
+/// margin.
+std::size_t CountRules(const Typeset& set, const Script& script);
+/// Rules, raised margin and texture in words, one line each; none for a plain sheet.
+void SaySheet(const Typeset& set, const Script& script,
+              const std::function<void(const std::string&)>& say_line);
+
+/// Groove links of all pages, and the places where none keeps the gap.
+struct LinkCounts {
+  std::size_t links = 0, missing = 0;
+};
+LinkCounts CountLinks(const Typeset& set, const Script& script);
 
 /// Letters, paper and replacements as JSON, without the pages.
 Json TypesetJson(const Typeset& set, const Script& script);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "textures/error.h"
+#include "textures/sheet_texture.h"
 #include "textures/text_file.h"
 #include "textures/toml_reader.h"
 
@@ -49,6 +50,15 @@ void SplitGeom(const std::string& rest, Label& label) {
   label.number = number;
 }
 
+void ReadTexture(const TomlTable& table, Label& label) {
+  label.texture = Word(table, "texture");
+  if (label.texture && !IsTextureWord(*label.texture)) {
+    table.Fail("texture", "not one of none, sine, grid, noise, or a .pgm file");
+  }
+  label.texture_amplitude = Length(table, "texture_amplitude_mm");
+  label.texture_wavelength = Length(table, "texture_wavelength_mm");
+}
+
 }  // namespace
 
 bool IsLabelName(const std::string& name) { return name.rfind(kLabelPrefix, 0) == 0; }
@@ -72,6 +82,7 @@ Label ParseLabel(const std::string& name, const std::string& data, const std::st
   label.h_form = Word(table, "h_form");
   if (table.Has("grade")) label.grade = table.Number("grade");
   label.table = Word(table, "table");
+  ReadTexture(table, label);
   table.FailUnknown();
   return label;
 }

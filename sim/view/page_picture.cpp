@@ -37,13 +37,15 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
   drawing.title = say::PagePictureTitle(script.title, page, set.pages.size());
   drawing.description = say::PagePictureWords(text_page.glyphs.size(), text_page.lines, set.style);
   Texture rough;
+  AddSheetTexture(text_page, set.style, rough);
   AddStructurePatches(text_page, script, set.style, rough);
   const bool drawn = std::all_of(rough.paper.begin(), rough.paper.end(), CanDraw);
   drawing.description += say::SheetWords(set.style, drawn);
   for (Mark& mark : TextureMarks(rough.paper)) drawing.marks.push_back(std::move(mark));
   drawing.marks.emplace_back(Edge(drawing.width, drawing.height));
-  for (Mark& mark : RuleMarks(text_page, script, set.style))
+  for (Mark& mark : RuleMarks(text_page, script, set.style)) {
     drawing.marks.push_back(std::move(mark));
+  }
   for (Mark& mark : MoonMarks(text_page, script, set.style, {0, 0}, palette::kInk)) {
     drawing.marks.push_back(std::move(mark));
   }
