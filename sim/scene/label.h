@@ -7,31 +7,29 @@
 
 namespace moontrace {
 
-/// Text on a geom, from `<custom><text name="moontrace:GEOM[:n]"
-/// data="{text='MUG', size_mm=10, at_mm=[0,0]}"/>`: one TOML inline table with
-/// the command line's keys. Absent keys are left to the command line's
-/// defaults.
+/// Text on a geom, from `<custom><text name="moontrace:GEOM[:n]" data="{text='MUG', size_mm=10,
+/// at_mm=[0,0]}"/>`: one TOML inline table with the command line's keys. Absent keys are left to
+/// the command line's defaults.
 struct Label {
   std::string geom;
   int number = 0;
-  std::string text;    ///< may be empty: the program's text goes there
-  glm::dvec2 at{0, 0}; ///< the page's lower left corner in the geom's frame [m]
-  std::optional<double> size, width, depth, rounding; ///< [m]
+  std::string text;     ///< may be empty: the program's text goes there
+  glm::dvec2 at{0, 0};  ///< the page's lower left corner in the geom's frame [m]
+  std::optional<double> size, width, depth, rounding;  ///< [m]
   std::optional<bool> embossed;
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
-  std::optional<std::string> texture; ///< of the sheet: a kind, "none", a .pgm
-  std::optional<double> texture_amplitude, texture_wavelength; ///< [m]
-  std::optional<std::string> table; ///< of liblouis, for Braille
+  std::optional<std::string> table;    ///< of liblouis, for Braille
+  std::optional<std::string> texture;  ///< of the sheet: a kind, "none", a .pgm
+  std::optional<double> texture_amplitude, texture_wavelength;  ///< [m]
 };
 
 /// What the name of a text begins with when the text is a label.
 inline constexpr std::string_view kLabelPrefix = "moontrace:";
-bool IsLabelName(const std::string &name);
+bool IsLabelName(const std::string& name);
 
-/// Reads one label. `where` stands in messages. Throws InputError naming
-/// unknown keys with the nearest valid one.
-Label ParseLabel(const std::string &name, const std::string &data,
-                 const std::string &where);
+/// Reads one label. `where` stands in messages. Throws InputError naming unknown keys with the
+/// nearest valid one.
+Label ParseLabel(const std::string& name, const std::string& data, const std::string& where);
 
-} // namespace moontrace
+}  // namespace moontrace
