@@ -26,6 +26,11 @@ std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& 
       intended.width = scale * style.width;
       intended.spine_P = SpineOf(stroke, scale * style.size, intended.width, placed.origin_P);
       intended.glyph = i;
+      if (placed.kind == LineKind::kHeading && style.structure.heading_relief) {
+        intended.relief = *style.structure.heading_relief;
+      } else {
+        intended.relief = style.relief;
+      }
       strokes.push_back(intended);
     }
   }

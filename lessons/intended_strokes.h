@@ -16,6 +16,7 @@ struct IntendedStroke {
                                ///< centre, as a Line of length zero
   double width = 0;            ///< of the groove [m]
   std::size_t glyph = 0;       ///< index into the page's glyphs
+  Relief relief = Relief::kEngraved;
 };
 
 /// The strokes of a page in writing order.

@@ -112,6 +112,7 @@ void Layout::NextPage() {
   }
   before.glyphs.erase(first, before.glyphs.end());
   before.lines = before.glyphs.back().line + 1;
+  page.lines = page.glyphs.empty() ? 0 : page.glyphs.back().line + 1;
   next_row_ -= moved.row;
   run_row_ -= std::min(run_row_, moved.row);
   gaps_ -= moved.gaps;
@@ -276,11 +277,10 @@ void Layout::Wrap(const Sign& last) {
   placed.link = false;
   placed.origin_P = {RunsBack() ? page_.width - page_.margin - guide : page_.margin + guide,
                      origin.y};
-  const std::size_t page = pages_.size() - 1;
-  if (glyph != Script::npos) pages_[page].glyphs.push_back(placed);
+  if (glyph != Script::npos) pages_.back().glyphs.push_back(placed);
   StartRow();
   if (pages_.back().glyphs.empty()) {  // no line follows on that page
-    if (glyph != Script::npos) pages_[page].glyphs.pop_back();
+    if (glyph != Script::npos) pages_[pages_.size() - 2].glyphs.pop_back();
     return;
   }
   pen_ = line_length_ - guide + gap;

@@ -20,6 +20,12 @@ std::vector<Piece> InDrawing(const Stroke& stroke, const PlacedGlyph& placed,
   return pieces;
 }
 
+/// Headings that stand out of the paper, or into it, unlike the text have a colour of their own.
+Color ColorOf(LineKind kind, const TypeStyle& style, Color color) {
+  const bool other = style.structure.heading_relief.value_or(style.relief) != style.relief;
+  return kind == LineKind::kHeading && other ? palette::kRidge : color;
+}
+
 /// Open strokes of one line kind or another, each in its width: the text's, then headings'.
 using Lines = std::array<PathMark, 2>;
 
@@ -27,7 +33,7 @@ Lines LinesOf(double width, const TypeStyle& style, Color color) {
   Lines lines;
   for (const LineKind kind : {LineKind::kPlain, LineKind::kHeading}) {
     PathMark& mark = lines[kind == LineKind::kHeading];
-    mark.stroke = color;
+    mark.stroke = ColorOf(kind, style, color);
     mark.width = kMillimetres * width * ScaleOf(kind, style);
   }
   return lines;
@@ -42,18 +48,19 @@ void AppendDrawn(std::vector<Mark>& marks, PathMark mark) {
 std::vector<Mark> MoonMarks(const TextPage& page, const Script& script, const TypeStyle& style,
                             glm::dvec2 from_P, Color color) {
   Lines lines = LinesOf(style.width, style, color);
-  PathMark fills;
-  fills.fill = color;
+  std::array<PathMark, 2> fills;
+  fills[0].fill = ColorOf(LineKind::kPlain, style, color);
+  fills[1].fill = ColorOf(LineKind::kHeading, style, color);
   for (const PlacedGlyph& placed : page.glyphs) {
-    PathMark& own = lines[placed.kind == LineKind::kHeading];
+    const bool heading = placed.kind == LineKind::kHeading;
     for (const Stroke& stroke : script.glyphs[placed.glyph].strokes) {
-      PathMark& mark = stroke.kind == StrokeKind::kStroke ? own : fills;
+      PathMark& mark = stroke.kind == StrokeKind::kStroke ? lines[heading] : fills[heading];
       mark.subpaths.push_back(InDrawing(stroke, placed, style, from_P));
     }
   }
   std::vector<Mark> marks;
   for (PathMark& mark : lines) AppendDrawn(marks, std::move(mark));
-  AppendDrawn(marks, std::move(fills));
+  for (PathMark& mark : fills) AppendDrawn(marks, std::move(mark));
   return marks;
 }
 

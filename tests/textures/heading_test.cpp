@@ -105,6 +105,12 @@ TEST(Headings, DoNotStandAloneAtAPagesFoot) {
   EXPECT_EQ(At(two, 1, 1).kind, LineKind::kHeading);
   EXPECT_EQ(At(two, 1, 2).kind, LineKind::kPlain);
   EXPECT_EQ(Set("a\nb\nc\nd\n# e").pages.size(), 1U);
+  // Three rows and an empty line leave no room below even on a page of their own.
+  const Typeset three = Set("a\n# abcdefghijklmno\n\nb");
+  ASSERT_EQ(three.pages.size(), 3U);
+  EXPECT_EQ(three.pages[0].lines, 1U);
+  EXPECT_EQ(three.pages[1].lines, 3U);
+  EXPECT_EQ(At(three, 2, 0).kind, LineKind::kPlain);
   // More headings than a page holds: they fill it.
   EXPECT_EQ(Set("# a\n# b\n# c\n# d\n# e\nf").pages.size(), 2U);
 }
