@@ -128,6 +128,8 @@ void TraceScorer::State::AddForce(Tally& tally, const TraceSample& sample) const
 
 void TraceScorer::State::AddLanding(Progress& stroke, const TraceSample& sample) const {
   const bool same = any && last.phase == sample.phase && last.stroke == sample.stroke;
+  // reached over the page: it goes on without landing
+  if (any && last.phase == TracePhase::kWay && last.in_contact) stroke.landed = true;
   if (sample.phase == TracePhase::kEntry && !same) stroke.landed = false;
   if (!sample.in_contact || sample.phase == TracePhase::kLift) return;
   if (!stroke.landed) {
@@ -188,7 +190,7 @@ void TraceScorer::Add(TraceSample sample) {
   const glm::dvec3 p = sample.tip_P;
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) sample.in_contact = false;
   bool counted = false;
-  if (sample.phase == TracePhase::kAir) {
+  if (sample.phase == TracePhase::kAir || sample.phase == TracePhase::kWay) {
     state.AddForce(state.air, sample);
   } else {
     Progress& stroke = state.strokes.at(sample.stroke);

@@ -10,8 +10,8 @@
 namespace moontrace {
 
 /// What the hand is doing: above the page; coming down, until it has settled; following a stroke;
-/// leaving the page.
-enum class TracePhase { kAir, kEntry, kStroke, kLift };
+/// leaving the page; on its way from stroke to stroke without lifting.
+enum class TracePhase { kAir, kEntry, kStroke, kLift, kWay };
 
 /// One tick as scoring sees it.
 struct TraceSample {
@@ -20,7 +20,7 @@ struct TraceSample {
   glm::dvec3 force_P{0, 0, 0};  ///< on the tip [N]
   bool in_contact = false;
   TracePhase phase = TracePhase::kAir;
-  std::size_t stroke = 0;  ///< index of the intended stroke, valid unless kAir
+  std::size_t stroke = 0;  ///< index of the intended stroke, valid unless kAir; kWay: the next
 };
 
 /// How well one letter or all of them were traced. Only samples in contact while a stroke is

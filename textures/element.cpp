@@ -64,12 +64,17 @@ Along AlongSpine(const Arc& arc, glm::dvec2 p) {
   return {AngleAlong(arc, v) / std::abs(arc.sweep), glm::dvec2(-v.y, v.x) / (square * arc.sweep)};
 }
 
-/// The magnitude made shallower along the spine: the product rule.
-Magnitude Faded(const Magnitude& magnitude, const Fade& fade, const Along& along) {
-  const double u = std::clamp(along.share, 0.0, 1.0), change = fade.to - fade.from;
-  const double share = fade.from + change * u * u * (3 - 2 * u);
-  return {share * magnitude.height, share * magnitude.gradient + magnitude.height * change * 6 * u *
-                                                                     (1 - u) * along.gradient};
+/// The magnitude of a fading profile: by q^2 h(d/q), whose derivative by q is 2 q h - d h'.
+Magnitude Faded(const Element& element, const Along& along, glm::dvec2 from_spine) {
+  const double u = std::clamp(along.share, 0.0, 1.0);
+  const double change = element.fade.to - element.fade.from;
+  const double q = element.fade.from + change * u * u * (3 - 2 * u);
+  const double distance = glm::length(from_spine);
+  const ProfileSample sample = Evaluate(element.profile, distance / q);
+  if (sample.height == 0) return {};
+  const glm::dvec2 away = distance > 0 ? from_spine / distance : glm::dvec2(0.0, 0.0);
+  const double by_q = (2 * q * sample.height - distance * sample.slope) * change * 6 * u * (1 - u);
+  return {q * q * sample.height, q * sample.slope * away + by_q * along.gradient};
 }
 
 glm::dvec2 NearestOn(const Piece& piece, glm::dvec2 p) {
@@ -213,13 +218,16 @@ Magnitude Evaluate(const Element& element, glm::dvec2 p) {
   if (const Arc* arc = std::get_if<Arc>(&element.shape)) v = FromSpine(*arc, p);
   if (const Dot* dot = std::get_if<Dot>(&element.shape)) v = FromSpine(*dot, p);
   if (!v) return {};
+  if (!element.fade.IsNone()) {
+    if (const Line* line = std::get_if<Line>(&element.shape)) {
+      return Faded(element, AlongSpine(*line, p), *v);
+    }
+    if (const Arc* arc = std::get_if<Arc>(&element.shape)) {
+      return Faded(element, AlongSpine(*arc, p), *v);
+    }
+  }
   const double distance = glm::length(*v);
-  const Magnitude magnitude = ToMagnitude(Evaluate(element.profile, distance), *v, distance);
-  if (element.fade.IsNone()) return magnitude;
-  const Line* line = std::get_if<Line>(&element.shape);
-  if (line) return Faded(magnitude, element.fade, AlongSpine(*line, p));
-  const Arc* arc = std::get_if<Arc>(&element.shape);
-  return arc ? Faded(magnitude, element.fade, AlongSpine(*arc, p)) : magnitude;
+  return ToMagnitude(Evaluate(element.profile, distance), *v, distance);
 }
 
 }  // namespace moontrace

@@ -69,9 +69,11 @@ Box BoundsOf(const Piece& piece);
 
 using Shape = std::variant<Line, Arc, Dot, Fill>;
 
-/// How deep an element is along its spine: shares of the profile's depth at its start and its end,
-/// and the smooth step (C1, level at both) between. For lines and arcs of less than a turn; other
-/// shapes have none.
+/// How an element becomes smaller along its spine: its profile at a distance d is q^2 h(d/q), so
+/// that width and rounding are q times and the depth q^2 times the profile's: the curvature stays,
+/// the slope is q times as steep. q goes by the smooth step (C1, level at both ends) from its value
+/// at the start to that at the end, both above 0 and at most 1. For lines and arcs of less than a
+/// turn; other shapes have none. Ours.
 struct Fade {
   double from = 1;
   double to = 1;

@@ -49,10 +49,10 @@ struct FlatFill {
   std::vector<RisingEdge> rising;
 };
 
-/// A line or an arc that becomes shallower along its spine (Fade in element.h).
+/// A line or an arc that becomes smaller along its spine (Fade in element.h).
 struct FlatFade {
   FlatElement spine;
-  double from = 1, to = 1;  ///< shares of the profile's depth
+  double from = 1, to = 1;  ///< q at start and end
   double sense = 1;         ///< of an arc's travel: below zero clockwise
 };
 
@@ -129,6 +129,7 @@ struct TextureField::CompiledLayer {
   glm::dvec2 origin{0, 0};   ///< of the first band's first bucket [m]
   double bands_per_m = 0;    ///< [1/m]
   double buckets_per_m = 0;  ///< [1/m]
+  Box hole;                  ///< a rectangle within which there is nothing; empty: not known
   double band_count = 0,
          bucket_count = 0;  ///< buckets in a band, 0 with rows; whole numbers, compared as doubles
   std::uint32_t bucket_shift = 0;    ///< a bucket holds offset / 2^shift from the band's first leaf

@@ -12,13 +12,15 @@ namespace {
 
 constexpr int kRingRays = 12, kDotRays = 8;
 constexpr double kTurn = 6.283185307179586476925;
-constexpr double kRoomAside = 1;       // beyond both letters along the line [em]
-constexpr double kOpenOwn = 2;         // own length of a link at a stroke's end [w]
-constexpr double kRingOwn = 3.5;       // at a ring, which it leaves along a tangent [w]
-constexpr double kOpenLevel = 0.5;     // of it as deep as the letters [w]
-constexpr double kRingLevel = 2;       // until a tangent has parted from the ring's groove [w]
-constexpr double kRamp = 1.5;          // length over which it becomes shallow [w]
-constexpr double kShortestRamp = 0.5;  // below this a ramp is steeper than a flank [w]
+constexpr double kLeastTurn = 0.6, kWidestTurn = 1.25;  // radius of the sharpest turn [w]
+constexpr double kReachTurn = 0.45;                     // of the room above and below a line
+constexpr double kRoomAside = 1;                        // beyond both letters along the line [em]
+constexpr double kOpenOwn = 2;       // own length of a link at a stroke's end [w]
+constexpr double kRingOwn = 3.5;     // at a ring, which it leaves along a tangent [w]
+constexpr double kOpenLevel = 0.5;   // of it as deep as the letters [w]
+constexpr double kRingLevel = 2;     // until a tangent has parted from the ring's groove [w]
+constexpr double kRamp = 1.5;        // length over which it becomes shallow [w]
+constexpr double kShortestRamp = 1;  // below this a ramp is steeper than a flank [w]
 
 double Mean(double a, double b) { return 0.5 * (a + b); }
 
@@ -50,6 +52,9 @@ class PageLinker {
     gap_ = style_.links.gap.value_or(style_.width / 4);
     const double between = Mean(style_.line_pitch, -style_.size);
     reach_ = std::max(between - half_ - gap_ / 2, 0.0);
+    // turns as wide as the space between lines lets them be
+    radius_ =
+        std::clamp(kReachTurn * reach_, kLeastTurn * style_.width, kWidestTurn * style_.width);
   }
 
   LineKind kind() const { return kind_; }
@@ -242,7 +247,7 @@ class PageLinker {
   std::vector<Piece> Find(const LinkEnd& from, const LinkEnd& to, const Box& a, const Box& b,
                           const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
                           bool one_letter) const {
-    LinkTask task{from, to, one_letter, others, crossed, half_, gap_, style_.width, {}, Ways(a, b)};
+    LinkTask task{from, to, one_letter, others, crossed, half_, gap_, radius_, {}, Ways(a, b)};
     task.room = a;
     Include(task.room, b);
     const double em = style_.size, beyond = kRoomAside * em;
@@ -260,6 +265,7 @@ class PageLinker {
   TypeStyle style_;
   LineKind kind_;
   double half_ = 0, gap_ = 0;  // [m]
+  double radius_ = 0;          // of the sharpest turn [m]
   double reach_ = 0;           // above the top line and below the base line [m]
   std::map<std::size_t, Letter> letters_;
 };
@@ -439,8 +445,7 @@ Piece PartOf(const Piece& piece, double from, double to) {
   return Line{PointAt(piece, from), PointAt(piece, to)};
 }
 
-/// How deep a link is along its way, as a share of the letters' depth: level, ramp, level, ramp,
-/// level.
+/// How a link's profile is along its way, as q of Fade: level, ramp, level, ramp, level.
 struct DepthAlong {
   double at[4] = {0, 0, 0, 0};  ///< where ramps begin and end [m]
   double least = 1;
@@ -462,7 +467,7 @@ DepthAlong DepthOf(const LinkShape& shape, const TypeStyle& style, double length
   depth.at[1] = depth.at[0] + scale * ramp;
   depth.at[3] = length - scale * shape.to_level;
   depth.at[2] = std::max(depth.at[3] - scale * ramp, depth.at[1]);
-  depth.least = scale * ramp < kShortestRamp * w ? 1 : style.links.depth;
+  depth.least = scale * ramp < kShortestRamp * w ? 1 : std::sqrt(style.links.depth);
   return depth;
 }
 
@@ -489,8 +494,8 @@ Group BuildLink(const LinkShape& shape, const TypeStyle& style) {
   double length = 0;
   for (const Piece& piece : shape.spine) length += Length(piece);
   const DepthAlong depth = DepthOf(shape, style, length);
-  const auto profile = [&style](double share) {
-    return Profile{style.width, share * style.depth, style.rounding};
+  const auto profile = [&style](double q) {
+    return Profile{q * style.width, q * q * style.depth, q * style.rounding};
   };
   Group group;
   double begin = 0;

@@ -15,7 +15,8 @@ std::string NameOf(LinkReach reach);
 inline constexpr const char* kLinkReaches = "none, letters, words";
 
 /// Shallow grooves between letters, so that a line can be traced like cursive (the paper, section
-/// 6). They are as wide as the letters' grooves.
+/// 6). Their width is the square root of that share of the letters',
+/// so that their curvature is the same and their slope less.
 struct LinkStyle {
   LinkReach reach = LinkReach::kNone;
   double depth = 0.4;         ///< share of the letters' depth, above 0, at most 1

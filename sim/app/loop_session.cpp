@@ -128,9 +128,12 @@ std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) const {
   PlanOptions options;
   options.press =
       request_.press.value_or(style.relief == Relief::kEmbossed ? hand.light_press : hand.press);
+  options.ridge_press = request_.press.value_or(hand.light_press);
   options.repeats = true;
-  const Plan plan =
-      MakeOraclePlan(IntendedStrokes(text_.set.pages[page], text_.script, style), options, X_WP_);
+  const TextPage& sheet = text_.set.pages[page];
+  const auto strokes = IntendedStrokes(sheet, text_.script, style);
+  const GrooveLinks links = LinkPage(sheet, text_.script, style);
+  const Plan plan = MakePlan(strokes, WalksOf(strokes, sheet, links), options, X_WP_);
   return MakeSimulatedStylus(hand, plan.path_W, scene_options_.tick, request_.seed);
 }
 

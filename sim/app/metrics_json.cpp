@@ -23,6 +23,7 @@ Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   json["force_bound_n"] = result.force_bound;
   json["energy_out_uj"] = 1e6 * result.energy_out;
   json["faults"] = result.faults;
+  json["lifts_within_lines"] = result.lifts_within_lines;
   if (with_real_time_factor) json["real_time_factor"] = result.real_time_factor;
   return json;
 }

@@ -11,6 +11,7 @@
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
+#include "sim/app/structure_messages.h"
 #include "sim/app/writing_messages.h"
 #include "textures/error.h"
 #include "textures/fallback.h"
@@ -72,6 +73,30 @@ PageSpec ParsePage(const std::string& as_given) {
   ReadNumber("width of --page", given.substr(0, by), 1, kLongest);
   ReadNumber("height of --page", given.substr(by + 1), 1, kLongest);
   return FindPage(given);
+}
+
+/// How headings, quotations and links are read and set.
+StructureStyle StructureOf(const StyleOptions& options, const Label& from) {
+  StructureStyle style;
+  style.read = options.structure || from.structure.value_or(false);
+  if (!style.read) {
+    if (options.heading_scale) throw UsageError(say::NeedsOther("--heading-scale", "--structure"));
+    if (options.heading_relief) {
+      throw UsageError(say::NeedsOther("--heading-relief", "--structure"));
+    }
+    if (options.structure_texture) {
+      throw UsageError(say::NeedsOther("--structure-texture", "--structure"));
+    }
+  }
+  const std::optional<double> scale =
+      options.heading_scale ? options.heading_scale : from.heading_scale;
+  style.heading_scale = scale.value_or(style.heading_scale);
+  style.heading_relief = options.heading_relief;
+  if (!style.heading_relief && from.heading_embossed) {
+    style.heading_relief = *from.heading_embossed ? Relief::kEmbossed : Relief::kEngraved;
+  }
+  style.texture = options.structure_texture || from.structure_texture.value_or(false);
+  return style;
 }
 
 }  // namespace
@@ -148,6 +173,16 @@ void AddOptions(CLI::App& app, StyleOptions& options) {
   add_word("--table", options.table, help::kTable);
   add_word("--fallback-script", options.fallback_script, help::kFallbackScript);
   add_word("--only", options.only, help::kOnly);
+  AddOptions(app, options.links);
+  AddNumber(app, "--slant-deg", options.slant, -30, 30, std::numbers::pi / 180, help::kSlant);
+  AddNumber(app, "--stretch", options.stretch, 0.5, 2, 1, help::kStretch);
+  app.add_flag("--structure", options.structure, help::kStructure);
+  AddNumber(app, "--heading-scale", options.heading_scale, 1, 5, 1, help::kHeadingScale);
+  AddChoice<std::optional<Relief>>(app, "--heading-relief", "engraved", Relief::kEngraved,
+                                   "embossed", Relief::kEmbossed, options.heading_relief,
+                                   help::kHeadingRelief);
+  AddChoice(app, "--structure-texture", "yes", true, "no", false, options.structure_texture,
+            help::kStructureTexture);
 }
 
 void AddOptions(CLI::App& app, LayoutOptions& options) {
@@ -254,6 +289,11 @@ TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Scri
   style.paragraph_gap = layout.paragraph_gap;
   style.rules = RulesOf(layout.sheet);
   style.texture = SheetTextureOf(layout.sheet, from);
+  style.links = LinksOf(options.links, from);
+  style.form = {chosen(options.slant, from.slant).value_or(0),
+                chosen(options.stretch, from.stretch).value_or(1)};
+  style.structure = StructureOf(options, from);
+  script = Reshaped(script, style.form);
   if (style.lines == LineDirection::kAlternate) AddGuides(script, style);
   return style;
 }

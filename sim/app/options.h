@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "sim/app/console.h"
+#include "sim/app/link_options.h"
 #include "sim/app/sheet_options.h"
 #include "sim/scene/label.h"
 #include "sim/scene/scene_options.h"
@@ -39,6 +40,12 @@ struct StyleOptions {
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
   std::optional<std::string> table, only, fallback_script;
+  std::optional<double> slant, stretch;  ///< [rad], of widths
+  bool structure = false;
+  std::optional<double> heading_scale;
+  std::optional<Relief> heading_relief;
+  bool structure_texture = false;
+  LinkOptions links;
 };
 
 /// The paper and the spaces on it.

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "sim/app/help.h"
+#include "sim/app/link_messages.h"
 #include "sim/app/messages.h"
+#include "sim/app/structure_messages.h"
 #include "sim/app/typeset_report.h"
 #include "sim/app/writing_messages.h"
 #include "sim/view/page_picture.h"
@@ -61,15 +63,29 @@ void SayLines(const Typeset& set, const Script& script, Console& console) {
   }
 }
 
+/// Told only of what is not plain: most is.
+const char* KindJson(LineKind kind) {
+  switch (kind) {
+    case LineKind::kPlain:
+      return "";
+    case LineKind::kHeading:
+      return ",\"kind\":\"heading\"";
+    case LineKind::kQuotation:
+      return ",\"kind\":\"quotation\"";
+  }
+  return "";
+}
+
 /// A page's signs; `names` are the glyphs' names as JSON strings. Formatted here, not through a
 /// tree of values: a book has millions.
 std::string PageJson(const TextPage& page, const std::vector<std::string>& names) {
   std::string json = fmt::format("{{\"lines\":{},\"glyphs\":[", page.lines);
   for (const PlacedGlyph& glyph : page.glyphs) {
     fmt::format_to(std::back_inserter(json),
-                   "{{\"name\":{},\"origin_mm\":[{},{}],\"line\":{},\"source\":[{},{}]}},",
+                   "{{\"name\":{},\"origin_mm\":[{},{}],\"line\":{},\"source\":[{},{}]{}{}}},",
                    names[glyph.glyph], 1e3 * glyph.origin_P.x, 1e3 * glyph.origin_P.y, glyph.line,
-                   glyph.source_begin, glyph.source_end);
+                   glyph.source_begin, glyph.source_end, KindJson(glyph.kind),
+                   glyph.link ? ",\"link\":true" : "");
   }
   if (!page.glyphs.empty()) json.pop_back();
   return json + "]}";
@@ -166,6 +182,12 @@ int Run(const PageOptions& options, Console& console) {
   console.Result(say::PageOutcome(set, CountSigns(set), CountLines(set)));
   SayReplacements(set, [&console](const std::string& line) { console.Result(line); });
   console.Result(say::LetterShape(set.style));
+  if (set.style.links.reach != LinkReach::kNone) {
+    const LinkCounts links = CountLinks(set, script);
+    console.Result(say::Links(links.links, links.missing, set.style.links));
+  }
+  if (set.style.form != LetterForm{}) console.Result(say::Form(set.style.form));
+  if (set.style.structure.read) console.Result(say::Structure(set));
   console.Result(say::Paper(set.page));
   SaySheet(set, script, [&console](const std::string& line) { console.Result(line); });
   SayLines(set, script, console);

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "sim/app/link_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/typeset_report.h"
 
@@ -66,6 +67,11 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
   console.Result(say::WorstError(total));
   console.Result(say::LeftGroove(total, style));
   SayWeakest(trace, console);
+  if (style.links.reach != LinkReach::kNone) {
+    const LinkCounts links = CountLinks(trace.text.set, trace.text.script);
+    console.Result(say::Links(links.links, links.missing, style.links));
+    console.Result(say::Lifts(all.lifts_within_lines, all.lines));
+  }
   console.Result(say::Force(total));
   console.Result(say::ForceBound(all));
   console.Result(say::Energy(all));

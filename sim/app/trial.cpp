@@ -60,9 +60,32 @@ std::unique_ptr<Recorder> StartRecorder(const RecordRequest* request, const Tria
   return std::make_unique<Recorder>(request->folder, head, scene);
 }
 
+/// Counts how often contact is lost and found again within one line of text.
+class LiftCounter {
+ public:
+  LiftCounter(const std::vector<IntendedStroke>& strokes, const TextPage& page) {
+    for (const IntendedStroke& stroke : strokes) lines_.push_back(page.glyphs[stroke.glyph].line);
+  }
+  void Add(const Plan::Span& span, bool in_contact) {
+    if (in_contact && span.phase != TracePhase::kAir) {
+      const std::size_t line = lines_[span.stroke];
+      if (!touching_ && touched_ && line == line_) ++lifts_;
+      touched_ = true;
+      line_ = line;
+    }
+    touching_ = in_contact;
+  }
+  std::size_t lifts() const { return lifts_; }
+
+ private:
+  std::vector<std::size_t> lines_;  // by stroke
+  bool touching_ = false, touched_ = false;
+  std::size_t line_ = 0, lifts_ = 0;
+};
+
 /// The loop: device, scene, device, score. Everything it needs exists before it starts.
 void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& stylus,
-              TraceScorer& scorer, Recorder* recorder, TrialResult& result) {
+              TraceScorer& scorer, LiftCounter lifts, Recorder* recorder, TrialResult& result) {
   PhaseClock clock(plan.spans);
   const auto ticks = static_cast<std::size_t>(std::ceil(plan.duration / setup.scene.tick));
   const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
@@ -82,6 +105,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
     sample.phase = span.phase;
     sample.stroke = span.stroke;
     scorer.Add(sample);
+    lifts.Add(span, sample.in_contact);
     Keep(result.path, {output.tip_P, span.phase, sample.in_contact}, setup.path_spacing);
     result.energy_out = std::max(result.energy_out, output.energy_out);
     if (output.fault) ++result.faults;
@@ -94,6 +118,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
       setup.alive(static_cast<double>(n) / static_cast<double>(ticks));
     }
   }
+  result.lifts_within_lines = lifts.lifts();
   result.ticks = ticks;
   result.duration = static_cast<double>(ticks) * setup.scene.tick;
 }
@@ -114,7 +139,8 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   const std::vector<IntendedStroke> strokes =
       IntendedStrokes(*setup.page, *setup.script, setup.style);
   const Pose X_WP = scene.X_WP();
-  const Plan plan = MakeOraclePlan(strokes, setup.plan, X_WP);
+  const GrooveLinks links = LinkPage(*setup.page, *setup.script, setup.style);
+  const Plan plan = MakePlan(strokes, WalksOf(strokes, *setup.page, links), setup.plan, X_WP);
   const std::unique_ptr<Device> stylus =
       MakeSimulatedStylus(setup.hand, plan.path_W, setup.scene.tick, setup.seed);
   if (!plan.path_W.points.empty()) {
@@ -123,12 +149,14 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
 
   TrialResult result;
   for (const IntendedStroke& stroke : strokes) result.stroke_length += LengthOf(stroke);
+  result.lines = setup.page->lines;
   result.remarks = scene.remarks();
   result.force_bound = ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
   TraceScorer scorer(strokes, setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
   const auto start = std::chrono::steady_clock::now();
-  RunTicks(setup, plan, scene, *stylus, scorer, recorder.get(), result);
+  RunTicks(setup, plan, scene, *stylus, scorer, LiftCounter(strokes, *setup.page), recorder.get(),
+           result);
   result.score = scorer.Finish();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.real_time_factor = result.duration / std::max(elapsed.count(), 1e-9);
@@ -154,6 +182,8 @@ TrialResult Merged(const std::vector<TrialResult>& pages) {
     all.duration += page.duration;
     all.ticks += page.ticks;
     all.faults += page.faults;
+    all.lifts_within_lines += page.lifts_within_lines;
+    all.lines += page.lines;
     all.energy_out = std::max(all.energy_out, page.energy_out);
     all.force_bound = std::max(all.force_bound, page.force_bound);
     elapsed += page.duration / page.real_time_factor;

@@ -66,6 +66,16 @@ Json StyleJson(const TypeStyle& style) {
   json["rules"] = RulesJson(style.rules);
   if (style.texture.paper) json["texture"] = TextureJson(style.texture);
   if (style.paragraph_gap) json["paragraph_gap_m"] = *style.paragraph_gap;
+  json["links"] = {{"reach", NameOf(style.links.reach)}, {"depth", style.links.depth}};
+  if (style.links.gap) json["links"]["gap_m"] = *style.links.gap;
+  json["slant_rad"] = style.form.slant;
+  json["stretch"] = style.form.stretch;
+  json["structure"] = style.structure.read;
+  json["heading_scale"] = style.structure.heading_scale;
+  if (style.structure.heading_relief) {
+    json["heading_embossed"] = *style.structure.heading_relief == Relief::kEmbossed;
+  }
+  json["structure_texture"] = style.structure.texture;
   return json;
 }
 
@@ -90,6 +100,21 @@ TypeStyle StyleFrom(const Json& json) {
   if (json.contains("rules")) style.rules = RulesFrom(json.at("rules"));
   if (json.contains("texture")) style.texture = TextureFrom(json.at("texture"));
   if (json.contains("paragraph_gap_m")) style.paragraph_gap = json.at("paragraph_gap_m");
+  if (json.contains("links")) {
+    const Json& links = json.at("links");
+    style.links.reach =
+        LinkReachOf(links.at("reach").get<std::string>()).value_or(LinkReach::kNone);
+    style.links.depth = links.at("depth");
+    if (links.contains("gap_m")) style.links.gap = links.at("gap_m").get<double>();
+  }
+  style.form = {json.value("slant_rad", 0.0), json.value("stretch", 1.0)};
+  style.structure.read = json.value("structure", false);
+  style.structure.heading_scale = json.value("heading_scale", style.structure.heading_scale);
+  if (json.contains("heading_embossed")) {
+    style.structure.heading_relief =
+        json.at("heading_embossed").get<bool>() ? Relief::kEmbossed : Relief::kEngraved;
+  }
+  style.structure.texture = json.value("structure_texture", false);
   return style;
 }
 
@@ -107,9 +132,13 @@ std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& 
                    {"margin_m", parameters.paper.margin}};
   json["page"] = parameters.page;
   json["blank"] = parameters.blank;
-  json["plan"] = {{"speed_m_s", setup.plan.speed},       {"air_speed_m_s", setup.plan.air_speed},
-                  {"clearance_m", setup.plan.clearance}, {"press_n", setup.plan.press},
-                  {"settle_s", setup.plan.settle},       {"dot_rest_s", setup.plan.dot_rest}};
+  json["plan"] = {{"speed_m_s", setup.plan.speed},
+                  {"air_speed_m_s", setup.plan.air_speed},
+                  {"clearance_m", setup.plan.clearance},
+                  {"press_n", setup.plan.press},
+                  {"ridge_press_n", setup.plan.ridge_press.value_or(setup.plan.press)},
+                  {"settle_s", setup.plan.settle},
+                  {"dot_rest_s", setup.plan.dot_rest}};
   json["hand"] = {{"mass_kg", setup.hand.mass},
                   {"stiffness_n_m", setup.hand.stiffness},
                   {"damping_n_s_m", setup.hand.damping},

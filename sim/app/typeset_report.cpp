@@ -1,6 +1,7 @@
 #include "sim/app/typeset_report.h"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include "sim/app/messages.h"
@@ -34,6 +35,18 @@ Json ReplacementsJson(const std::vector<Replacement>& replacements) {
     list.push_back(std::move(entry));
   }
   return list;
+}
+
+Json StructureJson(const Typeset& set) {
+  const StructureStyle& style = set.style.structure;
+  Json json = {{"headings", set.structure.headings},
+               {"quotations", set.structure.quotations},
+               {"links", set.structure.links},
+               {"heading_scale", style.heading_scale},
+               {"texture", style.texture}};
+  const Relief relief = style.heading_relief.value_or(set.style.relief);
+  json["heading_embossed"] = relief == Relief::kEmbossed;
+  return json;
 }
 
 constexpr double kMillimetres = 1e3;
@@ -96,8 +109,17 @@ std::size_t CountSigns(const Typeset& set) {
   return signs;
 }
 
+LinkCounts CountLinks(const Typeset& set, const Script& script) {
+  LinkCounts counts;
+  for (const TextPage& page : set.pages) {
+    const GrooveLinks links = LinkPage(page, script, set.style);
+    counts.links += links.links.size();
+    counts.missing += links.missing;
+  }
+  return counts;
+}
+
 Json TypesetJson(const Typeset& set, const Script& script) {
-  constexpr double kMillimetres = 1e3;
   Json json;
   json["script"] = script.name;
   json["size_mm"] = kMillimetres * set.style.size;
@@ -106,6 +128,9 @@ Json TypesetJson(const Typeset& set, const Script& script) {
   json["rounding_mm"] = kMillimetres * set.style.rounding;
   json["embossed"] = set.style.relief == Relief::kEmbossed;
   json["grade"] = set.style.grade;
+  json["slant_deg"] = set.style.form.slant * 180 / std::numbers::pi;
+  json["stretch"] = set.style.form.stretch;
+  if (set.style.structure.read) json["structure"] = StructureJson(set);
   json["paper"] = {{"name", set.page.name},
                    {"width_mm", kMillimetres * set.page.width},
                    {"height_mm", kMillimetres * set.page.height},
@@ -113,6 +138,7 @@ Json TypesetJson(const Typeset& set, const Script& script) {
   json["rules"] = RulesJson(set.style, CountRules(set, script));
   json["raised_margin"] = MarginJson(set.style);
   json["texture"] = TextureJson(set.style);
+  json["links"] = LinksJson(set.style.links, CountLinks(set, script), set.style);
   json["folded"] = ReplacementsJson(set.folded);
   json["missing"] = ReplacementsJson(set.missing);
   json["doubtful"] = ReplacementsJson(set.doubtful);

@@ -22,6 +22,12 @@ constexpr double kCornerCosine = 0.9396926207859084;  // of 20 degrees
 constexpr double kLeanShare = 0.06;
 constexpr double kLeanTime = 0.1;  // [s]
 constexpr double kLeanWidths = 0.5;
+
+// Where a link leaves a ring, two grooves part at a narrow angle. The aim leans into the ring while
+// that is traced and away from it where it is left, by as much as a hand drifts at most (the hand's
+// share times wavelength over pi is 1.9 mm), until the grooves have parted.
+constexpr double kRingLean = 2e-3;     // [m]
+constexpr double kRingLeanWidths = 3;  // held, and then returned over as much
 constexpr double kReturnWidths = 0.75;
 
 /// Whether travel goes on from `a` to `b` without a corner.
@@ -38,17 +44,16 @@ Piece FrontOf(const Piece& piece, double length) {
   return Line{StartOf(piece), PointAt(piece, length)};
 }
 
-/// A stroke cut at its corners; a smooth closed one goes w/4 beyond its start.
-std::vector<std::vector<Piece>> RunsOf(const IntendedStroke& stroke) {
+/// A way cut at its corners; a smooth closed one goes `beyond` its start.
+std::vector<std::vector<Piece>> RunsOf(const std::vector<Piece>& way, double width, double beyond) {
   std::vector<Piece> pieces;
-  for (const Piece& piece : stroke.spine_P) {
+  for (const Piece& piece : way) {
     if (Length(piece) > 0) pieces.push_back(piece);
   }
   if (pieces.empty()) return {};
-  const bool closed =
-      glm::length(EndOf(pieces.back()) - StartOf(pieces.front())) < 1e-3 * stroke.width;
-  if (closed && IsSmooth(pieces.back(), pieces.front())) {
-    pieces.push_back(FrontOf(pieces.front(), stroke.width / 4));
+  const bool closed = glm::length(EndOf(pieces.back()) - StartOf(pieces.front())) < 1e-3 * width;
+  if (beyond > 0 && closed && IsSmooth(pieces.back(), pieces.front())) {
+    pieces.push_back(FrontOf(pieces.front(), beyond));
   }
   std::vector<std::vector<Piece>> runs;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -168,47 +173,125 @@ class PlanWriter {
   double press_ = 0;
 };
 
-void WriteStroke(PlanWriter& writer, const IntendedStroke& stroke, std::size_t number,
-                 const PlanOptions& options) {
-  const glm::dvec2 start = StartOf(stroke.spine_P.front());
+double PressOn(const IntendedStroke& stroke, const PlanOptions& options) {
+  return stroke.relief == Relief::kEmbossed ? options.ridge_press.value_or(options.press)
+                                            : options.press;
+}
+
+void Land(PlanWriter& writer, const IntendedStroke& to, std::size_t stroke,
+          const PlanOptions& options) {
+  const glm::dvec2 start = StartOf(to.spine_P.front());
   const glm::dvec3 above(start, options.clearance);
   if (writer.p_P() != above) writer.GoTo(above, kShortestHop);
-  writer.EndSpan(TracePhase::kAir, number);
+  writer.EndSpan(TracePhase::kAir, stroke);
   writer.GoTo({start, 0}, kShortestRise);
-  writer.Press(options.press);
+  writer.Press(PressOn(to, options));
   writer.Rest(options.settle);
-  writer.EndSpan(TracePhase::kEntry, number);
-  const auto runs = RunsOf(stroke);
+  writer.EndSpan(TracePhase::kEntry, stroke);
+}
+
+void FollowRuns(PlanWriter& writer, const std::vector<std::vector<Piece>>& runs, double width) {
   double way = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    writer.Follow(runs[i], i > 0 ? LeanAfter(runs[i - 1], runs[i], way, stroke.width) : Lean{});
+    writer.Follow(runs[i], i > 0 ? LeanAfter(runs[i - 1], runs[i], way, width) : Lean{});
     for (const Piece& piece : runs[i]) way += Length(piece);
   }
-  writer.Rest(runs.empty() ? options.dot_rest : kEndRest);
-  writer.EndSpan(TracePhase::kStroke, number);
+}
+
+/// The arc of a ring traced by itself, none for other strokes.
+const Arc* RingOf(const std::vector<Piece>& trace) {
+  if (trace.empty()) return nullptr;
+  const Arc* arc = std::get_if<Arc>(&trace.front());
+  const bool closed = glm::distance(StartOf(trace.front()), EndOf(trace.back())) < 1e-6;
+  return closed && IsSmooth(trace.back(), trace.front()) ? arc : nullptr;
+}
+
+double LeanOf(const Arc& ring) { return std::min(kRingLean, ring.radius / 2); }
+
+/// A part of a ring, nearer to its middle.
+std::vector<Piece> Inwards(std::vector<Piece> part) {
+  for (Piece& piece : part) {
+    if (Arc* arc = std::get_if<Arc>(&piece)) arc->radius -= LeanOf(*arc);
+  }
+  return part;
+}
+
+void FollowInwards(PlanWriter& writer, const std::vector<Piece>& part, double width) {
+  const std::vector<Piece> inner = Inwards(part);
+  if (inner.empty()) return;
+  writer.GoTo({StartOf(inner.front()), 0}, kLeanTime);
+  FollowRuns(writer, RunsOf(inner, width, 0), width);
+}
+
+/// Leaves a ring: along it as far as needed, then away from it.
+void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& way, double width) {
+  const auto in_ring = [&ring](const Piece& piece) {
+    const Arc* arc = std::get_if<Arc>(&piece);
+    return arc && glm::distance(arc->center, ring.center) < 1e-9 &&
+           std::abs(arc->radius - ring.radius) < 1e-9;
+  };
+  const auto away = std::find_if_not(way.begin(), way.end(), in_ring);
+  FollowInwards(writer, {way.begin(), away}, width);
+  const auto runs = RunsOf({away, way.end()}, width, 0);
+  if (runs.empty()) return;
+  const glm::dvec2 start = StartOf(runs.front().front());
+  const double hold = kRingLeanWidths * width;
+  const Lean lean{LeanOf(ring) * glm::normalize(start - ring.center), hold, hold};
+  writer.GoTo({start, 0}, kLeanTime);
+  writer.Follow(runs.front(), lean);
+  FollowRuns(writer, {runs.begin() + 1, runs.end()}, width);
+}
+
+void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedStroke>& strokes,
+               const PlanOptions& options) {
+  const Arc* left = nullptr;  // the ring traced last
+  for (const WalkStep& step : walk) {
+    const IntendedStroke& stroke = strokes[step.stroke];
+    if (&step == &walk.front()) {
+      Land(writer, stroke, step.stroke, options);
+    } else {
+      if (left != nullptr) {
+        LeaveRing(writer, *left, step.way_P, stroke.width);
+      } else {
+        FollowRuns(writer, RunsOf(step.way_P, stroke.width, 0), stroke.width);
+      }
+      writer.Rest(kEndRest);
+      writer.EndSpan(TracePhase::kWay, step.stroke);
+    }
+    left = walk.size() > 1 ? RingOf(step.trace_P) : nullptr;
+    const auto runs = RunsOf(step.trace_P, stroke.width, stroke.width / 4);
+    if (left != nullptr) {
+      FollowInwards(writer, step.trace_P, stroke.width);
+    } else {
+      FollowRuns(writer, runs, stroke.width);
+    }
+    writer.Rest(runs.empty() ? options.dot_rest : kEndRest);
+    writer.EndSpan(TracePhase::kStroke, step.stroke);
+  }
   writer.Press(0);
   writer.GoTo({glm::dvec2(writer.p_P()), options.clearance}, kShortestRise);
-  writer.EndSpan(TracePhase::kLift, number);
+  writer.EndSpan(TracePhase::kLift, walk.back().stroke);
 }
 
 }  // namespace
 
-Plan MakeOraclePlan(const std::vector<IntendedStroke>& strokes, const PlanOptions& options,
-                    const Pose& X_WP) {
+Plan MakePlan(const std::vector<IntendedStroke>& strokes, const std::vector<Walk>& walks,
+              const PlanOptions& options, const Pose& X_WP) {
   glm::dvec2 start{0, 0};
-  for (auto it = strokes.rbegin(); it != strokes.rend(); ++it) {
-    if (!it->spine_P.empty()) start = StartOf(it->spine_P.front());
-  }
+  if (!walks.empty()) start = StartOf(strokes[walks.front().front().stroke].spine_P.front());
   PlanWriter writer(options, X_WP, {start, options.clearance});
   writer.Rest(kFirstRest);
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    if (!strokes[i].spine_P.empty()) WriteStroke(writer, strokes[i], i, options);
-  }
+  for (const Walk& walk : walks) WriteWalk(writer, walk, strokes, options);
   if (options.repeats) writer.GoTo({start, options.clearance}, kShortestHop);
   writer.EndSpan(TracePhase::kAir, 0);
   Plan plan = writer.Finish();
   plan.path_W.repeats = options.repeats;
   return plan;
+}
+
+Plan MakeOraclePlan(const std::vector<IntendedStroke>& strokes, const PlanOptions& options,
+                    const Pose& X_WP) {
+  return MakePlan(strokes, SeparateWalks(strokes), options, X_WP);
 }
 
 }  // namespace moontrace

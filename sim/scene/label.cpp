@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "textures/error.h"
 #include "textures/sheet_texture.h"
@@ -20,6 +21,16 @@ std::optional<double> Length(const TomlTable& table, const std::string& key) {
   const double millimetres = table.Number(key);
   if (!(millimetres > 0)) table.Fail(key, "not above zero; write a length in millimetres");
   return millimetres * kMillimetre;
+}
+
+std::optional<double> Number(const TomlTable& table, const std::string& key) {
+  if (!table.Has(key)) return std::nullopt;
+  return table.Number(key);
+}
+
+std::optional<bool> YesOrNo(const TomlTable& table, const std::string& key) {
+  if (!table.Has(key)) return std::nullopt;
+  return table.Bool(key);
 }
 
 std::optional<std::string> Word(const TomlTable& table, const std::string& key) {
@@ -48,6 +59,20 @@ void SplitGeom(const std::string& rest, Label& label) {
   if (error != std::errc() || stop != end || number < 0) return;
   label.geom = rest.substr(0, colon);
   label.number = number;
+}
+
+void ReadLinks(const TomlTable& table, Label& label) {
+  if (table.Has("links")) {
+    label.links = LinkReachOf(table.String("links"));
+    if (!label.links) table.Fail("links", std::string("not one of ") + kLinkReaches);
+  }
+  if (table.Has("link_depth")) {
+    label.link_depth = table.Number("link_depth");
+    if (!(*label.link_depth >= 0.05 && *label.link_depth <= 1)) {
+      table.Fail("link_depth", "not from 0.05 to 1; write a share of the letters' depth");
+    }
+  }
+  label.link_gap = Length(table, "link_gap_mm");
 }
 
 void ReadTexture(const TomlTable& table, Label& label) {
@@ -82,6 +107,13 @@ Label ParseLabel(const std::string& name, const std::string& data, const std::st
   label.h_form = Word(table, "h_form");
   if (table.Has("grade")) label.grade = table.Number("grade");
   label.table = Word(table, "table");
+  if (table.Has("slant_deg")) label.slant = table.Number("slant_deg") * std::numbers::pi / 180;
+  label.stretch = Number(table, "stretch");
+  label.structure = YesOrNo(table, "structure");
+  label.heading_scale = Number(table, "heading_scale");
+  label.heading_embossed = YesOrNo(table, "heading_embossed");
+  label.structure_texture = YesOrNo(table, "structure_texture");
+  ReadLinks(table, label);
   ReadTexture(table, label);
   table.FailUnknown();
   return label;

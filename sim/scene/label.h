@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "textures/link_style.h"
+
 namespace moontrace {
 
 /// Text on a geom, from `<custom><text name="moontrace:GEOM[:n]" data="{text='MUG', size_mm=10,
@@ -19,9 +21,14 @@ struct Label {
   std::optional<bool> embossed;
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
-  std::optional<std::string> table;    ///< of liblouis, for Braille
+  std::optional<std::string> table;      ///< of liblouis, for Braille
+  std::optional<double> slant, stretch;  ///< of letters [rad], of widths
+  std::optional<bool> structure, heading_embossed, structure_texture;
+  std::optional<double> heading_scale;
+  std::optional<LinkReach> links;
   std::optional<std::string> texture;  ///< of the sheet: a kind, "none", a .pgm
   std::optional<double> texture_amplitude, texture_wavelength;  ///< [m]
+  std::optional<double> link_depth, link_gap;                   ///< share, [m]
 };
 
 /// What the name of a text begins with when the text is a label.

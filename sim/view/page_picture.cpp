@@ -5,8 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "sim/app/link_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/sheet_messages.h"
+#include "sim/app/structure_messages.h"
+#include "sim/view/link_marks.h"
 #include "sim/view/moon_marks.h"
 #include "sim/view/sheet_marks.h"
 #include "textures/structure_patches.h"
@@ -40,10 +43,18 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
   AddSheetTexture(text_page, set.style, rough);
   AddStructurePatches(text_page, script, set.style, rough);
   const bool drawn = std::all_of(rough.paper.begin(), rough.paper.end(), CanDraw);
-  drawing.description += say::SheetWords(set.style, drawn);
+  drawing.description += say::SheetWords(set.style, drawn) + say::HeadingWords(set.style);
   for (Mark& mark : TextureMarks(rough.paper)) drawing.marks.push_back(std::move(mark));
   drawing.marks.emplace_back(Edge(drawing.width, drawing.height));
   for (Mark& mark : RuleMarks(text_page, script, set.style)) {
+    drawing.marks.push_back(std::move(mark));
+  }
+  const GrooveLinks links = LinkPage(text_page, script, set.style);
+  if (set.style.links.reach != LinkReach::kNone) {
+    drawing.description += ' ';
+    drawing.description += say::LinksDrawn(links.links.size(), links.missing);
+  }
+  for (Mark& mark : LinkMarks(links, script, set.style, {0, 0}, palette::kLink)) {
     drawing.marks.push_back(std::move(mark));
   }
   for (Mark& mark : MoonMarks(text_page, script, set.style, {0, 0}, palette::kInk)) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/app/messages.h"
+#include "sim/view/link_marks.h"
 #include "sim/view/moon_marks.h"
 
 namespace moontrace {
@@ -70,6 +71,10 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
   drawing.height = kMillimetres * (ink.max.y - ink.min.y) + 2 * border + words_height;
 
   const glm::dvec2 from_P = ink.min - glm::dvec2(border, border + words_height) / kMillimetres;
+  if (!blank) {
+    const GrooveLinks links = LinkPage(page, script, style);
+    Append(drawing.marks, LinkMarks(links, script, style, from_P, palette::kLink));
+  }
   Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)
                               : MoonMarks(page, script, style, from_P, palette::kGroove));
   const double line = std::clamp(0.15 * kMillimetres * style.width, 0.1, 0.6);

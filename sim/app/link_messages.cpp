@@ -1,0 +1,28 @@
+#include "sim/app/link_messages.h"
+
+#include <fmt/format.h>
+
+#include "sim/app/words.h"
+
+namespace moontrace::say {
+
+std::string Links(std::size_t links, std::size_t missing, const LinkStyle& style) {
+  std::string line = fmt::format("Links: {}, {:.3g} of the letters' depth",
+                                 links == 0 ? "none" : fmt::format("{}", links), style.depth);
+  if (missing == 0) return line + ".";
+  return fmt::format("{}; no room for {}.", line, missing);
+}
+
+std::string LinksDrawn(std::size_t links, std::size_t missing) {
+  std::string words = fmt::format("{}, drawn thin and light.", Counted(links, "link", "links"));
+  if (missing == 0) return words;
+  return fmt::format("{} No room for {}.", words, Counted(missing, "more", "more"));
+}
+
+std::string Lifts(std::size_t lifts, std::size_t lines) {
+  return fmt::format("Lifted within lines: {}, {}.",
+                     lifts == 1 ? "once" : fmt::format("{} times", lifts),
+                     Counted(lines, "line", "lines"));
+}
+
+}  // namespace moontrace::say
