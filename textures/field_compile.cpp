@@ -1,5 +1,6 @@
 // Flattens the tree: runs outside the tick, may allocate and throw.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -170,8 +171,10 @@ void AddCells(const Group& group, double blend_reach, Block& block, CompiledLaye
   for (const Element& element : group.elements) {
     finest = std::min(finest, element.profile.width);
   }
-  const auto count = [finest](double length) {
-    const double wanted = std::ceil(length / (0.33 * finest));
+  // coarser for what is not a letter of the plain page: links are many and stand mostly alone
+  const double share = block.plain || block.blend_radius > 0 ? 0.33 : 1.0;
+  const auto count = [finest, share](double length) {
+    const double wanted = std::ceil(length / (share * finest));
     return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 40.0));
   };
   block.columns = count(size.x);
@@ -231,6 +234,39 @@ void AddBlocks(std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
   }
 }
 
+/// A rectangle that no element reaches: the layer's box, cut back from the side that costs least
+/// area for each element in turn. Large where elements stand around, as a raised margin does; not
+/// looked for between many groups, as of text.
+Box HoleIn(const std::vector<PlacedGroup>& leaves) {
+  constexpr std::size_t kFew = 16;
+  if (leaves.size() > kFew) return {};
+  Box hole;
+  std::vector<Box> boxes;
+  for (const PlacedGroup& leaf : leaves) {
+    Include(hole, leaf.box);
+    const double reach = BlendReach(leaf.group->elements.size(), leaf.group->blend_radius);
+    for (const Element& element : leaf.group->elements) {
+      boxes.push_back(Grown(Moved(BoundsOf(element), leaf.origin), reach + 1e-9));
+    }
+  }
+  const auto area = [](const Box& box) {
+    const glm::dvec2 size = glm::max(box.max - box.min, 0.0);
+    return size.x * size.y;
+  };
+  for (const Box& box : boxes) {
+    if (!Overlap(hole, box)) continue;
+    std::array<Box, 4> cut{hole, hole, hole, hole};
+    cut[0].min.x = box.max.x;
+    cut[1].max.x = box.min.x;
+    cut[2].min.y = box.max.y;
+    cut[3].max.y = box.min.y;
+    hole = *std::max_element(cut.begin(), cut.end(),
+                             [&area](const Box& a, const Box& b) { return area(a) < area(b); });
+    if (area(hole) == 0) return {};
+  }
+  return hole;
+}
+
 }  // namespace
 
 CompiledLayer CompileLayer(const Layer& layer) {
@@ -244,6 +280,7 @@ CompiledLayer CompileLayer(const Layer& layer) {
     }
   }
   AddBlocks(leaves, compiled);
+  compiled.hole = HoleIn(leaves);
   AddPlaces(leaves, compiled);
   return compiled;
 }

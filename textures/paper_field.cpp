@@ -207,6 +207,7 @@ void PaperField::AddCells() {
 
 Sample PaperField::SampleAt(glm::dvec2 p_P) const noexcept {
   if (!IsIn(box_, p_P)) return {};
+  if (patches_.size() == 1) return OfPatch(patches_.front(), p_P);
   const auto column = static_cast<std::size_t>((p_P.x - box_.min.x) * cells_per_m_.x);
   const auto row = static_cast<std::size_t>((p_P.y - box_.min.y) * cells_per_m_.y);
   const std::size_t cell = std::min(row, columns_ - 1) * columns_ + std::min(column, columns_ - 1);

@@ -65,6 +65,30 @@ BenchPage MakeBenchPage(std::size_t pages, std::uint64_t seed) {
   return page;
 }
 
+BenchPage MakeRichBenchPage(std::uint64_t seed) {
+  constexpr std::size_t kLines = 30;
+  BenchPage page;
+  page.script = FindScript("moon");
+  page.style = DefaultStyle(0.005, Relief::kEngraved, page.script);
+  page.style.grade = 0.5;
+  page.style.structure.read = true;
+  page.style.links.reach = LinkReach::kLetters;
+  page.style.rules.lines = page.style.rules.margin = true;
+  page.style.texture.paper = PaperTexture{};
+  std::string text = RepresentativeText(kLines, seed);
+  std::size_t line = 0;
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1, ++line) {
+    if (line % 10 == 0) text.insert(at, "# ");
+  }
+  // wide enough for a heading of 64 letters, high enough for all lines
+  const PageSpec paper{"custom", 0.80, (kLines + 3) * page.style.line_pitch + 0.02, 0.01};
+  const Typeset set = SetText(text, page.script, page.style, paper);
+  page.size = {paper.width, paper.height};
+  page.sheet = set.pages.front();
+  page.texture = BuildTexture(page.sheet, page.script, page.style);
+  return page;
+}
+
 std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count,
                                         std::uint64_t seed) {
   std::vector<Box> boxes;
@@ -78,7 +102,9 @@ std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count
   for (glm::dvec2& p : points) {
     const PlacedGlyph& glyph = glyphs[random() % glyphs.size()];
     const Box& box = boxes[glyph.glyph];
-    p = glyph.origin_P + box.min + glm::dvec2(share(random), share(random)) * (box.max - box.min);
+    const double scale = ScaleOf(glyph.kind, page.style);
+    const glm::dvec2 in_box(share(random), share(random));
+    p = glyph.origin_P + scale * (box.min + in_box * (box.max - box.min));
   }
   return points;
 }

@@ -22,6 +22,9 @@ struct BenchPage {
 };
 /// More pages than one stand above each other, as one sheet.
 BenchPage MakeBenchPage(std::size_t pages, std::uint64_t seed);
+/// One such page with everything on: every tenth line a heading of 1.5 times the size, groove links
+/// within words, line rules, a raised margin, rough paper.
+BenchPage MakeRichBenchPage(std::uint64_t seed);
 
 /// Seeded points inside the letters' boxes.
 std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count,

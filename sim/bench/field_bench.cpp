@@ -114,6 +114,22 @@ void AddGrowth(const BenchPage& page, const TextureField& field, BenchRows& rows
       Shown("memory of the book", 1e-6 * static_cast<double>(whole.memory_bytes()), "MB"));
 }
 
+/// Everything that a page may have, against the plain one.
+void AddRich(const BenchPage& page, const TextureField& field, BenchRows& rows) {
+  const BenchPage rich = MakeRichBenchPage(4);
+  const TextureField rich_field(rich.texture);
+  const std::vector<glm::dvec2> points = PointsInLetters(page, kPoints, 24);
+  const std::vector<glm::dvec2> rich_points = PointsInLetters(rich, kPoints, 24);
+  const Turns turns = ByTurns(
+      kTurns, [&] { Keep(Independent(rich_field, rich_points)); },
+      [&] { Keep(Independent(field, points)); });
+  rows.push_back(AtMost("page with links, rules, rough paper and two sizes, against the plain page",
+                        turns.ratio, "times", 2));
+  rows.push_back(Shown("independent query there", Nanoseconds(turns.first, kPoints), "ns"));
+  rows.push_back(
+      Shown("memory of that page", 1e-6 * static_cast<double>(rich_field.memory_bytes()), "MB"));
+}
+
 void AddBuilding(const BenchPage& page, BenchRows& rows) {
   const double time = MedianSecondsOf(15, [&] {
     const TextureField field(BuildTexture(page.sheet, page.script, page.style));
@@ -129,6 +145,7 @@ BenchRows BenchField() {
   const BenchPage page = MakeBenchPage(1, 4);
   const TextureField field(page.texture);
   AddQueries(page, field, rows);
+  AddRich(page, field, rows);
   AddGrowth(page, field, rows);
   AddBuilding(page, rows);
   return rows;

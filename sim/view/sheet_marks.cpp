@@ -14,8 +14,8 @@ namespace moontrace {
 namespace {
 
 constexpr double kMillimetres = 1e3;
-constexpr double kPerWavelength = 5;  // cells that show a crest's form
-constexpr double kMostCells = 400000;
+constexpr double kPerWavelength = 5;  // cells that show a crest's form; twice as many where few
+constexpr double kMostCells = 400000, kFewCells = 50000;
 constexpr double kCrest = 0.25;  // of the amplitude
 
 /// Cells along both sides of a patch.
@@ -23,7 +23,8 @@ glm::dvec2 CellCount(const PaperPatch& patch) {
   const glm::dvec2 size = patch.box_P.max - patch.box_P.min;
   const PaperTexture& texture = patch.texture;
   if (texture.kind != PaperKind::kSampled) {
-    return glm::max(glm::ceil(kPerWavelength / texture.wavelength * size), 1.0);
+    const glm::dvec2 count = glm::max(glm::ceil(kPerWavelength / texture.wavelength * size), 1.0);
+    return 4 * count.x * count.y <= kFewCells ? 2.0 * count : count;
   }
   // two cells a sample
   const glm::dvec2 samples(texture.heights->columns(), texture.heights->rows());
