@@ -49,10 +49,10 @@ struct FlatFill {
   std::vector<RisingEdge> rising;
 };
 
-/// A line or an arc that becomes shallower along its spine (Fade in element.h).
+/// A line or an arc that becomes smaller along its spine (Fade in element.h).
 struct FlatFade {
   FlatElement spine;
-  double from = 1, to = 1;  ///< shares of the profile's depth
+  double from = 1, to = 1;  ///< q at start and end
   double sense = 1;         ///< of an arc's travel: below zero clockwise
 };
 

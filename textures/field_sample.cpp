@@ -167,7 +167,6 @@ Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::
   const FlatProfile& profile = layer.profiles[element.profile];
   const Near near = NearestOf(spine, p);
   if (!(near.distance < profile.half)) return {};
-  const Magnitude whole = FromSpine(profile, near.distance, near.away);
   const glm::dvec2 v = p - spine.anchor, a = spine.direction;
   double u = 0;
   glm::dvec2 rise(0.0, 0.0);  // of u
@@ -181,9 +180,13 @@ Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::
   }
   u = u < 0 ? 0 : u > 1 ? 1 : u;
   const double change = fade.to - fade.from;
-  const double share = fade.from + change * u * u * (3 - 2 * u);
-  return {share * whole.height,
-          share * whole.gradient + whole.height * change * 6 * u * (1 - u) * rise};
+  const double q = fade.from + change * u * u * (3 - 2 * u);
+  const double d = near.distance / q;
+  if (!(d < profile.half)) return {};
+  const Magnitude whole = FromSpine(profile, d, near.away);
+  const double slope = whole.gradient.x * near.away.x + whole.gradient.y * near.away.y;
+  const double by_q = (2 * q * whole.height - near.distance * slope) * change * 6 * u * (1 - u);
+  return {q * q * whole.height, q * whole.gradient + by_q * rise};
 }
 
 inline Magnitude OfElement(const CompiledLayer& layer, const FlatElement& element,

@@ -172,7 +172,7 @@ TEST(RulesRoom, IsToldWhereItLacks) {
   style.rules.margin = true;
   PageSpec page = FindPage("a5");
   page.margin = 0.002;
-  EXPECT_NE(ErrorOf(style, page).find("no room in a margin of 2 mm, choose 2.58"),
+  EXPECT_NE(ErrorOf(style, page).find("no room in a margin of 2 mm, choose 2.59 mm"),
             std::string::npos)
       << ErrorOf(style, page);
   page.margin = 0.015;
