@@ -19,6 +19,7 @@ TextureField FieldOf(const TrialParameters& parameters, const std::string& folde
   const bool alone = parameters.fallback_script.empty();
   Script script = FindScript(parameters.script, alone ? parameters.text : "");
   if (!parameters.fallback_script.empty()) Borrow(script, parameters.fallback_script);
+  script = Reshaped(script, parameters.style.form);
   if (parameters.style.lines == LineDirection::kAlternate) AddGuides(script, parameters.style);
   const Typeset set = SetText(parameters.text, script, parameters.style, parameters.paper);
   if (parameters.page >= set.pages.size()) {

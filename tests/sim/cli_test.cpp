@@ -61,6 +61,15 @@ TEST(Cli, EachCommandsHelpNamesItsOptionsInPlainLines) {
                              "--only",
                              "--lines",
                              "--fallback-script",
+                             "--slant-deg",
+                             "--stretch",
+                             "--structure",
+                             "--links",
+                             "--link-depth",
+                             "--link-gap-mm",
+                             "--heading-scale",
+                             "--heading-relief",
+                             "--structure-texture",
                              "--paragraph-gap-mm"}) {
     EXPECT_NE(trace.out.find(std::string("\n") + option), std::string::npos) << option;
   }

@@ -28,6 +28,18 @@ TEST(Label, ReadsEveryKeyInTheUnitsOfItsName) {
   EXPECT_EQ(label.table.value(), "de-g2.ctb");
 }
 
+TEST(Label, ReadsFormAndStructure) {
+  const Label label = Parse(
+      "{text='# A', slant_deg=-15, stretch=1.2, structure=true, heading_scale=2, "
+      "heading_embossed=true, structure_texture=false}");
+  EXPECT_NEAR(label.slant.value(), -0.2617993877991494, 1e-15);  // 15 degrees in radians
+  EXPECT_EQ(label.stretch.value(), 1.2);
+  EXPECT_TRUE(label.structure.value());
+  EXPECT_EQ(label.heading_scale.value(), 2);
+  EXPECT_TRUE(label.heading_embossed.value());
+  EXPECT_FALSE(label.structure_texture.value());
+}
+
 TEST(Label, LeavesAbsentKeysToTheProgram) {
   const Label label = Parse("{}");
   EXPECT_EQ(label.text, "");

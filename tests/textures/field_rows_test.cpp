@@ -25,7 +25,7 @@ std::shared_ptr<const Group> Letter(double width) {
 Texture PageOf(std::vector<Placement> placements) {
   Group page;
   page.placements = std::move(placements);
-  return {{{Finish(page), Relief::kEngraved}}};
+  return {{{Finish(page), Relief::kEngraved}}, {}};
 }
 
 /// Lines of letters of different widths, each `gap` [em] behind the one before; every third line is

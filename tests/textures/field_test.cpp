@@ -170,7 +170,7 @@ Texture Scattered(std::size_t count, std::uint64_t seed) {
     Group& group = i % 4 == 0 ? embossed : engraved;
     group.placements.push_back({shapes[random() % shapes.size()], {at(random), at(random)}});
   }
-  return {{{Finish(engraved), Relief::kEngraved}, {Finish(embossed), Relief::kEmbossed}}};
+  return {{{Finish(engraved), Relief::kEngraved}, {Finish(embossed), Relief::kEmbossed}}, {}};
 }
 
 TEST(Field, EqualsTheTreeForScatteredOverlappingLayers) {
@@ -212,13 +212,13 @@ TEST(Field, HashTellsFieldsApart) {
 TEST(Field, RefusesBrokenTrees) {
   Group broken;
   broken.elements = {{Dot{{0, 0}}, {1e-3, 0.5e-3, 0.4e-3}}};
-  EXPECT_THROW(TextureField({{{Finish(broken), Relief::kEngraved}}}), InputError);
+  EXPECT_THROW(TextureField({{{Finish(broken), Relief::kEngraved}}, {}}), InputError);
   Group nowhere;
   Group dot;
   dot.elements = {{Dot{{0, 0}}, {1e-3, 0.5e-3, 0.2e-3}}};
   nowhere.placements = {{Finish(dot), {std::nan(""), 0}}};
   nowhere.placements.push_back({Finish(dot), {0, 0}});
-  EXPECT_THROW(TextureField({{{Finish(nowhere), Relief::kEngraved}}}), InputError);
+  EXPECT_THROW(TextureField({{{Finish(nowhere), Relief::kEngraved}}, {}}), InputError);
 }
 
 }  // namespace
