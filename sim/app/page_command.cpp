@@ -182,6 +182,10 @@ int Run(const PageOptions& options, Console& console) {
   console.Result(say::PageOutcome(set, CountSigns(set), CountLines(set)));
   SayReplacements(set, [&console](const std::string& line) { console.Result(line); });
   console.Result(say::LetterShape(set.style));
+  if (set.style.links.reach != LinkReach::kNone) {
+    const LinkCounts links = CountLinks(set, script);
+    console.Result(say::Links(links.links, links.missing, set.style.links));
+  }
   if (set.style.form != LetterForm{}) console.Result(say::Form(set.style.form));
   if (set.style.structure.read) console.Result(say::Structure(set));
   console.Result(say::Paper(set.page));

@@ -35,6 +35,7 @@ TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t 
   setup.hand = ShippedHand();
   const bool embossed = trace.text.set.style.relief == Relief::kEmbossed;
   setup.plan.press = options.press.value_or(embossed ? setup.hand.light_press : setup.hand.press);
+  setup.plan.ridge_press = options.press.value_or(setup.hand.light_press);
   setup.plan.speed = options.speed.value_or(setup.plan.speed);
   setup.seed = options.seed;
   if (!options.picture.empty()) setup.path_spacing = trace.text.set.style.width / 20;
@@ -140,7 +141,11 @@ int Run(const TraceOptions& options, Console& console) {
   for (std::size_t page = 0; page < trace.text.set.pages.size(); ++page) {
     TracePage(options, page, console, trace);
   }
-  if (trace.text.set.style.relief == Relief::kEmbossed && !options.blank) {
+  const TypeStyle& style = trace.text.set.style;
+  const bool ridges =
+      style.relief == Relief::kEmbossed || (trace.text.set.structure.headings > 0 &&
+                                            style.structure.heading_relief == Relief::kEmbossed);
+  if (ridges && !options.blank) {
     console.Remark(say::RidgesPushAside());
   }
   if (options.feel.scene.friction > 0.1) {

@@ -100,6 +100,13 @@ TypeStyle StyleFrom(const Json& json) {
   if (json.contains("rules")) style.rules = RulesFrom(json.at("rules"));
   if (json.contains("texture")) style.texture = TextureFrom(json.at("texture"));
   if (json.contains("paragraph_gap_m")) style.paragraph_gap = json.at("paragraph_gap_m");
+  if (json.contains("links")) {
+    const Json& links = json.at("links");
+    style.links.reach =
+        LinkReachOf(links.at("reach").get<std::string>()).value_or(LinkReach::kNone);
+    style.links.depth = links.at("depth");
+    if (links.contains("gap_m")) style.links.gap = links.at("gap_m").get<double>();
+  }
   style.form = {json.value("slant_rad", 0.0), json.value("stretch", 1.0)};
   style.structure.read = json.value("structure", false);
   style.structure.heading_scale = json.value("heading_scale", style.structure.heading_scale);

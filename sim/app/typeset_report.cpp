@@ -109,6 +109,16 @@ std::size_t CountSigns(const Typeset& set) {
   return signs;
 }
 
+LinkCounts CountLinks(const Typeset& set, const Script& script) {
+  LinkCounts counts;
+  for (const TextPage& page : set.pages) {
+    const GrooveLinks links = LinkPage(page, script, set.style);
+    counts.links += links.links.size();
+    counts.missing += links.missing;
+  }
+  return counts;
+}
+
 Json TypesetJson(const Typeset& set, const Script& script) {
   Json json;
   json["script"] = script.name;

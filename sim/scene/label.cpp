@@ -61,6 +61,20 @@ void SplitGeom(const std::string& rest, Label& label) {
   label.number = number;
 }
 
+void ReadLinks(const TomlTable& table, Label& label) {
+  if (table.Has("links")) {
+    label.links = LinkReachOf(table.String("links"));
+    if (!label.links) table.Fail("links", std::string("not one of ") + kLinkReaches);
+  }
+  if (table.Has("link_depth")) {
+    label.link_depth = table.Number("link_depth");
+    if (!(*label.link_depth >= 0.05 && *label.link_depth <= 1)) {
+      table.Fail("link_depth", "not from 0.05 to 1; write a share of the letters' depth");
+    }
+  }
+  label.link_gap = Length(table, "link_gap_mm");
+}
+
 void ReadTexture(const TomlTable& table, Label& label) {
   label.texture = Word(table, "texture");
   if (label.texture && !IsTextureWord(*label.texture)) {

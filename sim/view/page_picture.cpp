@@ -49,6 +49,14 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
   for (Mark& mark : RuleMarks(text_page, script, set.style)) {
     drawing.marks.push_back(std::move(mark));
   }
+  const GrooveLinks links = LinkPage(text_page, script, set.style);
+  if (set.style.links.reach != LinkReach::kNone) {
+    drawing.description += ' ';
+    drawing.description += say::LinksDrawn(links.links.size(), links.missing);
+  }
+  for (Mark& mark : LinkMarks(links, script, set.style, {0, 0}, palette::kLink)) {
+    drawing.marks.push_back(std::move(mark));
+  }
   for (Mark& mark : MoonMarks(text_page, script, set.style, {0, 0}, palette::kInk)) {
     drawing.marks.push_back(std::move(mark));
   }

@@ -7,6 +7,7 @@
 #include "small_script.h"
 #include "textures/error.h"
 #include "textures/field.h"
+#include "textures/field_layer.h"
 #include "textures/layout.h"
 #include "textures/typeset.h"
 
@@ -140,22 +141,27 @@ struct Felt {
   Texture texture;
 };
 
-Felt Feel(std::optional<Relief> relief) {
+Felt Feel(std::optional<Relief> relief, const char* first = "# The moon, 207") {
   const Script moon = FindScript("moon");
   TypeStyle style = DefaultStyle(0.006, Relief::kEngraved, moon);
   style.structure.read = true;
   style.structure.heading_relief = relief;
   const std::string text =
-      "# The moon, 207\nlines of the text and\n> quoted what\nmore [lines](x)\n# Shq.\nlast &";
+      std::string(first) +
+      "\nlines of the text and\n> quoted what\nmore [lines](x)\n# Shq.\nlast &";
   Felt felt{SetText(text, moon, style, {"custom", 0.15, 0.12, 0.010}), {}};
   felt.texture = BuildTexture(felt.set.pages[0], moon, style);
   return felt;
 }
 
 TEST(TwoSizes, CompiledFieldIsTheTree) {
-  for (const std::optional<Relief> relief :
-       {std::optional<Relief>(), std::optional<Relief>(Relief::kEmbossed)}) {
-    const Felt felt = Feel(relief);
+  // With a numeral sign in a heading lines are too near for rows; without, they are rows.
+  const std::pair<std::optional<Relief>, const char*> pages[] = {
+      {std::nullopt, "# The moon, 207"},
+      {std::nullopt, "# The moon"},
+      {Relief::kEmbossed, "# The moon, 207"}};
+  for (const auto& [relief, first] : pages) {
+    const Felt felt = Feel(relief, first);
     EXPECT_EQ(felt.texture.layers.size(), relief ? 2U : 1U);
     const TextureField field(felt.texture);
     std::mt19937_64 random(5);
@@ -167,6 +173,21 @@ TEST(TwoSizes, CompiledFieldIsTheTree) {
       ASSERT_NEAR(flat.displacement, tree.displacement, 1e-15) << p.x << " " << p.y;
     }
   }
+}
+
+// Lines of two heights are found by arithmetic, as those of one are; buckets would answer too.
+TEST(TwoSizes, AreKeptAsRowsOfTheCompiledField) {
+  const Script moon = FindScript("moon");
+  TypeStyle style = DefaultStyle(0.006, Relief::kEngraved, moon);
+  style.structure.read = true;
+  const Typeset set = SetText("# The moon\nlines of the text and\nmore\n# Shq\nlast", moon, style,
+                              {"custom", 0.15, 0.12, 0.010});
+  ASSERT_EQ(set.pages[0].lines, 6U);
+  const TextureField::CompiledLayer layer =
+      CompileLayer(BuildTexture(set.pages[0], moon, style).layers.at(0));
+  EXPECT_GT(layer.rows.length, 0U);
+  EXPECT_EQ(layer.rows.y.size(), 6U);
+  EXPECT_GT(layer.rows.of_band.size(), 6U);
 }
 
 TEST(TwoSizes, RidgesOfHeadingsStandAmongGrooves) {
