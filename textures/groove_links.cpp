@@ -52,6 +52,7 @@ class PageLinker {
     gap_ = style_.links.gap.value_or(style_.width / 4);
     const double between = Mean(style_.line_pitch, -style_.size);
     reach_ = std::max(between - half_ - gap_ / 2, 0.0);
+    if (style.rules.lines) reach_ = std::min(reach_, std::max(RuleGap(style) - gap_, 0.0));
     // turns as wide as the space between lines lets them be
     radius_ =
         std::clamp(kReachTurn * reach_, kLeastTurn * style_.width, kWidestTurn * style_.width);

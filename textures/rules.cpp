@@ -17,6 +17,7 @@ namespace moontrace {
 namespace {
 
 constexpr double kShare = 0.1;         // of the size: widths and gap
+constexpr double kLinkedShare = 0.7;   // of half the space between lines beside the rules
 constexpr double kHeightShare = 0.25;  // of the width
 constexpr double kRounding = 0.2;      // of the width
 constexpr double kSteepest = 5;        // as of grooves
@@ -232,7 +233,13 @@ Profile MarginProfile(const TypeStyle& style) {
   return ProfileOf(style.rules.margin_width, style.rules.margin_height, style.size);
 }
 
-double RuleGap(const TypeStyle& style) { return kShare * style.size; }
+double RuleGap(const TypeStyle& style) {
+  const double least = kShare * style.size;
+  if (style.links.reach == LinkReach::kNone) return least;
+  // links have their way between letters and rule
+  const double free = style.line_pitch - style.size - style.width - 2 * RuleProfile(style).width;
+  return std::max(least, kLinkedShare * free / 2);
+}
 
 void CheckRules(const TypeStyle& style) {
   const RuleStyle& rules = style.rules;

@@ -25,7 +25,8 @@ struct RuleStyle {
 /// Cross-sections of a style's ridges: rounded by a fifth of their width.
 Profile RuleProfile(const TypeStyle& style);
 Profile MarginProfile(const TypeStyle& style);
-/// Least distance between the rim of a ridge and that of a stroke: a tenth of the size [m].
+/// Least distance between the rim of a ridge and that of a stroke: a tenth of the size; with groove
+/// links, which need a way there, most of the space between lines [m].
 double RuleGap(const TypeStyle& style);
 
 /// Throws InputError when a width or height is not finite, below zero, or steeper than 5.

@@ -11,6 +11,7 @@
 #include "sample_page.h"
 #include "textures/error.h"
 #include "textures/field.h"
+#include "textures/groove_links.h"
 #include "textures/layout.h"
 
 namespace moontrace {
@@ -181,6 +182,30 @@ TEST(RulesRoom, IsToldWhereItLacks) {
             "line rules: height 2 mm is too steep for the width 1 mm: at most 1.5 mm");
   style.rules.height = -1;
   EXPECT_NE(ErrorOf(style, page), "");
+}
+
+// Groove links turn between letters and rule: they keep their own gap, a quarter of the groove's
+// width, to the rule's rim.
+TEST(RulesRoom, IsLeftForLinks) {
+  const Script script = FindScript("moon");
+  TypeStyle style = DefaultStyle(0.012, Relief::kEngraved, script);
+  style.rules.lines = true;
+  style.links.reach = LinkReach::kLetters;
+  const Typeset set = SetText("sphinx of quartz\njudge my vow", script, style, FindPage("a4"));
+  const TextPage& page = set.pages.front();
+  const RaisedLines raised = RaisedLinesOf(page, script, style);
+  const GrooveLinks links = LinkPage(page, script, style);
+  ASSERT_GT(links.links.size(), links.missing);
+  const double least = 0.5 * style.width + 0.5 * RuleProfile(style).width + 0.25 * style.width;
+  for (const GrooveLink& link : links.links) {
+    for (const Piece& piece : SpineOf(links, link)) {
+      for (double s = 0; s <= Length(piece); s += 1e-4) {
+        for (const Line& rule : raised.rules) {
+          ASSERT_GE(DistanceTo(Piece(rule), PointAt(piece, s)), least - 1e-9);
+        }
+      }
+    }
+  }
 }
 
 TEST(RulesForce, IsPressTimesSlope) {
