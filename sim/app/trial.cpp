@@ -60,20 +60,21 @@ std::unique_ptr<Recorder> StartRecorder(const RecordRequest* request, const Tria
   return std::make_unique<Recorder>(request->folder, head, scene);
 }
 
-/// Counts how often contact is lost and found again within one line of text.
+/// Counts how often the tip leaves the page and comes back to it within one line of text: neither
+/// in contact nor below the paper's surface, in a groove.
 class LiftCounter {
  public:
   LiftCounter(const std::vector<IntendedStroke>& strokes, const TextPage& page) {
     for (const IntendedStroke& stroke : strokes) lines_.push_back(page.glyphs[stroke.glyph].line);
   }
-  void Add(const Plan::Span& span, bool in_contact) {
-    if (in_contact && span.phase != TracePhase::kAir) {
+  void Add(const Plan::Span& span, bool on_page) {
+    if (on_page && span.phase != TracePhase::kAir) {
       const std::size_t line = lines_[span.stroke];
       if (!touching_ && touched_ && line == line_) ++lifts_;
       touched_ = true;
       line_ = line;
     }
-    touching_ = in_contact;
+    touching_ = on_page;
   }
   std::size_t lifts() const { return lifts_; }
 
@@ -105,7 +106,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
     sample.phase = span.phase;
     sample.stroke = span.stroke;
     scorer.Add(sample);
-    lifts.Add(span, sample.in_contact);
+    lifts.Add(span, sample.in_contact || output.tip_P.z < 0);
     Keep(result.path, {output.tip_P, span.phase, sample.in_contact}, setup.path_spacing);
     result.energy_out = std::max(result.energy_out, output.energy_out);
     if (output.fault) ++result.faults;

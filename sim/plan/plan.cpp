@@ -13,6 +13,11 @@ constexpr double kShortestRise = 0.15;  // up or down [s]
 constexpr double kShortestHop = 0.25;   // across, so that the hand does not ring on landing [s]
 constexpr double kPressRamp = 0.05;     // in which press comes and goes [s]
 constexpr double kEndRest = 0.05;       // at a stroke's end, in which a lagging hand arrives [s]
+constexpr double kEaseRest = 0.15;      // with an eased press, in which drift fades [s]
+constexpr double kEaseRamp = 0.15;      // in which it is eased [s]
+constexpr double kEasePress = 0.24;     // [N]
+constexpr double kTick = 1e-3;          // [s]
+constexpr double kEaseDepth = 1.2e-3;   // aimed at below a groove's floor then: 0.24 N [m]
 constexpr double kFirstRest = 0.1;      // above the first stroke [s]
 constexpr double kCornerCosine = 0.9396926207859084;  // of 20 degrees
 
@@ -26,8 +31,9 @@ constexpr double kLeanWidths = 0.5;
 // Where a link leaves a ring, two grooves part at a narrow angle. The aim leans into the ring while
 // that is traced and away from it where it is left, by as much as a hand drifts at most (the hand's
 // share times wavelength over pi is 1.9 mm), until the grooves have parted.
-constexpr double kRingLean = 2e-3;     // [m]
-constexpr double kRingLeanWidths = 3;  // held, and then returned over as much
+constexpr double kRingLean = 2e-3;      // [m], and at most
+constexpr double kRingLeanShare = 0.4;  // of the groove's width: more would leave its middle
+constexpr double kRingLeanWidths = 3;   // held, and then returned over as much
 constexpr double kReturnWidths = 0.75;
 
 /// Whether travel goes on from `a` to `b` without a corner.
@@ -130,6 +136,19 @@ class PlanWriter {
     Rest(kPressRamp);
   }
 
+  /// Eases the press for a moment without leaving the groove, which takes the hand to its middle.
+  void Ease(double width, double press) {
+    const double height = p_P_.z;
+    p_P_.z = -width / 2 - kEaseDepth;
+    press_ = 0;
+    Rest(kEaseRamp);  // slowly, so that the tip does not bounce
+    Rest(kEaseRest);
+    p_P_.z = height;
+    press_ = kEasePress;  // as much as the height held has pressed
+    Rest(kTick);
+    Press(press);
+  }
+
   /// Straight, with the least jerk (Flash and Hogan 1985), whose peak speed is 15/8 of the mean.
   void GoTo(glm::dvec3 to_P, double shortest) {
     const glm::dvec3 from_P = p_P_, way_P = to_P - from_P;
@@ -206,21 +225,61 @@ const Arc* RingOf(const std::vector<Piece>& trace) {
   return closed && IsSmooth(trace.back(), trace.front()) ? arc : nullptr;
 }
 
-double LeanOf(const Arc& ring) { return std::min(kRingLean, ring.radius / 2); }
+double LeanOf(const Arc& ring, double width) {
+  return std::min({kRingLean, kRingLeanShare * width, ring.radius / 2});
+}
 
 /// A part of a ring, nearer to its middle.
-std::vector<Piece> Inwards(std::vector<Piece> part) {
+std::vector<Piece> Inwards(std::vector<Piece> part, double width) {
   for (Piece& piece : part) {
-    if (Arc* arc = std::get_if<Arc>(&piece)) arc->radius -= LeanOf(*arc);
+    if (Arc* arc = std::get_if<Arc>(&piece)) arc->radius -= LeanOf(*arc, width);
   }
   return part;
 }
 
 void FollowInwards(PlanWriter& writer, const std::vector<Piece>& part, double width) {
-  const std::vector<Piece> inner = Inwards(part);
+  const std::vector<Piece> inner = Inwards(part, width);
   if (inner.empty()) return;
   writer.GoTo({StartOf(inner.front()), 0}, kLeanTime);
   FollowRuns(writer, RunsOf(inner, width, 0), width);
+}
+
+/// Pieces cut so that none is longer than `most`.
+std::vector<Piece> CutShort(const std::vector<Piece>& way, double most) {
+  std::vector<Piece> parts;
+  for (const Piece& piece : way) {
+    const double length = Length(piece);
+    const double count = std::ceil(length / most);
+    for (double i = 0; i < count; ++i) {
+      const Arc* arc = std::get_if<Arc>(&piece);
+      if (arc) {
+        const double sweep = arc->sweep / count;
+        parts.push_back(Arc{arc->center, arc->radius, arc->start + i * sweep, sweep});
+      } else {
+        parts.push_back(
+            Line{PointAt(piece, length * i / count), PointAt(piece, length * (i + 1) / count)});
+      }
+    }
+  }
+  return parts;
+}
+
+/// Once round, in quarters between which the hand finds the groove's middle again.
+void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& stroke,
+               const PlanOptions& options) {
+  double length = 0;
+  for (const Piece& piece : step.trace_P) length += Length(piece);
+  bool first = true;
+  for (const Piece& part : CutShort(step.trace_P, length / 4 * (1 + 1e-9))) {
+    if (!first && stroke.relief == Relief::kEngraved) {
+      writer.EndSpan(TracePhase::kStroke, step.stroke);
+      writer.Ease(stroke.width, PressOn(stroke, options));
+      writer.EndSpan(TracePhase::kWay, step.stroke);
+    }
+    FollowInwards(writer, {part}, stroke.width);
+    writer.Rest(kEndRest);
+    first = false;
+  }
 }
 
 /// Leaves a ring: along it as far as needed, then away from it.
@@ -236,7 +295,7 @@ void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& wa
   if (runs.empty()) return;
   const glm::dvec2 start = StartOf(runs.front().front());
   const double hold = kRingLeanWidths * width;
-  const Lean lean{LeanOf(ring) * glm::normalize(start - ring.center), hold, hold};
+  const Lean lean{LeanOf(ring, 10 * width) * glm::normalize(start - ring.center), hold, hold};
   writer.GoTo({start, 0}, kLeanTime);
   writer.Follow(runs.front(), lean);
   FollowRuns(writer, {runs.begin() + 1, runs.end()}, width);
@@ -256,12 +315,13 @@ void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedS
         FollowRuns(writer, RunsOf(step.way_P, stroke.width, 0), stroke.width);
       }
       writer.Rest(kEndRest);
+      if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));
       writer.EndSpan(TracePhase::kWay, step.stroke);
     }
     left = walk.size() > 1 ? RingOf(step.trace_P) : nullptr;
     const auto runs = RunsOf(step.trace_P, stroke.width, stroke.width / 4);
     if (left != nullptr) {
-      FollowInwards(writer, step.trace_P, stroke.width);
+      TraceRing(writer, step, stroke, options);
     } else {
       FollowRuns(writer, runs, stroke.width);
     }

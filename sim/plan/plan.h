@@ -38,12 +38,15 @@ struct Plan {
 
 /// For each walk: through the air to above its start and down (kAir, then
 /// kEntry), press, settle, follow it (kStroke, with a short rest at its end), lift (kLift). A dot
-/// is pressed and rested on. From stroke to stroke of one walk it goes over the page (kWay).
+/// is pressed and rested on. From stroke to stroke of one walk it goes over the page (kWay);
+/// before each, and at the quarters of a ring, it eases its press in the groove, so that its drift
+/// is gone as it is after a landing. Where a link leaves a ring, the aim leans into the ring while
+/// that is traced, and out of it where it is left.
 /// Corners of more than 20 degrees are turned at rest, curves at the speed that `TimeRun` allows.
 /// Behind a corner the aim leans outwards, away from the leg it came by, until the two grooves have
 /// parted: a hand that has drifted would slide back. A closed smooth stroke by itself is followed
-/// w/4 beyond its start. Points lie 5 ms apart at most while the
-/// aim moves. `X_WP` says where the page lies. Without strokes the hand rests above the origin.
+/// w/4 beyond its start. Points lie 5 ms apart at most while the aim moves. `X_WP` says where the
+/// page lies. Without strokes the hand rests above the origin.
 Plan MakePlan(const std::vector<IntendedStroke>& strokes, const std::vector<Walk>& walks,
               const PlanOptions& options, const Pose& X_WP);
 
