@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "textures/link.h"
@@ -36,6 +37,8 @@ struct Letter {
   std::vector<LinkWall> walls;  ///< with its inner links
   Box box;                      ///< of the centre lines
   std::vector<std::vector<Piece>> inner;
+  /// Directions of inner links where they leave the first part and reach the last; of dots only.
+  std::optional<glm::dvec2> leaves_first, reaches_last;
   std::size_t missing = 0;
 };
 
@@ -69,10 +72,11 @@ class PageLinker {
   /// From a glyph's last stroke to the next glyph's first; frames by `offset`.
   std::vector<Piece> Between(std::size_t a, std::size_t b, glm::dvec2 offset,
                              const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
-                             LinkShape& shape) {
+                             std::optional<glm::dvec2> arrived, LinkShape& shape) {
     const Letter &first = LetterOf(a), &second = LetterOf(b);
     if (first.parts.empty() || second.parts.empty()) return {};
-    LinkEnds from = EndsOf(first.parts.back(), true), to = EndsOf(second.parts.front(), false);
+    LinkEnds from = EndsOf(first.parts.back(), true, arrived ? arrived : first.reaches_last);
+    LinkEnds to = EndsOf(second.parts.front(), false, second.leaves_first);
     for (Ray& ray : to.end.rays) ray.point += offset;
     from.end.walls = first.walls;
     for (const LinkWall& wall : second.walls) {
@@ -109,13 +113,16 @@ class PageLinker {
   const TypeStyle& style() const { return style_; }
 
  private:
-  LinkEnds EndsOf(const Stroke& stroke, bool leaving) const {
+  /// `straight`: the direction in which another link passes this end. A dot is left within 60
+  /// degrees of it, since a tip that turned back would find the groove that it came by.
+  LinkEnds EndsOf(const Stroke& stroke, bool leaving, std::optional<glm::dvec2> straight) const {
     LinkEnds ends{{{}, {}, kOpenOwn * style_.width}, OpenLevel()};
     if (stroke.kind == StrokeKind::kDot) {
       const glm::dvec2 middle = CenterOf(stroke);
       for (int i = 0; i < kDotRays; ++i) {
         const double angle = kTurn * i / kDotRays;
-        ends.end.rays.push_back({middle, {std::cos(angle), std::sin(angle)}});
+        const glm::dvec2 way(std::cos(angle), std::sin(angle));
+        if (!straight || glm::dot(way, *straight) > 0.49) ends.end.rays.push_back({middle, way});
       }
       ends.level += DotRadius(stroke);
     } else if (IsRing(stroke, style_.width)) {
@@ -205,7 +212,9 @@ class PageLinker {
   }
 
   void AddInner(const Stroke& a, const Stroke& b, Letter& letter) const {
-    LinkEnds from = EndsOf(a, true), to = EndsOf(b, false);
+    const std::optional<glm::dvec2> arrived = letter.reaches_last;
+    letter.reaches_last.reset();
+    LinkEnds from = EndsOf(a, true, arrived), to = EndsOf(b, false, std::nullopt);
     from.end.walls = letter.walls;
     std::vector<Piece> spine = Find(from.end, to.end, letter.box, letter.box, {}, {}, true);
     if (spine.empty()) {
@@ -216,6 +225,8 @@ class PageLinker {
       letter.walls.push_back({piece, half_});
       Include(letter.box, BoundsOf(piece));
     }
+    if (&a == &letter.parts.front()) letter.leaves_first = TangentAt(spine.front(), 0);
+    letter.reaches_last = TangentAt(spine.back(), Length(spine.back()));
     letter.inner.push_back(std::move(spine));
   }
 
@@ -357,6 +368,15 @@ class LinkList {
     return false;
   }
 
+  /// The direction in which the link before reaches a letter that is one dot.
+  std::optional<glm::dvec2> Arrival(std::size_t i) {
+    const Letter& letter = LinkerOf(i).LetterOf(page_.glyphs[i].glyph);
+    if (letter.parts.size() != 1 || letter.parts[0].kind != StrokeKind::kDot) return std::nullopt;
+    if (list_.links.empty() || list_.links.back().to != i) return std::nullopt;
+    const Piece& last = list_.shapes[list_.links.back().shape].spine.back();
+    return TangentAt(last, Length(last));
+  }
+
   /// Points of the link before, seen from glyph `i`.
   std::vector<Ray> RaysBefore(std::size_t i) {
     std::vector<Ray> rays;
@@ -414,6 +434,10 @@ class LinkList {
       if (n < 2) continue;
       for (const LinkWall& wall : linker.WallsAt(glyph, offset)) others.push_back(wall);
     }
+    if (const std::optional<glm::dvec2> arrived = Arrival(i)) {
+      key.push_back(-3);
+      key.push_back(std::lround(1e3 * std::atan2(arrived->y, arrived->x)));
+    }
     if (!crossed.empty()) {
       key.push_back(-2);
       key.push_back(static_cast<long>(list_.links.back().shape));
@@ -423,7 +447,7 @@ class LinkList {
     LinkShape shape;
     shape.kind = linker.kind();
     shape.spine = linker.Between(page_.glyphs[i].glyph, page_.glyphs[i + 1].glyph, Offset(i, i + 1),
-                                 others, crossed, shape);
+                                 others, crossed, Arrival(i), shape);
     if (shape.spine.empty()) return kNone;
     list_.shapes.push_back(std::move(shape));
     return at->second = list_.shapes.size() - 1;
