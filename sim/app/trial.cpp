@@ -60,8 +60,11 @@ std::unique_ptr<Recorder> StartRecorder(const RecordRequest* request, const Tria
   return std::make_unique<Recorder>(request->folder, head, scene);
 }
 
+/// A tip that is higher above the paper has lifted: no less than the hand's tremor.
+constexpr double kLifted = 1e-4;  // [m]
+
 /// Counts how often the tip leaves the page and comes back to it within one line of text: neither
-/// in contact nor below the paper's surface, in a groove.
+/// in contact nor in a groove or a hair above it.
 class LiftCounter {
  public:
   LiftCounter(const std::vector<IntendedStroke>& strokes, const TextPage& page) {
@@ -106,7 +109,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
     sample.phase = span.phase;
     sample.stroke = span.stroke;
     scorer.Add(sample);
-    lifts.Add(span, sample.in_contact || output.tip_P.z < 0);
+    lifts.Add(span, sample.in_contact || output.tip_P.z < kLifted);
     Keep(result.path, {output.tip_P, span.phase, sample.in_contact}, setup.path_spacing);
     result.energy_out = std::max(result.energy_out, output.energy_out);
     if (output.fault) ++result.faults;

@@ -59,7 +59,8 @@ struct TrialResult {
   double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
   std::size_t ticks = 0;
   std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there
-  /// Times that the tip left the page, above its surface, and came back within a line of text.
+  /// Times that the tip left the page, more than 0.1 mm above it, and came back within a line of
+  /// text.
   std::size_t lifts_within_lines = 0;
   std::size_t lines = 0;  ///< of text
   std::vector<PathPoint> path;

@@ -14,10 +14,9 @@ constexpr double kShortestHop = 0.25;   // across, so that the hand does not rin
 constexpr double kPressRamp = 0.05;     // in which press comes and goes [s]
 constexpr double kEndRest = 0.05;       // at a stroke's end, in which a lagging hand arrives [s]
 constexpr double kEaseRest = 0.15;      // with an eased press, in which drift fades [s]
-constexpr double kEaseRamp = 0.15;      // in which it is eased [s]
-constexpr double kEasePress = 0.24;     // [N]
+constexpr double kEasePress = 0.48;     // [N]
 constexpr double kTick = 1e-3;          // [s]
-constexpr double kEaseDepth = 1.2e-3;   // aimed at below a groove's floor then: 0.24 N [m]
+constexpr double kEaseDepth = 2.4e-3;   // aimed at below a groove's floor then: 0.48 N [m]
 constexpr double kFirstRest = 0.1;      // above the first stroke [s]
 constexpr double kCornerCosine = 0.9396926207859084;  // of 20 degrees
 
@@ -141,7 +140,7 @@ class PlanWriter {
     const double height = p_P_.z;
     p_P_.z = -width / 2 - kEaseDepth;
     press_ = 0;
-    Rest(kEaseRamp);  // slowly, so that the tip does not bounce
+    Rest(kTick);  // at once: under a lighter press a hand that has drifted would leave the groove
     Rest(kEaseRest);
     p_P_.z = height;
     press_ = kEasePress;  // as much as the height held has pressed
