@@ -14,9 +14,9 @@ constexpr double kShortestHop = 0.25;   // across, so that the hand does not rin
 constexpr double kPressRamp = 0.05;     // in which press comes and goes [s]
 constexpr double kEndRest = 0.05;       // at a stroke's end, in which a lagging hand arrives [s]
 constexpr double kEaseRest = 0.15;      // with an eased press, in which drift fades [s]
-constexpr double kEasePress = 0.48;     // [N]
+constexpr double kEasePress = 0.68;     // [N]
 constexpr double kTick = 1e-3;          // [s]
-constexpr double kEaseDepth = 2.4e-3;   // aimed at below a groove's floor then: 0.48 N [m]
+constexpr double kEaseDepth = 3.4e-3;   // aimed at below a groove's floor then: 0.68 N [m]
 constexpr double kFirstRest = 0.1;      // above the first stroke [s]
 constexpr double kCornerCosine = 0.9396926207859084;  // of 20 degrees
 
