@@ -13,8 +13,9 @@ namespace say::help {
 inline constexpr const char* kProgram =
     "Moontrace: read and trace Moon, the tactile script, with a simulated stylus in MuJoCo.";
 inline constexpr const char* kExitCodes =
-    "Exit codes: 0 good; 1 the work failed; 2 the command line cannot be understood; 3 an input "
-    "file, a text or a value cannot be used; 4 this machine lacks something; 130 interrupted.";
+    "Exit codes: 0 good; 1 the work failed; 2 the command line holds what no machine could take; 3 "
+    "an input cannot be used: a file, a script, a text, or letters that do not fit it; 4 this "
+    "machine lacks something: a device, a library, a permission, room; 130 interrupted.";
 inline constexpr const char* kMore = "For one command: moontrace COMMAND --help";
 
 inline constexpr const char* kPage = "says what stands on the page, sign by sign";

@@ -81,6 +81,10 @@ std::string NotAPage(std::string_view given) {
                      Quoted(given));
 }
 
+std::string NotAPicture(std::string_view given) {
+  return fmt::format("--picture needs an ending .svg, .png or .pdf: {}", OneLine(given, 200));
+}
+
 std::string NeedsOther(std::string_view option, std::string_view other) {
   return fmt::format("{} needs {} beside it", option, other);
 }

@@ -13,6 +13,7 @@
 #include "sim/app/messages.h"
 #include "sim/app/structure_messages.h"
 #include "sim/app/writing_messages.h"
+#include "sim/view/picture_file.h"
 #include "textures/error.h"
 #include "textures/fallback.h"
 #include "textures/layout.h"
@@ -105,7 +106,7 @@ double ReadNumber(const std::string& option, const std::string& given, double lo
   double value = 0;
   if (!ParseNumber(given, value)) throw UsageError(say::NotANumber(option, given));
   if (!std::isfinite(value) || value < low || value > high) {
-    throw InputError(say::OutOfRange(option, given, low, high));
+    throw UsageError(say::OutOfRange(option, given, low, high));
   }
   return value;
 }
@@ -137,6 +138,17 @@ void AddPath(CLI::App& app, const std::string& name, const std::string& type, st
       app, name, type,
       [name, &path](const std::string& given) {
         if (given.empty()) throw UsageError(say::ValueEmpty(name));
+        path = given;
+      },
+      description);
+}
+
+void AddPicture(CLI::App& app, std::string& path, const std::string& description) {
+  AddValue(
+      app, "--picture", "FILE",
+      [&path](const std::string& given) {
+        if (given.empty()) throw UsageError(say::ValueEmpty("--picture"));
+        if (!HasPictureEnding(given)) throw UsageError(say::NotAPicture(given));
         path = given;
       },
       description);

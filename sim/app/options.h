@@ -19,7 +19,7 @@ namespace moontrace {
 
 /// Options that several commands share, as given; each command adds the groups that it uses.
 /// Lengths are metres once read. AddOptions binds a group to an app; reading throws UsageError for
-/// what cannot be understood and InputError for a value that cannot be.
+/// what no machine could take, whatever text and script come with it.
 
 /// `--json`, `--quiet`.
 struct OutputOptions {
@@ -79,7 +79,10 @@ void AddSeed(CLI::App& app, std::uint64_t& seed);
 void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
              const std::string& description);
 
-/// Reads a finite number. Throws UsageError (none) or InputError (not finite, out of range).
+/// `--picture`; a path without an ending of pictures is a UsageError.
+void AddPicture(CLI::App& app, std::string& path, const std::string& description);
+
+/// Reads a finite number from `low` to `high`. Throws UsageError.
 double ReadNumber(const std::string& option, const std::string& given, double low, double high);
 
 /// The text of a command, at most 16 MB. Throws UsageError (none, two) and InputError.

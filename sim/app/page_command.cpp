@@ -146,7 +146,7 @@ void AddOptions(CLI::App& app, PageOptions& options) {
   AddOptions(app, options.text);
   AddOptions(app, options.style);
   AddOptions(app, options.layout);
-  AddPath(app, "--picture", "FILE", options.picture, say::help::kPicture);
+  AddPicture(app, options.picture, say::help::kPicture);
   app.add_flag("--letters", options.letters, say::help::kLetters);
   app.add_flag("--read-back", options.read_back, say::help::kReadBack);
   AddOptions(app, options.output);

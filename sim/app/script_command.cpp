@@ -266,7 +266,7 @@ void AddOptions(CLI::App& app, ScriptOptions& options) {
   AddNumber(app, "--size-mm", options.size, 1, 1000, 1e-3, help::kScriptSize);
   AddPath(app, "--to", "FILE", options.to, help::kScriptTo);
   app.add_flag("--join", options.join, help::kScriptJoin);
-  AddPath(app, "--picture", "FILE", options.picture, help::kScriptPicture);
+  AddPicture(app, options.picture, help::kScriptPicture);
   AddOptions(app, options.output);
 }
 

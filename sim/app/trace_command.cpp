@@ -102,12 +102,8 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
   app.add_flag("--blank", options.blank, say::help::kBlank);
   AddPath(app, "--record", "DIR", options.record, say::help::kRecord);
   app.add_flag("--csv", options.csv, say::help::kCsv);
-  AddPath(app, "--picture", "FILE", options.picture, say::help::kPicture);
-  AddDevice(app, options.device);
-  AddNumber(app, "--seconds", options.seconds, 0.01, 1e6, 1, say::help::kSeconds);
-  AddNumber(app, "--rate-hz", options.rate, kSlowestRate, kFastestRate, 1, say::help::kRate);
-  AddNumber(app, "--scale", options.scale, 0.1, 10, 1, say::help::kScale);
-  app.add_flag("--hold-to-feel", options.hold_to_feel, say::help::kHoldToFeel);
+  AddPicture(app, options.picture, say::help::kPicture);
+  AddOptions(app, options.live);
   AddOptions(app, options.output);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "sim/view/cairo_writer.h"
@@ -19,11 +20,16 @@ namespace fs = std::filesystem;
 
 enum class PictureKind { kSvg, kPng, kPdf };
 
-PictureKind KindOf(const std::string& path) {
+std::optional<PictureKind> EndingOf(const std::string& path) {
   const std::string ending = LowerCase(fs::path(path).extension().string());
   if (ending == ".svg") return PictureKind::kSvg;
   if (ending == ".png") return PictureKind::kPng;
   if (ending == ".pdf") return PictureKind::kPdf;
+  return std::nullopt;
+}
+
+PictureKind KindOf(const std::string& path) {
+  if (const std::optional<PictureKind> kind = EndingOf(path)) return *kind;
   throw InputError(path + ": a picture ends in .svg, .png or .pdf");
 }
 
@@ -50,6 +56,8 @@ void WriteAll(const std::string& path, const std::string& bytes) {
 }
 
 }  // namespace
+
+bool HasPictureEnding(const std::string& path) { return EndingOf(path).has_value(); }
 
 void CheckPicturePath(const std::string& path) {
   if (KindOf(path) != PictureKind::kSvg && !HaveCairo()) ToPng({});  // throws, saying what lacks

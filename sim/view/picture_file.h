@@ -7,6 +7,9 @@
 
 namespace moontrace {
 
+/// Whether the path ends in .svg, .png or .pdf (capitals too).
+bool HasPictureEnding(const std::string& path);
+
 /// Throws before any work is done: InputError for an ending other than .svg, .png, .pdf (capitals
 /// too); LackError for a kind this build cannot write, a folder that is not there, a place that
 /// cannot be written.

@@ -131,7 +131,7 @@ TEST(Cli, HelpTellsTheLimitsThatHold) {
   EXPECT_EQ(RunLine({"page", "I", "--size-mm", "1"}).code, 0);
   for (const char* beyond : {"0.99", "0.05", "1001"}) {
     const Outcome outcome = RunLine({"page", "I", "--size-mm", beyond});
-    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("write a number from 1 to 1000"), std::string::npos) << outcome.err;
   }
   EXPECT_NE(help.out.find("less than 0.9 over the steepest"), std::string::npos) << help.out;

@@ -70,7 +70,7 @@ TEST_F(LoopCommand, EndsInOrderWhenInterrupted) {
 }
 
 TEST_F(LoopCommand, RefusesWhatItCannotDo) {
-  EXPECT_EQ(RunLine({"loop", "--rate-hz", "100"}).code, 3);
+  EXPECT_EQ(RunLine({"loop", "--rate-hz", "100"}).code, 2);
   EXPECT_EQ(RunLine({"loop", "--scale", "2"}).code, 2);
   const Outcome none = RunLine({"loop", "--device", "no-such-device"});
   EXPECT_EQ(none.code, 4);

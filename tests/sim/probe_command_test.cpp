@@ -82,7 +82,7 @@ TEST(ProbeCommand, WantsAPointAndAText) {
   EXPECT_EQ(RunLine({"probe", "1", "2"}).code, 2);
   EXPECT_EQ(RunLine({"probe", "1", "2", "3"}).code, 2);
   EXPECT_EQ(RunLine({"probe", "x", "2", "3", "A"}).code, 2);
-  EXPECT_EQ(RunLine({"probe", "nan", "2", "3", "A"}).code, 3);
+  EXPECT_EQ(RunLine({"probe", "nan", "2", "3", "A"}).code, 2);
 }
 
 }  // namespace
