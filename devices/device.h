@@ -30,6 +30,10 @@ struct DeviceLimits {
   double peak_power = std::numeric_limits<double>::infinity();  ///< given to the hand [W]
   double force_rate = 3000;  ///< greatest change of a rising force [N/s], at least 3000
   double silence = 0.25;     ///< longest wait for a report while force is felt [s]
+  /// Longest that reports may tell the very same position while force is felt, before the force is
+  /// taken back to see whether the tip answers [s]; infinite: it cannot stick.
+  double still = std::numeric_limits<double>::infinity();
+  double friction = 0;  ///< Coulomb, on the tip [N]; 0 where it is unknown
   double dead_man = 0;  ///< after which the device itself lets go [s]; 0: it never does by itself
   glm::bvec3 measures{true, true, true};  ///< axes of position
   glm::bvec3 pushes{true, true, true};    ///< axes of force

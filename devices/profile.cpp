@@ -17,9 +17,14 @@ double StableStiffness(const DeviceProfile& profile) {
   return stiffness;
 }
 
+/// Tremor moves a hand 8 to 12 times a second: two of its swings or more [s].
+constexpr double kLeastStill = 0.25;
+
 DeviceLimits LimitsOf(const DeviceProfile& profile, double tick) {
   DeviceLimits limits = profile.limits;
   limits.stiffness = StableStiffness(profile);
+  limits.friction = profile.coulomb_friction;
+  limits.still = std::max(limits.silence, kLeastStill);
   // Periods that are whole ticks but for rounding count as whole.
   constexpr double kRounding = 1e-6;
   const double ticks = std::ceil((1 / profile.rate + profile.delay) / tick - kRounding) - 1;

@@ -95,7 +95,8 @@ double StableStiffness(const DeviceProfile& profile);
 
 /// The limits a loop needs, with `stiffness` the stable one and `late_ticks` the whole ticks of
 /// `tick` [s] by which the force's period and the delay outlast the tick it is computed in; at
-/// least one, since a force written in a tick is felt in the next.
+/// least one, since a force written in a tick is felt in the next. `still` is the time of silence,
+/// at least 0.25 s.
 DeviceLimits LimitsOf(const DeviceProfile& profile, double tick);
 
 }  // namespace moontrace

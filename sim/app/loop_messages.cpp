@@ -51,6 +51,8 @@ std::string SafetySentence(SafetyEvent event) {
       return "Stopped: no force. Say go to go on.";
     case SafetyEvent::kLateLoop:
       return "No force for a moment: the loop was late.";
+    case SafetyEvent::kStuck:
+      return "No force: the position seems stuck. Move the tip.";
   }
   return {};
 }
@@ -153,6 +155,8 @@ std::string_view EventName(SafetyEvent event) {
       return "stopped";
     case SafetyEvent::kLateLoop:
       return "late_loop";
+    case SafetyEvent::kStuck:
+      return "stuck";
   }
   return "";
 }

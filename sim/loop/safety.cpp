@@ -34,7 +34,10 @@ double Sane(double value) noexcept { return value > 0 ? value : 0; }
 }  // namespace
 
 Safety::Safety(const DeviceLimits& limits, double tick, double ramp_time) noexcept
-    : limits_(limits), tick_(Sane(tick)), ramp_time_(std::min(Sane(ramp_time), kLongestRamp)) {
+    : limits_(limits),
+      tick_(Sane(tick)),
+      ramp_time_(std::min(Sane(ramp_time), kLongestRamp)),
+      still_(limits) {
   limits_.peak_force = Sane(limits.peak_force);
   limits_.peak_power = Sane(limits.peak_power);
   limits_.force_rate = limits.force_rate > kLeastRate ? limits.force_rate : kLeastRate;
@@ -76,6 +79,16 @@ bool Safety::TakeReading(const SafetyInput& input, double elapsed) noexcept {
   return plausible;
 }
 
+/// Sees whether a position that stands still has stuck.
+void Safety::WatchStillness(const SafetyInput& input, double elapsed) noexcept {
+  if (!IsFinite(input)) return;
+  glm::dvec3 wanted{0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (limits_.pushes[axis]) wanted[axis] = input.force[axis];
+  }
+  still_.Advance(elapsed, input.status == DeviceStatus::kOk, input.device.p_D, glm::length(wanted));
+}
+
 /// What forbids any force in this tick, as bits.
 std::uint32_t Safety::Faults(const SafetyInput& input, double elapsed) noexcept {
   std::uint32_t events = 0;
@@ -85,6 +98,7 @@ std::uint32_t Safety::Faults(const SafetyInput& input, double elapsed) noexcept 
     const bool lost = input.status == DeviceStatus::kLost;
     events |= Bit(lost ? SafetyEvent::kDeviceLost : SafetyEvent::kNotReady);
     read_ = silent_ = false;  // it may come back elsewhere
+    still_.Restart();
     since_read_ = 0;
   }
   if (!IsFinite(input)) {
@@ -95,6 +109,8 @@ std::uint32_t Safety::Faults(const SafetyInput& input, double elapsed) noexcept 
   const bool felt = glm::length(force_) > kFeltForce;
   if (felt && since_read_ > limits_.silence) silent_ = true;
   if (silent_) events |= Bit(SafetyEvent::kSilence);
+  WatchStillness(input, elapsed);
+  if (still_.stuck()) events |= Bit(SafetyEvent::kStuck);
   if (input.physics_fault) events |= Bit(SafetyEvent::kPhysicsFault);
   if (input.stop) {
     stopped_ = true;
@@ -122,7 +138,7 @@ double Safety::ShapeAxis(int axis, double wanted, bool& hot, std::uint32_t& even
 glm::dvec3 Safety::Shape(glm::dvec3 wanted, std::uint32_t& events) noexcept {
   const double u = ramp_ < ramp_time_ ? ramp_ / ramp_time_ : 1;
   ramp_ += tick_;
-  wanted *= u * u * (3 - 2 * u);
+  wanted *= still_.share() * u * u * (3 - 2 * u);
   glm::dvec3 force{0, 0, 0};
   bool hot = false;
   for (int axis = 0; axis < 3; ++axis) force[axis] = ShapeAxis(axis, wanted[axis], hot, events);
@@ -163,6 +179,7 @@ SafetyResult Safety::Advance(const SafetyInput& input) noexcept {
   const bool zero = result.events != 0 || input.hold || !read_;
   if (zero || input.ramp) ramp_ = 0;
   if (zero) {
+    still_.Pause();
     if (IsResting(false)) result.events |= Bit(SafetyEvent::kResting);
   } else {
     result.force = Shape(input.force, result.events);

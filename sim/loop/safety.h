@@ -7,6 +7,7 @@
 
 #include "devices/device.h"
 #include "sim/loop/motor_heat.h"
+#include "sim/loop/still_tip.h"
 #include "sim/loop/tip_velocity.h"
 
 namespace moontrace {
@@ -26,6 +27,7 @@ enum class SafetyEvent : std::uint8_t {
   kPhysicsFault,  ///< MuJoCo warned, or the scene failed to zero
   kStopped,       ///< stop was asked for; zero until someone agrees to go on
   kLateLoop,      ///< no tick for so long that the watchdog has let the device go
+  kStuck,         ///< reports go on, but the position does not answer to force (still_tip.h)
 };
 inline constexpr std::size_t kSafetyEvents = 12;
 
@@ -61,10 +63,12 @@ inline constexpr double kWatchdogTime = 0.005;
 /// The last stage before the device: a pure function of its state and input, without allocation,
 /// lock or exception. It lies above the field's own cap and acts seldom. In this order:
 ///
-/// 1. Zero at once for what is no number, a jump, silence, a device lost or not ready, a fault of
-///    the scene, a late loop, a stop, a button let go (`hold`), and until a first report has come.
+/// 1. Zero at once for what is no number, a jump, silence, a stuck position, a device lost or not
+///    ready, a fault of the scene, a late loop, a stop, a button let go (`hold`), and until a first
+///    report has come.
 ///    When the cause is gone the force ramps in again.
-/// 2. Ramp-in: times 3u^2 - 2u^3 of the share u of the ramp's time that has passed.
+/// 2. Ramp-in: times 3u^2 - 2u^3 of the share u of the ramp's time that has passed; and times the
+///    share that is left while a tip that stands still is asked to answer.
 /// 3. On each axis by itself: the ceiling (peak, or what a warm motor may give), then the rate: a
 ///    rise by at most `force_rate` from the last command, from zero when the sign has changed.
 /// 4. Power: all axes times one factor, so that force times velocity is within `peak_power`. The
@@ -83,6 +87,7 @@ class Safety {
  private:
   double Elapsed(double time) noexcept;
   std::uint32_t Faults(const SafetyInput& input, double elapsed) noexcept;
+  void WatchStillness(const SafetyInput& input, double elapsed) noexcept;
   bool TakeReading(const SafetyInput& input, double elapsed) noexcept;
   glm::dvec3 Shape(glm::dvec3 wanted, std::uint32_t& events) noexcept;
   double ShapeAxis(int axis, double wanted, bool& hot, std::uint32_t& events) const noexcept;
@@ -104,6 +109,7 @@ class Safety {
   bool silent_ = false;
   bool stopped_ = false;
   bool resting_ = false;
+  StillTip still_;
   std::array<MotorHeat, 3> heat_{};
   glm::dvec3 force_{0, 0, 0};                 ///< last commanded [N]
   std::array<double, kSafetyEvents> last_{};  ///< `clock_` when each was last true [s]

@@ -28,7 +28,7 @@ TEST_F(LoopCommand, TellsItsFigures) {
   EXPECT_TRUE(json["realtime"] == true || json["realtime"].is_string());
   EXPECT_EQ(json["device"]["name"], "simulated");
   EXPECT_GT(json["touching"], 0.0);
-  EXPECT_EQ(json["safety"].size(), 12U);
+  EXPECT_EQ(json["safety"].size(), 13U);
   EXPECT_EQ(json["safety"]["jump"], 0);
   EXPECT_EQ(json["samples_dropped"], 0);
 }

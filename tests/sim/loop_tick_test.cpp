@@ -100,6 +100,29 @@ TEST_F(LoopTickTest, ASilentDeviceIsLetGoAfterItsTime) {
   EXPECT_EQ(Count(SafetyEvent::kSilence), 1U);
 }
 
+// Reports go on and tell one place, whatever the force: it is taken back within `still` and the
+// second that asks, and comes again once the tip moves.
+TEST_F(LoopTickTest, APositionThatDoesNotAnswerToForceGetsNone) {
+  DeviceLimits limits;
+  limits.still = 0.25;
+  const auto moves = [](int n) { return n < 1000 || n >= 4000; };
+  Begin(
+      [moves](int n, DeviceState& state) {
+        return HoldAt(kPressed + glm::dvec3(moves(n) ? 1e-6 * (n % 1000) : 0, 0, 0))(n, state);
+      },
+      limits);
+  Run(1200);
+  ASSERT_NEAR(log_.last().z, kPressedForce, 0.01);
+  Run(1100);
+  EXPECT_EQ(log_.last(), kZero);
+  EXPECT_TRUE(Told(LoopEventKind::kSafety, SafetyEvent::kStuck));
+  Run(1700);
+  EXPECT_EQ(log_.last(), kZero);
+  EXPECT_EQ(Count(SafetyEvent::kStuck), 1U);
+  Run(kSettled);
+  EXPECT_NEAR(log_.last().z, kPressedForce, 0.01);
+}
+
 TEST_F(LoopTickTest, AStopHoldsUntilSomeoneAgreesToGoOn) {
   Begin(HoldAt(kPressed));
   Run(kSettled);
