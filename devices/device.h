@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <string>
 
 namespace moontrace {
 
@@ -57,6 +58,9 @@ class Device {
   /// Leaves `state` as it is unless kOk.
   virtual DeviceStatus Read(DeviceState& state) noexcept = 0;
   virtual DeviceStatus Write(glm::dvec3 f_D) noexcept = 0;
+  /// Of a lost device: why, as far as more is known than that it is gone; a clause like "the
+  /// plug-in hung". For whoever destroys it, not for the tick: may wait up to a second.
+  virtual std::string WhyLost() { return {}; }
 };
 
 }  // namespace moontrace

@@ -112,6 +112,12 @@ class PluginDevice final : public Device {
     return ready_ ? DeviceStatus::kOk : DeviceStatus::kNotReady;
   }
 
+  std::string WhyLost() override {
+    if (!lost_) return {};
+    const std::string how = process_.HowItEnded();
+    return "the plug-in " + (how.empty() ? "gave a position that is no number" : how);
+  }
+
   const DeviceProfile& profile() const noexcept { return profile_; }
 
  private:

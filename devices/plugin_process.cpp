@@ -75,11 +75,11 @@ class SpawnSettings {
   posix_spawnattr_t attributes;
 };
 
-std::string HowItEnded(int status) {
+std::string InWords(int status) {
   if (WIFSIGNALED(status)) {
-    return fmt::format("it crashed (signal {}, {})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    return fmt::format("crashed (signal {}, {})", WTERMSIG(status), strsignal(WTERMSIG(status)));
   }
-  return fmt::format("it ended the process (code {})", WEXITSTATUS(status));
+  return fmt::format("ended its process (code {})", WEXITSTATUS(status));
 }
 
 /// Foreign text as part of one line.
@@ -188,8 +188,8 @@ void PluginProcess::AwaitOpening(const std::string& path) {
       throw DeviceError(fmt::format("plug-in {}: {}", path, Cleaned(helper_->text)));
     }
     if (ended) {
-      throw DeviceError(fmt::format("plug-in {}: {} while its device was opened: mend the plug-in",
-                                    path, HowItEnded(Reap())));
+      throw DeviceError(fmt::format("plug-in {}: {} while its device was opened: mend it", path,
+                                    InWords(Reap())));
     }
   }
   throw DeviceError(
@@ -200,19 +200,33 @@ void PluginProcess::Watch() {
   std::uint64_t beats = 0;
   Clock::time_point heard = Clock::now();
   Clock::time_point closing = Clock::time_point::max();
+  bool hangs = false;
   while (!HasEnded(kWatchEvery)) {
     const Clock::time_point now = Clock::now();
     const std::uint64_t newest = helper_->beats.load(std::memory_order_acquire);
     if (newest != beats) heard = now;
     beats = newest;
     if (closing_.load() && closing == Clock::time_point::max()) closing = now;
-    const bool hangs =
-        !closing_.load() && now - heard > std::chrono::duration<double>(kHelperSilence);
+    hangs = !closing_.load() && now - heard > std::chrono::duration<double>(kHelperSilence);
     const bool too_slow = closing_.load() && now - closing > kLongestClosing;
     if (hangs || too_slow) break;
   }
   lost_.store(true, std::memory_order_relaxed);
-  Reap();
+  const int status = Reap();
+  ended_how_ = hangs ? fmt::format("hung for {} s", kHelperSilence) : InWords(status);
+  is_over_.store(true, std::memory_order_release);
+}
+
+std::string PluginProcess::HowItEnded() const {
+  if (helper_->phase.load(std::memory_order_acquire) == Phase::kLost) {
+    return Cleaned(helper_->text);
+  }
+  const auto until = Clock::now() + std::chrono::seconds(1);
+  while (lost_.load(std::memory_order_relaxed) && Clock::now() < until) {
+    if (is_over_.load(std::memory_order_acquire)) return ended_how_;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return {};
 }
 
 std::string PluginHostPath() {

@@ -33,6 +33,9 @@ class PluginProcess {
   bool Take(plugin_wire::Reading& reading) noexcept {
     return helper_->reading.Take(reading, seen_);
   }
+  /// How it came to an end, "crashed (signal 11, Segmentation fault)" say; empty if it lives. Waits
+  /// up to a second for a process that ends just now.
+  std::string HowItEnded() const;
   bool IsAlive() const noexcept {
     return !lost_.load(std::memory_order_relaxed) &&
            helper_->phase.load(std::memory_order_acquire) == plugin_wire::Phase::kRunning;
@@ -58,6 +61,8 @@ class PluginProcess {
   ::pid_t pid_ = -1;
   std::atomic<bool> lost_{false};
   std::atomic<bool> closing_{false};
+  std::string ended_how_;  ///< the watcher's, until `is_over_`
+  std::atomic<bool> is_over_{false};
   std::thread watcher_;
 };
 

@@ -52,7 +52,7 @@ class Check {
     Say(say::TestStep(steps_.size() + 1, name));
     StepResult result = step();
     if (lost_) {
-      Say(say::TestLost());
+      Say(say::TestLost(device_ != nullptr ? device_->WhyLost() : std::string()));
       result = StepResult::kFailed;
     }
     steps_.push_back({name, result});

@@ -240,7 +240,10 @@ std::string MotorsOff() {
   return "Left out: its motors are off. Look for a safety switch, then try again.";
 }
 
-std::string TestLost() { return "Failed: the device was lost. Plug it in again."; }
+std::string TestLost(std::string_view why) {
+  if (why.empty()) return "Failed: the device was lost. Plug it in again.";
+  return fmt::format("Failed: the device was lost: {}.", OneLine(why, 200));
+}
 
 std::string TestPassed(std::size_t good, std::size_t left_out) {
   return fmt::format("Passed: {}, {} left out.", Counted(good, "step good", "steps good"),

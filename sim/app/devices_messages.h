@@ -54,7 +54,7 @@ std::string AskDeadMan(double force, double dead_man);
 std::string AskIsGone();
 std::string HeldItNot();
 std::string MotorsOff();
-std::string TestLost();
+std::string TestLost(std::string_view why);
 std::string TestPassed(std::size_t good, std::size_t left_out);
 std::string TestFailed(std::string_view steps);
 

@@ -42,7 +42,7 @@ std::string SafetySentence(SafetyEvent event) {
     case SafetyEvent::kSilence:
       return "No force: the device is silent.";
     case SafetyEvent::kDeviceLost:
-      return "Device lost: no force. It is looked for twice a second.";
+      return DeviceLost({});
     case SafetyEvent::kNotReady:
       return "No force: the device says that its motors are off.";
     case SafetyEvent::kPhysicsFault:
@@ -127,6 +127,11 @@ std::string Event(const LoopEvent& event) {
       break;  // told with what they concern
   }
   return {};
+}
+
+std::string DeviceLost(std::string_view why) {
+  return fmt::format("Device lost: no force{}{}. It is looked for twice a second.",
+                     why.empty() ? "" : ": ", OneLine(why, 200));
 }
 
 std::string_view EventName(SafetyEvent event) {

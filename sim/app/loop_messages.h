@@ -41,6 +41,8 @@ std::string UnknownWord(std::string_view given);
 std::string AmbiguousWord(std::string_view given, const std::vector<std::string>& words);
 
 std::string Event(const LoopEvent& event);
+/// `why`: Loop::WhyGone.
+std::string DeviceLost(std::string_view why);
 /// "not_a_number", "jump", ...: the key in JSON.
 std::string_view EventName(SafetyEvent event);
 std::string LoopSilent();

@@ -16,6 +16,7 @@ constexpr int kReopenEvery = 500;   ///< [ms]
 constexpr int kLongestWait = 8000;  ///< [ms]
 constexpr int kSteady = 2000;       ///< held so long a device counts as well [ms]
 constexpr int kPoll = 1;            ///< [ms]
+constexpr std::chrono::milliseconds kLongestAnswer(1500);
 
 /// As the safety stage sees a late loop: a period and kWatchdogTime more. [ns]
 std::int64_t Silence(double rate) {
@@ -81,7 +82,7 @@ void Loop::Supervise() {
   int waited = 0, wait = 0, held = 0;  // [ms]
   while (SleepUnlessEnding(kPoll)) {
     // destroying and opening may block for long: here nobody waits for it
-    const std::unique_ptr<Device> worn(mail_.worn.exchange(nullptr, std::memory_order_acquire));
+    const std::unique_ptr<Device> worn = TakeWorn();
     if (worn != nullptr) {
       lost = true;
       waited = 0;
@@ -95,6 +96,32 @@ void Loop::Supervise() {
     lost = !WhyLost().empty();
     wait = std::max(wait, kReopenEvery);
   }
+}
+
+std::unique_ptr<Device> Loop::TakeWorn() {
+  std::unique_ptr<Device> worn;
+  {
+    const std::lock_guard lock(mutex_);
+    worn.reset(mail_.worn.exchange(nullptr, std::memory_order_acquire));
+    asking_ = worn != nullptr;
+  }
+  if (worn == nullptr) return worn;
+  std::string why = worn->WhyLost();
+  {
+    const std::lock_guard lock(mutex_);
+    why_gone_ = std::move(why);
+    asking_ = false;
+  }
+  answered_.notify_all();
+  return worn;
+}
+
+std::string Loop::WhyGone() {
+  std::unique_lock lock(mutex_);
+  answered_.wait_for(lock, kLongestAnswer, [this] {
+    return !asking_ && mail_.worn.load(std::memory_order_acquire) == nullptr;
+  });
+  return why_gone_;
 }
 
 void Loop::Reopen() {
@@ -140,7 +167,7 @@ void Loop::End() {
     if (thread->joinable()) thread->join();
   }
   delete mail_.fresh.exchange(nullptr);
-  delete mail_.worn.exchange(nullptr);
+  TakeWorn();
   report_.late_loops = late_loops_;
   report_.samples_dropped = mail_.samples.dropped();
   report_.events_dropped = mail_.events.dropped();

@@ -70,6 +70,9 @@ class Loop {
   bool silent() const noexcept { return watchdog_.silent(); }
   /// Why a lost device could not be opened again at the last try; empty if it was. Any thread.
   std::string WhyLost() const;
+  /// Device::WhyLost of the one that was lost last. Any thread but the tick's: waits up to 1.5 s
+  /// for the device's answer.
+  std::string WhyGone();
 
   /// Zero force, threads ended; then the report is final. Again: nothing.
   void End();
@@ -80,6 +83,7 @@ class Loop {
   void Watch();
   void Supervise();
   void Reopen();
+  std::unique_ptr<Device> TakeWorn();
   bool SleepUnlessEnding(int milliseconds);
 
   LoopOptions options_;
@@ -95,9 +99,11 @@ class Loop {
   std::atomic<bool> ticking_{false};  ///< the thread is there
   std::atomic<bool> ending_{false};
   std::atomic<std::uint64_t> late_loops_{0};
-  mutable std::mutex mutex_;  ///< never taken by the tick: for sleeping threads and `why_lost_`
+  mutable std::mutex mutex_;  ///< never taken by the tick: for sleeping threads and what they tell
   std::condition_variable wake_;
-  std::string why_lost_;
+  std::condition_variable answered_;
+  std::string why_lost_, why_gone_;
+  bool asking_ = false;  ///< a lost device, why
   std::thread ticker_, watcher_, supervisor_;
 };
 

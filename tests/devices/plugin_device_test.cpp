@@ -111,6 +111,21 @@ TEST_F(PluginDeviceTest, IsLostAfterAHangACrashAnExitAndAScribble) {
   }
 }
 
+TEST_F(PluginDeviceTest, TellsWhyItWasLost) {
+  const std::pair<const char*, const char*> reasons[] = {
+      {"hang", "the plug-in hung for 0.1 s"},
+      {"crash", "the plug-in crashed (signal 11, Segmentation fault)"},
+      {"exit", "the plug-in ended its process (code 3)"},
+      {"nan_position", "the plug-in gave a position or velocity that is no number"},
+      {"lost", "the plug-in lost its device"}};
+  for (const auto& reason : reasons) {
+    const auto device = MakePluginDevice(Plugin(reason.first), 0.001);
+    EXPECT_EQ(device->WhyLost(), "");
+    EXPECT_TRUE(TickUntilLost(*device, {1, 0, 0})) << reason.first;
+    EXPECT_EQ(device->WhyLost(), reason.second);
+  }
+}
+
 TEST_F(PluginDeviceTest, CanBeOpenedAgainAfterACrash) {
   for (int n = 0; n < 3; ++n) {
     const auto device = MakePluginDevice(Plugin("crash"), 0.001);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/devices/fake_hid.h"
+#include "tests/devices/plugin_fixture.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {
@@ -131,6 +132,17 @@ TEST_F(LoopCommand, GoesOnAfterReplugging) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(Holds(outcome.out, "Device lost: no force.")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Device back: force comes slowly.")) << outcome.out;
+}
+
+class LoopWithPlugin : public PluginTest {};
+
+TEST_F(LoopWithPlugin, TellsWhyItWasLost) {
+  const Outcome outcome =
+      RunLine({"loop", "MOON", "--device", "plugin:" + Plugin("nan_position"), "--seconds", "2"});
+  EXPECT_TRUE(Holds(outcome.out,
+                    "Device lost: no force: the plug-in gave a position or velocity that is no\n"
+                    "number. It is looked for twice a second.\n"))
+      << outcome.out;
 }
 
 TEST_F(LoopCommand, ATraceWithADeviceIsScored) {

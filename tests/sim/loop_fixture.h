@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace moontrace {
 struct DeviceLog {
   std::vector<glm::dvec3> written;  ///< [N]
   std::atomic<int> reads{0};
+  std::string why_lost;
   std::atomic<bool> destroyed{false};
   glm::dvec3 last() const { return written.empty() ? glm::dvec3(0, 0, 0) : written.back(); }
 };
@@ -32,6 +34,7 @@ class ScriptedDevice final : public Device {
   ~ScriptedDevice() override { log_.destroyed = true; }
   DeviceLimits Limits() const noexcept override { return limits_; }
   DeviceStatus Read(DeviceState& state) noexcept override { return read_(log_.reads++, state); }
+  std::string WhyLost() override { return log_.why_lost; }
   DeviceStatus Write(glm::dvec3 f_D) noexcept override {
     if (log_.written.size() < log_.written.capacity()) log_.written.push_back(f_D);
     return DeviceStatus::kOk;

@@ -42,6 +42,7 @@ TEST(Loop, TicksAndEndsWithZeroForce) {
 
 TEST(Loop, OpensALostDeviceAgain) {
   DeviceLog first, second;
+  first.why_lost = "the plug-in hung";
   int tries = 0;
   const std::unique_ptr<Loop> loop = Start(
       first,
@@ -52,6 +53,12 @@ TEST(Loop, OpensALostDeviceAgain) {
         if (++tries == 1) throw DeviceError("not there yet");
         return std::make_unique<ScriptedDevice>(second, HoldAt(kPressed));
       });
+  LoopEvent event;
+  Await([&] {
+    return loop->TakeEvent(event) && event.kind == LoopEventKind::kSafety &&
+           event.safety == SafetyEvent::kDeviceLost;
+  });
+  EXPECT_EQ(loop->WhyGone(), "the plug-in hung");
   Await([&loop] { return loop->WhyLost() == "not there yet"; });
   Await([&second] { return second.reads > 300; });
   loop->End();
