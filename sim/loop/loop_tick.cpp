@@ -14,7 +14,13 @@ constexpr double kFadeTime = 0.03;
 /// Lifted so far for so long, nothing is felt of a page that moves.
 constexpr double kLiftedHeight = 0.003;  ///< [m]
 constexpr double kLiftedTime = 0.2;      ///< [s]
-constexpr double kToldEvery = 1;         ///< [s]
+/// So long on plain paper a tip that cannot be lifted is between words, not between two strokes
+/// [s].
+constexpr double kPlainTime = 1;
+/// Less than any groove is deep; the grain of paper may be as much.
+constexpr double kPlainHeight = 20e-6;  ///< [m]
+constexpr double kPlainSlope = 0.1;
+constexpr double kToldEvery = 1;  ///< [s]
 
 bool IsFinite(glm::dvec3 v) noexcept {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -123,7 +129,7 @@ void LoopTick::TakePage() noexcept {
     begun_ = false;
   }
   fade_ = 1;
-  lifted_ = 0;
+  unfelt_ = 0;
   posted_ = nullptr;
   Tell(LoopEventKind::kPageChanged);
   mail_.done_page.store(&posted, std::memory_order_release);
@@ -197,12 +203,27 @@ void LoopTick::Restart() noexcept {
   flowing_ = false;
 }
 
+/// Whether neither the page as it lies nor the page back in its place is felt: a tip in the air, or
+/// one that cannot be lifted (a stick without an axis for it) on plain paper here and there.
+bool LoopTick::FeelsNothing(const TickResult& felt) const noexcept {
+  if (limits_.measures.z) return felt.tip_P.z > kLiftedHeight;
+  if (state_.p_D.z > 0) return true;
+  const glm::dvec2 back_P(FromWorld(scene_.X_WP(), ToWorld(home_, state_).p_D));
+  const auto is_plain = [this](glm::dvec2 p_P) {
+    const Sample sample = field_->SampleAt(p_P);
+    return std::abs(sample.displacement) <= kPlainHeight &&
+           glm::length(sample.gradient) <= kPlainSlope;
+  };
+  return is_plain(glm::dvec2(felt.tip_P)) && is_plain(back_P);
+}
+
 /// After a change under a resting hand the page may lie partly beyond the device's reach. It goes
-/// back while the hand is in the air, where nothing of it is felt.
+/// back while nothing of it is felt.
 void LoopTick::ReturnPage(const TickResult& felt) noexcept {
-  const bool lifted = limits_.measures.z && felt.tip_P.z > kLiftedHeight;
-  lifted_ = lifted ? lifted_ + tick_ : 0;
-  if (lifted_ < kLiftedTime || place_.origin_W == home_.origin_W) return;
+  if (place_.origin_W == home_.origin_W) return;
+  unfelt_ = FeelsNothing(felt) ? unfelt_ + tick_ : 0;
+  const bool can_lift = limits_.measures.z || state_.p_D.z > 0;
+  if (unfelt_ < (can_lift ? kLiftedTime : kPlainTime)) return;
   place_ = home_;
   ramp_ = true;
   Restart();

@@ -44,6 +44,7 @@ class LoopTick {
   void Write(glm::dvec3 f_D) noexcept;
   void Lose() noexcept;
   void Restart() noexcept;
+  bool FeelsNothing(const TickResult& felt) const noexcept;
   void ReturnPage(const TickResult& felt) noexcept;
   void Tell(LoopEventKind kind) noexcept;
   void TellSafety(std::uint32_t events) noexcept;
@@ -76,7 +77,7 @@ class LoopTick {
   bool back_ = false;  ///< a lost device was opened again, and has not been read
   bool ramp_ = true;   ///< the next tick begins a ramp-in
   bool was_stopped_ = false;
-  double lifted_ = 0;  ///< for so long [s]
+  double unfelt_ = 0;  ///< for so long nothing of the page would be felt [s]
   ButtonState buttons_;
   std::uint32_t told_ = 0;  ///< safety events of the last tick
   std::array<double, kSafetyEvents> told_at_{};

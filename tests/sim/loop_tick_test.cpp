@@ -255,6 +255,32 @@ TEST_F(LoopTickTest, AShiftedPageGoesBackWhileTheTipIsInTheAir) {
   EXPECT_TRUE(Told(LoopEventKind::kPageBack));
 }
 
+// A stick cannot be lifted. In the groove the page stays where it is; beside it, on paper that is
+// plain here and where the page comes to lie, it goes back after a second.
+TEST_F(LoopTickTest, AStickFindsItsPageBackOncePlainPaperIsUnderTheTip) {
+  const TextureField groove = GrooveAlongY();
+  DeviceLimits stick;
+  stick.measures.z = stick.pushes.z = false;
+  Begin(
+      [](int n, DeviceState& state) {
+        return HoldAt({n < 2000 ? 0.1 : 0.104, 0.1, 0})(n, state);
+      },
+      stick);
+  Run(100);
+  PostedPage posted;
+  posted.field = &groove;
+  posted.substeps = tick_->scene().CheckField(&groove);
+  posted.anchor = PageAnchor{{0.1, 0.1}, {0, 0.02}, 1};  // the groove's middle is under the tip
+  mail_.wanted_page = &posted;
+  Run(1900);
+  EXPECT_NEAR(Newest().tip_P.x, 0, 1e-12);
+  Run(900);
+  EXPECT_NEAR(Newest().tip_P.x, 0.004, 1e-12);
+  Run(200);
+  EXPECT_NEAR(Newest().tip_P.x, 0.104, 1e-12);
+  EXPECT_TRUE(Told(LoopEventKind::kPageBack));
+}
+
 TEST_F(LoopTickTest, APageMayBringItsOwnDevice) {
   Begin(HoldAt(kPressed));
   Run(kSettled);
