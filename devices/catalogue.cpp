@@ -84,6 +84,7 @@ void Probe(Found& found) {
   try {
     if (profile.kind == DeviceKind::kRawHid) {
       profile = WithHello(profile, ReadRawHello(found.info.path));
+      found.entry.asked = true;
       return;
     }
     HidHandle::Open(found.info.path);
@@ -92,6 +93,9 @@ void Probe(Found& found) {
       FindPidLayout(descriptor);
       FindStick(descriptor, profile.stick);
     }
+  } catch (const PermissionError& error) {
+    found.entry.problem = "no permission";
+    found.entry.rule = error.rule();
   } catch (const DeviceError& error) {
     found.entry.problem = error.what();
   }
@@ -107,7 +111,11 @@ std::vector<Found> FindAll(const std::string& folder) {
   for (const HidInfo& info : there) {
     const DeviceProfile* profile = Recognise(info, profiles);
     if (profile == nullptr) continue;
-    Found found{{profile->name, *profile, info.path, {}}, info};
+    Found found;
+    found.entry.name = profile->name;
+    found.entry.profile = *profile;
+    found.entry.path = info.path;
+    found.info = info;
     const int number = ++count[profile->name];
     if (number > 1) found.entry.name += fmt::format("-{}", number);
     all.push_back(std::move(found));

@@ -15,6 +15,8 @@ struct DeviceEntry {
   DeviceProfile profile;
   std::string path;     ///< of the HID node or plug-in
   std::string problem;  ///< why it cannot be opened and what mends it, one line; empty if it can
+  std::string rule;     ///< of `problem`: the udev line that mends it, if one does
+  bool asked = false;   ///< its figures are its own answer, not its profile's word
 };
 
 /// Every profile of a folder, by name. Throws DeviceError: no such folder, a broken profile.

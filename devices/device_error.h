@@ -1,6 +1,8 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace moontrace {
 
@@ -9,6 +11,18 @@ namespace moontrace {
 class DeviceError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// It is there, and this user may not open it.
+class PermissionError : public DeviceError {
+ public:
+  /// `rule` is the udev line that mends it; empty where none is known.
+  PermissionError(const std::string& line, std::string rule)
+      : DeviceError(line), rule_(std::move(rule)) {}
+  const std::string& rule() const { return rule_; }
+
+ private:
+  std::string rule_;
 };
 
 }  // namespace moontrace

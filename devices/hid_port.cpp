@@ -77,11 +77,12 @@ bool IsListed(const std::string& path, const std::vector<HidInfo>& list) {
   return std::any_of(list.begin(), list.end(), [&](const auto& i) { return i.path == path; });
 }
 
-std::string CureFor(const std::string& path, const std::vector<HidInfo>& list) {
+/// Empty for a node that is not listed.
+std::string RuleFor(const std::string& path, const std::vector<HidInfo>& list) {
   for (const HidInfo& info : list) {
-    if (info.path == path) return UdevCure({info.vendor, info.product, true});
+    if (info.path == path) return UdevRule({info.vendor, info.product, true});
   }
-  return "give yourself the right to read and write it";
+  return {};
 }
 
 /// hidapi 0.13.1 writes into freed memory when it opens a file that is no HID node: only nodes and
@@ -98,7 +99,9 @@ hid_device* OpenNode(const std::string& path) {
   const bool refused = why.find("ermission denied") != std::string::npos ||
                        (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0);
   if (refused) {
-    throw DeviceError(fmt::format("{}: no permission: {}", path, CureFor(path, Enumerate())));
+    throw PermissionError(
+        fmt::format("{}: no permission: \"moontrace devices\" tells how to give it", path),
+        RuleFor(path, Enumerate()));
   }
   throw DeviceError(fmt::format("{}: cannot be opened ({}): plug it in again", path,
                                 why.empty() ? "no reason given" : why));

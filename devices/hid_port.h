@@ -35,7 +35,7 @@ std::vector<std::uint8_t> ReportDescriptorOf(const std::string& path);
 /// Every call can block (writes and features up to seconds): I/O threads only.
 class HidHandle {
  public:
-  /// Throws DeviceError; the message of a refused permission holds the udev line that mends it.
+  /// Throws DeviceError; PermissionError, with the udev line that mends it, where it is refused.
   static HidHandle Open(const std::string& path);
 
   /// Bytes read into `report` (first the report's number if the device numbers its reports); 0 if

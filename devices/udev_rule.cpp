@@ -25,13 +25,6 @@ std::string UdevRule(const DeviceProfile::Id& id) {
       id.vendor, id.product);
 }
 
-std::string UdevCure(const DeviceProfile::Id& id) {
-  return fmt::format(
-      "put the line {} into /etc/udev/rules.d/70-moontrace-hid.rules, run \"udevadm control "
-      "--reload-rules\" as root, and plug the device in again",
-      UdevRule(id));
-}
-
 std::string UdevFile(const std::vector<DeviceProfile>& profiles) {
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::string> titles;
   for (const DeviceProfile& profile : profiles) {

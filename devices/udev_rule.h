@@ -11,8 +11,9 @@ namespace moontrace {
 /// transport (USB, Bluetooth, virtual): the HID parent is called BUS:VVVV:PPPP.NNNN.
 std::string UdevRule(const DeviceProfile::Id& id);
 
-/// What mends a refused permission, in one line: the rule, its file, and how it takes effect.
-std::string UdevCure(const DeviceProfile::Id& id);
+/// The file that takes such a line, and the command that makes it count; root's both.
+inline constexpr const char* kUdevFile = "/etc/udev/rules.d/70-moontrace-hid.rules";
+inline constexpr const char* kUdevReload = "udevadm control --reload-rules";
 
 /// The file `devices/udev/70-moontrace-hid.rules` that these profiles make. It holds only ids that
 /// belong to haptic devices, in ascending order: a generic board's id (Id::own is false) would open

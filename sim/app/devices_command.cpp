@@ -44,6 +44,8 @@ Json EntryJson(const DeviceEntry& entry) {
   json["title"] = profile.title;
   json["path"] = entry.path;
   json["problem"] = entry.problem.empty() ? Json(nullptr) : Json(entry.problem);
+  json["udev_rule"] = entry.rule.empty() ? Json(nullptr) : Json(entry.rule);
+  json["figures_from"] = entry.asked ? "device" : "profile";
   json["measures"] = AxesJson(limits.measures);
   json["pushes"] = AxesJson(limits.pushes);
   Json workspace = Json::array();
@@ -63,7 +65,20 @@ Json EntryJson(const DeviceEntry& entry) {
   return json;
 }
 
-void SayFigures(const DeviceProfile& profile, Console& console) {
+void SayMending(const DeviceEntry& entry, Console& console) {
+  if (entry.rule.empty()) return;
+  console.Result(say::MendByRule());
+  console.Path(entry.rule);
+  console.Result(say::MendInFile());
+  console.Path(kUdevFile);
+  console.Result(say::MendByCommand());
+  console.Path(kUdevReload);
+  console.Result(say::MendByPlugging());
+}
+
+void SayFigures(const DeviceEntry& entry, Console& console) {
+  const DeviceProfile& profile = entry.profile;
+  console.Result(say::FiguresFrom(entry));
   console.Result(say::DevicePushes(profile));
   console.Result(say::DeviceMeasures(profile));
   console.Result(say::DeviceLetters(profile, SmallestLetter(profile)));
@@ -91,18 +106,25 @@ int List(const DevicesOptions& options, Console& console) {
   console.Result(say::DevicesOutcome(entries.size(), static_cast<std::size_t>(usable)));
   for (const DeviceEntry& entry : entries) {
     console.Result(say::DeviceLine(entry));
-    SayFigures(entry.profile, console);
+    SayMending(entry, console);
+    SayFigures(entry, console);
     if (entry.problem.empty()) console.Result(say::TryDevice(entry.name));
   }
   return exit_code::kGood;
 }
 
 /// What is known of a device before it is opened; only its name if it is not there.
-DeviceProfile ProfileOfName(const std::string& name) {
+DeviceEntry EntryOfName(const std::string& name) {
   const std::string plugin = PluginPathOf(name);
-  if (!plugin.empty()) return DescribePlugin(plugin);
-  for (const DeviceEntry& entry : ListDevices(ProfilesFolder())) {
-    if (entry.name == name) return entry.profile;
+  if (!plugin.empty()) {
+    DeviceEntry entry;
+    entry.name = name;
+    entry.profile = DescribePlugin(plugin);
+    entry.asked = true;
+    return entry;
+  }
+  for (DeviceEntry& entry : ListDevices(ProfilesFolder())) {
+    if (entry.name == name) return std::move(entry);
   }
   DeviceRequest request;
   request.name = name;
@@ -116,12 +138,14 @@ std::string_view ResultWord(StepResult result) {
 }
 
 int Test(const std::string& name, const DevicesOptions& options, Console& console) {
-  const DeviceProfile profile = ProfileOfName(name);
-  SayFigures(profile, console);
+  const DeviceEntry entry = EntryOfName(name);
+  console.Result(say::DeviceLine(entry));
+  SayMending(entry, console);
+  SayFigures(entry, console);
   CheckedDevice checked;
   checked.name = name;
-  checked.title = profile.title;
-  checked.rests_silent = profile.kind == DeviceKind::kPuck;
+  checked.title = entry.profile.title;
+  checked.rests_silent = entry.profile.kind == DeviceKind::kPuck;
   std::string remark;
   checked.open = [&] {
     DeviceRequest request;

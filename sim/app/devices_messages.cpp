@@ -63,6 +63,17 @@ std::string DeviceLine(const DeviceEntry& entry) {
   return fmt::format("{}: {}", entry.name, OneLine(entry.profile.title));
 }
 
+std::string FiguresFrom(const DeviceEntry& entry) {
+  if (entry.asked) return "It says of itself:";
+  if (!entry.problem.empty()) return "Its profile says, and it was not asked:";
+  return "Its profile says, and nothing was measured:";
+}
+
+std::string MendByRule() { return "To mend that, put this line"; }
+std::string MendInFile() { return "into the file"; }
+std::string MendByCommand() { return "then, as root, say"; }
+std::string MendByPlugging() { return "and plug the device in again."; }
+
 std::string DevicePushes(const DeviceProfile& profile) {
   const DeviceLimits& limits = profile.limits;
   if (!glm::any(limits.pushes)) return "It pushes nothing: it moves the tip, the force is told.";

@@ -16,6 +16,13 @@ std::string NoDevice();
 std::string NoHidapi();
 std::string WithoutDevice();
 std::string DeviceLine(const DeviceEntry& entry);
+/// Whose word the figures are.
+std::string FiguresFrom(const DeviceEntry& entry);
+// Of a refused permission, each before what stands alone on its line; and the last.
+std::string MendByRule();
+std::string MendInFile();
+std::string MendByCommand();
+std::string MendByPlugging();
 std::string DevicePushes(const DeviceProfile& profile);
 std::string DeviceMeasures(const DeviceProfile& profile);
 std::string DeviceLetters(const DeviceProfile& profile, double smallest);

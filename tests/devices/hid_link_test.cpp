@@ -191,10 +191,10 @@ TEST(HidPort, TellsTheUdevLineWhereThePermissionIsRefused) {
   try {
     HidHandle::Open(ThePath());
     FAIL() << "opened";
-  } catch (const DeviceError& error) {
+  } catch (const PermissionError& error) {
     const std::string line = error.what();
     EXPECT_NE(line.find("no permission"), std::string::npos) << line;
-    EXPECT_NE(line.find("KERNELS==\"*:1209:FFB0.*\""), std::string::npos) << line;
+    EXPECT_NE(error.rule().find("KERNELS==\"*:1209:FFB0.*\""), std::string::npos);
     EXPECT_EQ(line.find('\n'), std::string::npos);
   }
 }

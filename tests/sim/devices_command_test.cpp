@@ -60,10 +60,38 @@ TEST(DevicesCommand, TellsTheUdevLineUnbroken) {
   const Outcome outcome = RunLine({"devices"});
   EXPECT_EQ(outcome.out.rfind("1 device found, 0 can be opened", 0), 0u) << outcome.out;
   EXPECT_TRUE(Has(outcome.out,
-                  "\nKERNEL==\"hidraw*\",SUBSYSTEM==\"hidraw\",KERNELS==\"*:1209:FFB0.*\","
-                  "TAG+=\"uaccess\""))
+                  "cannot be opened: no permission (OpenFFBoard joystick)\n"
+                  "To mend that, put this line\n"
+                  "KERNEL==\"hidraw*\",SUBSYSTEM==\"hidraw\",KERNELS==\"*:1209:FFB0.*\","
+                  "TAG+=\"uaccess\"\n"
+                  "into the file\n"
+                  "/etc/udev/rules.d/70-moontrace-hid.rules\n"
+                  "then, as root, say\n"
+                  "udevadm control --reload-rules\n"
+                  "and plug the device in again.\n"))
       << outcome.out;
+  const Outcome loop = RunLine({"loop", "a", "--device", "openffboard"});
+  EXPECT_EQ(loop.code, exit_code::kLack);
+  EXPECT_EQ(loop.err,
+            "openffboard: /dev/hidraw-fake0: no permission: \"moontrace devices\" tells how to "
+            "give it\n");
   ExpectTextFace(outcome.out);
+}
+
+TEST(DevicesCommand, TellsWhoseWordTheFiguresAre) {
+  {
+    const FakeHid fake("moontrace-raw,pid");
+    const Outcome outcome = RunLine({"devices"});
+    EXPECT_TRUE(Has(outcome.out, "It says of itself:")) << outcome.out;
+    EXPECT_TRUE(Has(outcome.out, "Its profile says, and nothing was measured:")) << outcome.out;
+    const auto json = RunLine({"devices", "--json"}).Json();
+    EXPECT_EQ(json["devices"][0]["figures_from"], "device");
+    EXPECT_EQ(json["devices"][1]["figures_from"], "profile");
+  }
+  const FakeHid fake("moontrace-raw", "refused");
+  const Outcome outcome = RunLine({"devices"});
+  EXPECT_TRUE(Has(outcome.out, "Its profile says, and it was not asked:")) << outcome.out;
+  EXPECT_EQ(RunLine({"devices", "--json"}).Json()["devices"][0]["figures_from"], "profile");
 }
 
 TEST(DevicesCommand, TestOfWhatIsNotThereLacksIt) {
