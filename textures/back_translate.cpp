@@ -223,7 +223,7 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
   }
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
   BackTranslation result;
-  Typeset notes;  // SetText tells them
+  Typeset notes;  // SetText tells them one by one
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
   for (std::size_t number = 1; folder.NextLine(line); ++number) {
@@ -232,6 +232,8 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
     writer->Write(text, number, line, signs, notes);
     Compare(reader->Read(signs), Wanted(line), result);
   }
+  result.left_out = notes.missing_count + notes.untaught_count;
+  result.replaced = notes.folded_count;
   return result;
 }
 

@@ -18,6 +18,8 @@ struct BackTranslation {
   std::vector<std::pair<std::string, std::string>> differ;
   std::size_t differ_count = 0;
   std::size_t words = 0;  ///< of `wanted`
+  /// Characters of the source that no sign stands for, and those written otherwise (é as e).
+  std::size_t left_out = 0, replaced = 0;
 };
 
 /// Writes a text in signs, reads the signs by the script's rules alone, and compares.

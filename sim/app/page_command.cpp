@@ -92,10 +92,9 @@ std::string PageJson(const TextPage& page, const std::vector<std::string>& names
 }
 
 Json ReadBackJson(const BackTranslation& back) {
-  Json json = {{"text", back.text},
-               {"wanted", back.wanted},
-               {"words", back.words},
-               {"differ_count", back.differ_count},
+  Json json = {{"text", back.text},         {"wanted", back.wanted},
+               {"words", back.words},       {"differ_count", back.differ_count},
+               {"left_out", back.left_out}, {"replaced", back.replaced},
                {"differ", Json::array()}};
   for (const auto& [was, became] : back.differ) {
     json["differ"].push_back({{"was", was}, {"became", became}});

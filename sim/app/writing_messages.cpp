@@ -26,11 +26,18 @@ std::string NotTaught(std::string_view was, std::string_view where) {
 }
 
 std::string ReadBackOutcome(const BackTranslation& back) {
-  if (back.differ_count == 0) {
-    return fmt::format("Reads back as the text: {}.", Counted(back.words, "word", "words"));
+  const std::string words = Counted(back.words, "word", "words");
+  std::string missing;
+  if (back.left_out > 0) {
+    missing += fmt::format(", {} left out", Counted(back.left_out, "character", "characters"));
   }
-  return fmt::format("Reads back otherwise: {} of {}.", Counted(back.differ_count, "word", "words"),
-                     back.words);
+  if (back.replaced > 0) missing += fmt::format(", {} replaced", back.replaced);
+  if (back.differ_count > 0) {
+    return fmt::format("Reads back otherwise: {} of {}{}.",
+                       Counted(back.differ_count, "word", "words"), back.words, missing);
+  }
+  if (missing.empty()) return fmt::format("Reads back as the text: {}.", words);
+  return fmt::format("Reads back as written, not as given: {}{}.", words, missing);
 }
 
 std::string ReadBackLine(std::string_view line) { return fmt::format("Reads: {}", line); }
