@@ -131,10 +131,11 @@ std::vector<Found> FindAll(const std::string& folder) {
     list += (list.empty() ? "" : ", ") + found.entry.name;
   }
   const std::string nearest = NearestName(name, names);
-  throw DeviceError(fmt::format(
-      "no device is called \"{}\": {}{}; \"moontrace devices\" lists them", name.substr(0, 60),
-      nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest),
-      list.empty() ? "none is plugged in" : "there are " + list));
+  // the nearest, or all that are there: names, which may be many, stand at the end
+  const std::string instead = !nearest.empty() ? "did you mean " + nearest + "?"
+                              : list.empty()   ? "none is plugged in"
+                                               : "there are " + list;
+  throw DeviceError(fmt::format("no device is called \"{}\": {}", name.substr(0, 60), instead));
 }
 
 std::unique_ptr<Device> Open(const Found& found, const DeviceRequest& request) {

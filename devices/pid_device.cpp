@@ -199,8 +199,7 @@ Plan MakePlan(const HidInfo& info, const DeviceProfile& profile, double tick, do
   plan.layout = FindPidLayout(descriptor);
   plan.stick = FindStick(descriptor, profile.stick);
   if (!descriptor.is_numbered || !PidReportsFit(plan.layout)) {
-    throw DeviceError(
-        "the joystick's reports are without numbers or too long: its firmware is at fault");
+    throw DeviceError("the joystick's reports lack numbers or are too long: update its firmware");
   }
   for (const HidReportLayout& report : descriptor.reports) {
     if (report.type != HidReportType::kInput) continue;

@@ -166,15 +166,13 @@ HidNumber AxisOf(const HidDescriptor& descriptor, std::uint16_t usage) {
   const HidUsage full = kDesktop | usage;
   const auto* const report = ReportWith(descriptor, HidReportType::kInput, full);
   if (report == nullptr) {
-    throw DeviceError(fmt::format(
-        "the device has no axis of usage {:02X}, which its profile names: correct the profile",
-        usage));
+    throw DeviceError(
+        fmt::format("the device lacks axis {:02X}, which its profile names: correct that", usage));
   }
   const HidBits bits = BitsOf(*report, full);
   if (!bits.IsThere() || bits.most <= bits.least) {
-    throw DeviceError(fmt::format(
-        "the device tells no range of its axis {:02X}: its firmware is at fault, update it",
-        usage));
+    throw DeviceError(
+        fmt::format("the device tells no range of axis {:02X}: update its firmware", usage));
   }
   return {IdOf(*report), bits};
 }
@@ -212,9 +210,8 @@ PidLayout FindPidLayout(const HidDescriptor& descriptor) {
   FindPool(descriptor, layout);
   const std::string missing = MissingFrom(layout);
   if (!missing.empty()) {
-    throw DeviceError(fmt::format(
-        "the device's force feedback (PID) lacks {}: its firmware is at fault, update it",
-        missing));
+    throw DeviceError(
+        fmt::format("the device's force feedback (PID) lacks {}: update its firmware", missing));
   }
   return layout;
 }

@@ -163,9 +163,9 @@ AxisMap ReadAxis(const Reader& reader, const toml::table& table, const char* key
       return map;
     }
   }
-  reader.Fail(node.source(), fmt::format("{} names no axis: x, y, z, rx, ry, rz, slider, dial or "
-                                         "wheel, after a - if it grows the other way",
-                                         key));
+  reader.Fail(
+      node.source(),
+      fmt::format("{} names no axis: give x, y, z, rx, ry, rz, slider, dial or wheel", key));
 }
 
 void ReadStick(const Reader& reader, const toml::table& table, StickMap& stick) {

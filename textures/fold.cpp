@@ -170,8 +170,7 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
     }
     if (line.size() > kMostText) {
       throw InputError(
-          fmt::format("script {}: its folds make the text longer than {} million "
-                      "characters: shorten them",
+          fmt::format("script {}: its folds make over {} million characters: shorten them",
                       script_.name, kMostText >> 20));
     }
     column += code_points;

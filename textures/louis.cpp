@@ -46,11 +46,20 @@ Library& State() {
   return library;
 }
 
+// The "file:3" of liblouis' own first line, which is "file:3: error: ..."; else the table's name.
+std::string PlaceOfError(const std::string& name) {
+  const std::string& line = State().first_error;
+  const std::size_t end = line.find(": error");
+  const bool has_place = end != std::string::npos && end > 0 && line[end - 1] >= '0' &&
+                         line[end - 1] <= '9' && line.rfind(':', end - 1) != std::string::npos;
+  return has_place ? line.substr(0, end) : OneLine(name, 200);
+}
+
 // "file:3: error: opcode 'foo' not defined." is the first; those that follow only say that it
 // failed.
 void KeepError(logLevels level, const char* message) {
   if (level >= LOU_LOG_ERROR && State().first_error.empty()) {
-    State().first_error = OneLine(message, 160);
+    State().first_error = OneLine(message, 1000);
   }
 }
 
@@ -151,13 +160,13 @@ void CheckName(const std::string& name) {
   });
   if (!fits || !plain) {
     throw InputError("Braille table '" + OneLine(name, 40) +
-                     "': give the name of a liblouis table like en-ueb-g2.ctb, or a path");
+                     "': give a liblouis table like en-ueb-g2.ctb, or a path");
   }
   for (const std::string& part : SplitNames(name)) {
     if (!FindTable(part, nullptr).empty()) continue;
     const std::string nearest = NearestTable(part);
     throw InputError("no Braille table '" + OneLine(part, 60) + "': " +
-                     (nearest.empty() ? "give the name of a liblouis table like en-ueb-g2.ctb"
+                     (nearest.empty() ? "give one of liblouis, like en-ueb-g2.ctb"
                                       : "did you mean " + nearest + "?"));
   }
 }
@@ -245,8 +254,7 @@ BrailleTable::BrailleTable(const std::string& name) : name_(name) {
   State().first_error.clear();
   State().files = 0;
   if (lou_checkTable(name.c_str()) != 0) return;
-  throw InputError("Braille table '" + OneLine(name, 40) + "' is broken: " +
-                   (State().first_error.empty() ? "use another" : State().first_error));
+  throw InputError(PlaceOfError(name) + ": this Braille table is broken: mend it or use another");
 }
 
 bool BrailleTable::Has(char32_t c) const {

@@ -81,9 +81,7 @@ Script LoadSvg(const std::string& path) {
 Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
   if (IsKanjiVgFolder(path)) return LoadKanjiVg(path, needed);
   if (IsHanziFolder(path)) return LoadHanziFolder(path, needed);
-  throw InputError(path +
-                   ": a folder without characters; give one of KanjiVG (04e00.svg) or of "
-                   "hanzi-writer-data (\u4e00.json)");
+  throw InputError(path + ": a folder without characters: give KanjiVG's or hanzi-writer-data's");
 }
 
 [[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {

@@ -20,8 +20,8 @@ std::string FindForm(const Script& script, const std::string& h_form) {
   if (found != forms->second.end()) return found->second;
   std::string known;
   for (const auto& form : forms->second) known += (known.empty() ? "" : ", ") + form.first;
-  throw InputError(fmt::format("script {} has no form '{}' of h: choose from {}", script.name,
-                               Shown(h_form), known));
+  throw InputError(
+      fmt::format("script {} has no h '{}': choose {}", script.name, Shown(h_form), known));
 }
 
 // The neighbours that a reader sees: what has no mark in print is passed over. Null at the ends.
@@ -99,8 +99,7 @@ std::uint32_t SignWriter::Glyph(const std::string& name) const {
   const std::size_t index = script_.Find(drawn);
   if (index == Script::npos) {
     throw InputError(
-        fmt::format("script {}: its rules name the glyph '{}', which its font lacks: "
-                    "draw it or take the rule out",
+        fmt::format("script {}: its rules name the glyph '{}', its font lacks it: draw it",
                     script_.name, drawn));
   }
   return static_cast<std::uint32_t>(index);

@@ -60,8 +60,7 @@ std::string ReadTextFile(const std::string& path, std::size_t max_bytes) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              std::fclose);
   if (file == nullptr) {
-    throw InputError(path + ": cannot be opened (" + std::strerror(errno) +
-                     "); check the path and the permissions");
+    throw InputError(path + ": cannot be opened (" + std::strerror(errno) + "): check the path");
   }
   std::string text;
   char block[65536];

@@ -45,8 +45,7 @@ std::string NoDevice() {
 }
 
 std::string NoHidapi() {
-  return "no device can be found: this program was built without hidapi; install libhidapi-dev "
-         "and build again";
+  return "no device can be found: built without hidapi; install libhidapi-dev and build again";
 }
 
 std::string WithoutDevice() {
@@ -133,10 +132,7 @@ std::string NoDeviceNamed() {
 }
 
 std::string UnknownDevicesWord(std::string_view given) {
-  return fmt::format(
-      "devices takes nothing, or test and a name, not \"{}\": \"moontrace devices "
-      "--help\" says more",
-      OneLine(given));
+  return fmt::format("devices takes nothing, or test and a name, not \"{}\"", OneLine(given));
 }
 
 std::string TestBegins(std::string_view name, std::string_view title) {

@@ -119,8 +119,8 @@ Mjcf PrepareMjcf(const std::string& xml, const std::string& folder, const std::s
   pugi::xml_document document;
   pugi::xml_node root = ParseInto(document, xml, name);
   if (!IsElement(root, "mujoco")) {
-    throw InputError(name + ": not a MuJoCo model: it begins with <" + OneLine(root.name()) +
-                     ">; give an MJCF file, which begins with <mujoco>");
+    throw InputError(name + ": no MuJoCo model: it begins with <" + OneLine(root.name()) +
+                     ">, not <mujoco>");
   }
   Includes(folder, name).Expand(root);
   if (!folder.empty() && ReadsFiles(root)) {

@@ -43,8 +43,8 @@ std::vector<Label> ReadLabels(const mjModel& m, const std::string& name) {
     labels.push_back(ParseLabel(text_name, m.text_data + m.text_adr[i], name));
   }
   if (labels.empty()) {
-    throw InputError(name + ": no label: add <custom><text name=\"moontrace:GEOM\" data=\"{}\"/>" +
-                     "</custom> with the name of a plane");
+    throw InputError(name +
+                     ": no label: add in <custom> a <text name=\"moontrace:GEOM\" data=\"{}\"/>");
   }
   return labels;
 }
@@ -91,8 +91,7 @@ PagePlace FindPage(const mjModel& m, const Label& label, const std::string& name
     page.extent[axis] = half > 0 ? half - label.at[axis] : std::numeric_limits<double>::infinity();
     if (half > 0 && !(std::abs(label.at[axis]) <= half && page.extent[axis] > 0)) {
       throw InputError(
-          fmt::format("{}: at_mm lies outside the geom, which reaches from {:g} to {:g} mm along "
-                      "{}; move it in",
+          fmt::format("{}: at_mm lies outside the geom, from {:g} to {:g} mm along {}: move it in",
                       PlaceOf(label, name), -1e3 * half, 1e3 * half, axis == 0 ? 'x' : 'y'));
     }
   }
@@ -104,8 +103,7 @@ PagePlace FindPage(const mjModel& m, const Label& label, const std::string& name
 void Tilt(mjModel& m, const PagePlace& page, double tilt, const std::string& place) {
   if (tilt == 0) return;
   if (page.moves) {
-    throw InputError(place + ": its body can move, so the page cannot be tilted on it; tilt the " +
-                     "body in the model, or leave the tilt out");
+    throw InputError(place + ": its body can move: tilt that in the model, not by --tilt-deg");
   }
   mjtNum* pos = m.geom_pos + std::ptrdiff_t{3} * page.geom;
   mjtNum* quat = m.geom_quat + std::ptrdiff_t{4} * page.geom;
@@ -143,8 +141,7 @@ ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
       m.body_parentid[b] == 0 && m.body_jntnum[b] == 3 && m.body_quat[std::ptrdiff_t{4} * b] == 1;
   for (int i = 0; free && i < 3; ++i) free = IsFreeSlide(m, joint + i, i);
   if (!free) {
-    throw InputError(place + "not free to slide; give it, in the world, three slide joints x, y, " +
-                     "z without limit, stiffness, damping or friction, or leave it out");
+    throw InputError(place + "not free: give it, in the world, bare slide joints x, y, z");
   }
   for (int i = 0; i < m.body_geomnum[b]; ++i) {
     const int geom = m.body_geomadr[b] + i;

@@ -24,10 +24,8 @@ std::size_t FirstDifference(const RecordColumns& a, const RecordColumns& b) noex
 
 ReplayResult Replay(const Record& record, const TextureField& field) {
   if (field.Hash() != record.head.field_hash) {
-    throw InputError(
-        fmt::format("record: the page built here has the digest {}, the recorded one "
-                    "{}; use the recorded script and program",
-                    ToHex(field.Hash()), ToHex(record.head.field_hash)));
+    throw InputError(fmt::format("record: page digest {} here, {} recorded: use the script of then",
+                                 ToHex(field.Hash()), ToHex(record.head.field_hash)));
   }
   Scene scene = Scene::FromXml(record.model_xml, "the record's model.xml", record.options);
   scene.SetField(&field);

@@ -42,8 +42,7 @@ int StepsFor(const SceneOptions& options, const TextureField& field, double mass
     if (h * h * stiffness / mass < 1 && h * options.coupling_damping / mass < 1) return steps;
   }
   throw InputError(fmt::format(
-      "the page is too stiff for the proxy: {:.0f} N/m and {:.0f} N s/m on {:.0f} g need more "
-      "than {} steps in {:g} ms; take a softer page, rounder grooves or a shorter tick",
+      "too stiff: {:.0f} N/m, {:.0f} N s/m on {:.0f} g, over {} steps in {:g} ms: round it more",
       stiffness, options.coupling_damping, 1000 * mass, kMostSubsteps, 1000 * options.tick));
 }
 

@@ -244,10 +244,8 @@ void CheckSchema(const Member& document, const std::string& where) {
   if (schema.Text() != "moontrace.trial") schema.Fail("not moontrace.trial");
   const double version = document["schema_version"].Number();
   if (version == kSchemaVersion) return;
-  throw InputError(
-      fmt::format("{}: schema version {} is unknown, this program reads {}; replay the "
-                  "record with the program that wrote it",
-                  where, version, kSchemaVersion));
+  throw InputError(fmt::format("{}: schema version {} is not {}: use the program that wrote it",
+                               where, version, kSchemaVersion));
 }
 
 }  // namespace

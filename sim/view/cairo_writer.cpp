@@ -162,8 +162,7 @@ namespace moontrace {
 namespace {
 
 [[noreturn]] void Lack() {
-  throw LackError(
-      "this build cannot write PNG or PDF; name an .svg picture or build with libcairo2-dev");
+  throw LackError("this build cannot write PNG or PDF: name an .svg, or build with libcairo2-dev");
 }
 
 }  // namespace

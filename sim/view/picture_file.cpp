@@ -34,8 +34,7 @@ PictureKind KindOf(const std::string& path) {
 }
 
 [[noreturn]] void CannotWrite(const std::string& path) {
-  throw LackError(path + ": cannot be written (" + std::strerror(errno) +
-                  "); name a folder that exists, may be written and has room");
+  throw LackError(path + ": cannot be written (" + std::strerror(errno) + "): name another place");
 }
 
 std::string PartialOf(const std::string& path) { return path + ".partial"; }

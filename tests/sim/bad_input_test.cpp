@@ -18,8 +18,23 @@ class BadInput : public CliTest {
     EXPECT_EQ(outcome.code, code) << line << "\n" << outcome.err;
     EXPECT_EQ(Lines(outcome.err).size(), 1U) << line << "\n" << outcome.err;
     EXPECT_LT(outcome.err.size(), 400U) << outcome.err;
+    EXPECT_LE(Characters(Without(outcome.err, args)), 81U) << outcome.err;  // and the line's end
     EXPECT_NE(outcome.err.find(named), std::string::npos) << line << "\n" << outcome.err;
     EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+  }
+
+  /// The words of our own in a line: what was given, paths above all, may be long.
+  std::string Without(std::string line, std::vector<std::string> given) const {
+    given.push_back(folder_.string());
+    for (const char* foreign : {": broken TOML: ", "MuJoCo cannot load it: "}) {
+      line = line.substr(0, line.find(foreign));  // what follows is a library's word
+    }
+    for (const std::string& word : given) {
+      for (std::size_t at = 0; word.size() > 20 && (at = line.find(word)) != std::string::npos;) {
+        line.erase(at, word.size());
+      }
+    }
+    return line;
   }
 
   /// A script of one letter with this path, beside the rules of Moon.

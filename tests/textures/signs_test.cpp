@@ -246,8 +246,7 @@ std::string ErrorOf(const Script& script, double grade, const std::string& h_for
 TEST(SignWriter, NamesTheGradesAndFormsThatItKnows) {
   const Script script = SmallScript();
   EXPECT_EQ(ErrorOf(script, 2, ""), "script small has no grade 2: choose from 0.5, 1");
-  EXPECT_EQ(ErrorOf(script, 1, "pocket"),
-            "script small has no form 'pocket' of h: choose from arc, plain");
+  EXPECT_EQ(ErrorOf(script, 1, "pocket"), "script small has no h 'pocket': choose arc, plain");
 }
 
 TEST(SignWriter, RefusesARuleWithoutItsGlyph) {
