@@ -68,8 +68,8 @@ std::string NotAWholeNumber(std::string_view option, std::string_view given) {
 }
 
 std::string OutOfRange(std::string_view option, std::string_view given, double low, double high) {
-  return fmt::format("{} is {}: write a number from {:g} to {:g}", option, OneLine(given), low,
-                     high);
+  return fmt::format("{} is {}: write a number from {} to {}", option, OneLine(given), Plain(low),
+                     Plain(high));
 }
 
 std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices) {
@@ -351,7 +351,7 @@ std::string BadParameters(std::string_view folder, std::string_view cause) {
 std::string BenchBegins() { return "Measuring: this takes about a quarter of a minute."; }
 
 std::string BenchLine(const BenchRow& row) {
-  std::string figure = fmt::format("{}: {:.4g} {}", row.name, row.value, row.unit);
+  std::string figure = fmt::format("{}: {} {}", row.name, Plain(row.value), row.unit);
   if (!row.holds) return figure;
   return fmt::format("{}: {}, {}.", *row.holds ? "Holds" : "Missed", figure, row.bar);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace moontrace::say {
@@ -22,6 +23,12 @@ std::string Short(double value, int decimals) {
     if (text.back() == '.') text.pop_back();
   }
   return text == "-0" ? "0" : text;
+}
+
+std::string Plain(double value) {
+  if (value == 0 || !std::isfinite(value)) return Short(value, 0);
+  const int whole_digits = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return Short(value, std::clamp(4 - whole_digits, 0, 15));
 }
 
 std::string Percent(double share) {

@@ -14,6 +14,8 @@ std::string Counted(std::size_t count, std::string_view one, std::string_view ma
 std::string Times(std::size_t count);
 /// At most `decimals`, no needless zeros.
 std::string Short(double value, int decimals);
+/// Four significant digits, or all of a whole part, without an exponent: "0.01234", "15000000".
+std::string Plain(double value);
 /// Never rounded up to a whole: 99.96 percent is not "100".
 std::string Percent(double share);
 
