@@ -5,9 +5,10 @@
 #include <toml++/toml.h>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
+
+#include "devices/toml_file.h"
 
 namespace moontrace {
 namespace {
@@ -34,7 +35,6 @@ constexpr Key kKeys[] = {
 };
 constexpr const char* kLateTicks = "late_ticks";
 constexpr int kMostLateTicks = 100;
-constexpr std::size_t kMostBytes = 1 << 20;
 
 [[noreturn]] void Fail(const std::string& name, const toml::source_region& where,
                        const std::string& what) {
@@ -106,20 +106,7 @@ HandModel ParseHand(std::string_view text, const std::string& name) {
 }
 
 HandModel LoadHand(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
-  if (file) {
-    text.resize(kMostBytes + 1);
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.is_open() || file.bad() || (text.empty() && !file.eof())) {
-    throw std::runtime_error(fmt::format("{}: cannot be read: name a hand's TOML file", path));
-  }
-  if (text.size() > kMostBytes) {
-    throw std::runtime_error(fmt::format("{}: is longer than 1 MB: name a hand's TOML file", path));
-  }
-  return ParseHand(text, path);
+  return ParseHand(ReadTomlFile(path, "a hand's"), path);
 }
 
 }  // namespace moontrace

@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "devices/device_error.h"
 #include "devices/nearest_name.h"
 #include "devices/profile.h"
+#include "devices/toml_file.h"
 
 namespace moontrace {
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 20;
 constexpr std::size_t kMostIds = 64;
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
@@ -372,20 +371,7 @@ DeviceProfile ParseProfile(std::string_view text, const std::string& name) {
 }
 
 DeviceProfile LoadProfile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
-  if (file) {
-    text.resize(kMostBytes + 1);
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.is_open() || file.bad() || (text.empty() && !file.eof())) {
-    throw DeviceError(fmt::format("{}: cannot be read: name a device's TOML file", path));
-  }
-  if (text.size() > kMostBytes) {
-    throw DeviceError(fmt::format("{}: is longer than 1 MB: name a device's TOML file", path));
-  }
-  return ParseProfile(text, path);
+  return ParseProfile(ReadTomlFile(path, "a device's"), path);
 }
 
 }  // namespace moontrace

@@ -43,13 +43,17 @@ class Console {
   Console(std::istream& in, std::ostream& out, std::ostream& err,
           const std::atomic<bool>* stop = nullptr);
 
-  /// `--json`: no results in words. `--quiet`: no remarks and no signs of life.
+  /// `--json`: no results in words. `--quiet`: no remarks, signs of life and happenings.
   void Set(bool json, bool quiet) {
     json_ = json;
     quiet_ = quiet;
   }
 
   void Result(std::string_view line);  ///< on stdout, wrapped at words
+  /// On stdout, wrapped: what goes on meanwhile and is no result. Not with `--quiet`.
+  void Happening(std::string_view line) {
+    if (!quiet_) Result(line);
+  }
   void Path(std::string_view path);    ///< on stdout, alone on its line, never wrapped
   void Remark(std::string_view line);  ///< on stderr, wrapped at words
   void Error(std::string_view line);   ///< on stderr, one line however long

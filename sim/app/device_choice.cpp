@@ -3,6 +3,7 @@
 #include "sim/app/device_opening.h"
 #include "sim/app/devices_command.h"
 #include "sim/app/loop_messages.h"
+#include "sim/loop/pacing.h"
 
 namespace moontrace {
 
@@ -20,8 +21,12 @@ std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double p
   return device;
 }
 
-void AddDevice(CLI::App& app, std::string& name) {
-  AddPath(app, "--device", "NAME", name, say::help::kDevice);
+void AddOptions(CLI::App& app, LiveOptions& options) {
+  AddPath(app, "--device", "NAME", options.device, say::help::kDevice);
+  AddNumber(app, "--seconds", options.seconds, 0.01, 1e6, 1, say::help::kSeconds);
+  AddNumber(app, "--rate-hz", options.rate, kSlowestRate, kFastestRate, 1, say::help::kRate);
+  AddNumber(app, "--scale", options.scale, 0.1, 10, 1, say::help::kScale);
+  app.add_flag("--hold-to-feel", options.hold_to_feel, say::help::kHoldToFeel);
 }
 
 }  // namespace moontrace

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,7 +21,15 @@ std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double p
                                   const std::function<void(std::string_view)>& tell,
                                   const std::atomic<bool>* stop);
 
-/// `--device NAME`.
-void AddDevice(CLI::App& app, std::string& name);
+/// What moves the tip in real time, and how: `--device`, `--seconds`, `--rate-hz`, `--scale`,
+/// `--hold-to-feel`.
+struct LiveOptions {
+  std::string device;             ///< as IsSimulated and OpenNamed take it
+  std::optional<double> seconds;  ///< [s]
+  std::optional<double> rate;     ///< [Hz]
+  std::optional<double> scale;
+  bool hold_to_feel = false;
+};
+void AddOptions(CLI::App& app, LiveOptions& options);
 
 }  // namespace moontrace

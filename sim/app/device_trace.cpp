@@ -10,6 +10,7 @@
 #include "sim/app/loop_messages.h"
 #include "sim/app/loop_session.h"
 #include "sim/app/messages.h"
+#include "sim/app/touch_energy.h"
 #include "sim/app/trace_report.h"
 #include "sim/app/typeset_report.h"
 #include "sim/view/picture_file.h"
@@ -53,7 +54,7 @@ class PageScore {
     result_.duration += tick;
     if (sample.fault) ++result_.faults;
     touched_ = touched_ || sample.in_contact;
-    result_.energy_out = std::max(result_.energy_out, sample.energy_out);
+    energy_.Add(sample.energy_out, sample.in_contact);
     const PathPoint point{sample.tip_P, scored.phase, sample.in_contact};
     std::vector<PathPoint>& path = result_.path;
     const bool same = !path.empty() && path.back().in_contact == point.in_contact &&
@@ -65,6 +66,7 @@ class PageScore {
 
   TrialResult Finish(double force_bound) {
     result_.score = scorer_.Finish();
+    result_.energy_out = energy_.value();
     result_.force_bound = force_bound;
     result_.real_time_factor = 1;
     return std::move(result_);
@@ -76,6 +78,7 @@ class PageScore {
   TraceScorer scorer_;
   double spacing_ = 0;
   bool touched_ = false;
+  TouchEnergy energy_;
   TrialResult result_;
 };
 
@@ -92,11 +95,8 @@ void RefuseOthers(const TraceOptions& options) {
 SessionRequest RequestOf(const TraceOptions& options) {
   SessionRequest request;
   request.text = {options.text, options.style, options.layout, options.feel, "trace"};
-  request.device = options.device;
-  request.rate = options.rate.value_or(1000);
-  request.scale = options.scale;
+  request.live = options.live;
   request.press = options.press;
-  request.hold_to_feel = options.hold_to_feel;
   request.blank = options.blank;
   return request;
 }
@@ -107,7 +107,7 @@ void Tell(const TraceOptions& options, const Trace& trace, double scale, bool to
   const TrialResult all = Merged(trace.pages);
   if (options.output.json) {
     Json json = TraceJson(trace, options.feel.scene, all);
-    json["device"] = options.device;
+    json["device"] = options.live.device;
     json["scale"] = scale;
     for (const char* key : {"mean_error_mm", "rms_error_mm", "max_error_mm", "excursions"}) {
       if (!touched) json["total"][key] = nullptr;
@@ -143,9 +143,9 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
     scores.emplace_back(trace.text, page, options.picture.empty() ? 0 : style.width / 20);
   }
   DriveOptions drive;
-  drive.seconds = options.seconds;
+  drive.seconds = options.live.seconds;
   drive.sizes = false;
-  const double tick = 1 / session.request().rate;
+  const double tick = 1 / session.rate();
   drive.sample = [&scores, tick](const LoopSample& s) { scores.at(s.page).Add(s, tick); };
   Drive(session, drive, console);
 
@@ -162,7 +162,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
     }
     trace.pages.push_back(std::move(result));
   }
-  Tell(options, trace, session.request().scale.value_or(1), touched, console);
+  Tell(options, trace, session.scale(), touched, console);
   RequireDevice(session);
   return exit_code::kGood;
 }

@@ -25,9 +25,6 @@ namespace {
 
 constexpr double kMillimetres = 1e3;
 
-/// JSON has no infinity: null stands for "without limit" and "none".
-Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json AxesJson(glm::bvec3 axes) {
   std::string names;
   for (int i = 0; i < 3; ++i) {
@@ -50,15 +47,15 @@ Json EntryJson(const DeviceEntry& entry) {
   json["pushes"] = AxesJson(limits.pushes);
   Json workspace = Json::array();
   for (int i = 0; i < 3; ++i) {
-    workspace.push_back(limits.measures[i] ? Finite(2 * kMillimetres * limits.workspace_D[i])
+    workspace.push_back(limits.measures[i] ? OrNull(2 * kMillimetres * limits.workspace_D[i])
                                            : Json(nullptr));
   }
   json["workspace_mm"] = workspace;
   json["buttons"] = limits.buttons;
-  json["peak_force_n"] = Finite(limits.peak_force);
-  json["continuous_force_n"] = Finite(limits.continuous_force);
-  json["stable_stiffness_n_per_m"] = Finite(StableStiffness(profile));
-  json["smallest_letter_mm"] = Finite(kMillimetres * SmallestLetter(profile));
+  json["peak_force_n"] = OrNull(limits.peak_force);
+  json["continuous_force_n"] = OrNull(limits.continuous_force);
+  json["stable_stiffness_n_per_m"] = OrNull(StableStiffness(profile));
+  json["smallest_letter_mm"] = OrNull(kMillimetres * SmallestLetter(profile));
   json["rate_hz"] = profile.rate;
   json["delay_ms"] = kMillimetres * profile.delay;
   json["dead_man_ms"] = limits.dead_man > 0 ? Json(kMillimetres * limits.dead_man) : Json(nullptr);

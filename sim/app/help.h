@@ -33,7 +33,8 @@ inline constexpr const char* kUdev = "print the udev rules that the device profi
 inline constexpr const char* kText = "the text; - reads standard input.";
 inline constexpr const char* kFile = "read the text from this file; - is standard input.";
 inline constexpr const char* kJson = "write one JSON object instead of words.";
-inline constexpr const char* kQuiet = "no remarks, only results and errors.";
+inline constexpr const char* kQuiet =
+    "no remarks and nothing of what goes on; only results, answers, lost force and errors.";
 inline constexpr const char* kSize =
     "height of the letters in mm, 1 to 1000; of Braille from dot 1 to dot 3. Default the script's: "
     "12, Braille 5.";

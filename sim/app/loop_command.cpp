@@ -9,24 +9,22 @@
 #include "sim/app/loop_messages.h"
 #include "sim/app/loop_session.h"
 #include "sim/app/metrics_json.h"
+#include "sim/app/touch_energy.h"
 #include "sim/app/typeset_report.h"
-#include "sim/loop/pacing.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr const char* kDefaultText = "the moon is bright";
-
 /// What was felt, summed up off the tick.
 struct Felt {
   std::uint64_t samples = 0, contacts = 0;
   double force_sum = 0, peak_force = 0;  ///< [N]
-  double energy_out = 0;                 ///< [J]
+  TouchEnergy energy;
 
   void Add(const LoopSample& sample) {
     ++samples;
-    energy_out = std::max(energy_out, sample.energy_out);
+    energy.Add(sample.energy_out, sample.in_contact);
     if (!sample.in_contact) return;
     const double force = glm::length(sample.force_P);
     ++contacts;
@@ -46,13 +44,11 @@ Json PercentilesJson(const Histogram& histogram) {
           {"max", histogram.max()}};
 }
 
-Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json DeviceJson(const LoopSession& session) {
   const DeviceLimits& limits = session.limits();
-  const bool simulated = IsSimulated(session.request().device);
+  const bool simulated = IsSimulated(session.request().live.device);
   Json json;
-  json["name"] = simulated ? "simulated" : session.request().device;
+  json["name"] = simulated ? "simulated" : session.request().live.device;
   json["peak_force_n"] = OrNull(limits.peak_force);
   json["continuous_force_n"] = OrNull(limits.continuous_force);
   json["stiffness_n_m"] = limits.stiffness;
@@ -68,7 +64,7 @@ Json DeviceJson(const LoopSession& session) {
 
 /// How long the loop ran, with a device or without [s].
 double TimeOf(const LoopSession& session, const LoopReport& report) {
-  return static_cast<double>(report.ticks + report.lost_ticks) / session.request().rate;
+  return static_cast<double>(report.ticks + report.lost_ticks) / session.rate();
 }
 
 Json LoopJson(const LoopSession& session, const LoopReport& report, const std::string& why_not,
@@ -77,8 +73,8 @@ Json LoopJson(const LoopSession& session, const LoopReport& report, const std::s
   Json json = TypesetJson(session.text().set, session.text().script);
   json["pages"] = session.text().set.pages.size();
   json["device"] = DeviceJson(session);
-  json["scale"] = session.request().scale.value_or(1);
-  json["rate_hz"] = session.request().rate;
+  json["scale"] = session.scale();
+  json["rate_hz"] = session.rate();
   json["seconds"] = seconds;
   json["ticks"] = report.ticks;
   json["lost_ticks"] = report.lost_ticks;
@@ -95,7 +91,7 @@ Json LoopJson(const LoopSession& session, const LoopReport& report, const std::s
   json["mean_force_n"] = felt.Mean();
   json["peak_force_n"] = felt.peak_force;
   json["force_bound_n"] = session.force_bound();
-  json["energy_out_uj"] = 1e6 * felt.energy_out;
+  json["energy_out_uj"] = 1e6 * felt.energy.value();
   json["samples_dropped"] = report.samples_dropped;
   json["events_dropped"] = report.events_dropped;
   return json;
@@ -103,12 +99,10 @@ Json LoopJson(const LoopSession& session, const LoopReport& report, const std::s
 
 SessionRequest RequestOf(const LoopCommandOptions& options) {
   SessionRequest request;
-  request.text = {options.text, options.style, options.layout, options.feel, "loop", kDefaultText};
-  request.device = options.device;
-  request.rate = options.rate.value_or(1000);
-  request.scale = options.scale;
+  request.text = {options.text, options.style, options.layout,
+                  options.feel, "loop",        say::help::kDefaultText};
+  request.live = options.live;
   request.press = options.press;
-  request.hold_to_feel = options.hold_to_feel;
   request.seed = options.seed;
   return request;
 }
@@ -117,12 +111,9 @@ SessionRequest RequestOf(const LoopCommandOptions& options) {
 
 void AddOptions(CLI::App& app, LoopCommandOptions& options) {
   AddOptions(app, options.text);
-  AddDevice(app, options.device);
-  AddNumber(app, "--seconds", options.seconds, 0.01, 1e6, 1, say::help::kSeconds);
-  AddNumber(app, "--rate-hz", options.rate, kSlowestRate, kFastestRate, 1, say::help::kRate);
-  AddNumber(app, "--scale", options.scale, 0.1, 10, 1, say::help::kScale);
+  app.get_option("TEXT")->description(say::help::kLoopText);
+  AddOptions(app, options.live);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
-  app.add_flag("--hold-to-feel", options.hold_to_feel, say::help::kHoldToFeel);
   AddOptions(app, options.style);
   AddOptions(app, options.layout);
   AddOptions(app, options.feel);
@@ -139,7 +130,7 @@ int Run(const LoopCommandOptions& options, Console& console) {
   SayBeginning(session, console);
   Felt felt;
   DriveOptions drive;
-  drive.seconds = options.seconds;
+  drive.seconds = options.live.seconds;
   drive.sample = [&felt](const LoopSample& sample) { felt.Add(sample); };
   Drive(session, drive, console);
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "sim/app/device_choice.h"
 #include "sim/app/options.h"
 
 namespace moontrace {
@@ -15,12 +15,8 @@ struct LoopCommandOptions {
   StyleOptions style;
   LayoutOptions layout;
   FeelOptions feel;
-  std::string device;
-  std::optional<double> seconds;  ///< [s]
-  std::optional<double> rate;     ///< [Hz]
-  std::optional<double> scale;
+  LiveOptions live;
   std::optional<double> press;  ///< [N]
-  bool hold_to_feel = false;
   std::uint64_t seed = 1;
 };
 void AddOptions(CLI::App& app, LoopCommandOptions& options);

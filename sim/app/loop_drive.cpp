@@ -44,6 +44,14 @@ class Driver {
     if (!line.empty()) console_.Result(line);
   }
 
+  /// What nobody asked for is left out by --quiet, but not what takes the force away.
+  void Tell(const LoopEvent& event, const std::string& line) {
+    const bool asked = event.kind == LoopEventKind::kBookmark ||
+                       (event.kind == LoopEventKind::kSafety && TakesForceAway(event.safety));
+    if (asked) return Say(line);
+    if (!line.empty()) console_.Happening(line);
+  }
+
   /// Takes what the loop has left.
   void Look() {
     Loop& loop = session_.loop();
@@ -52,7 +60,9 @@ class Driver {
     while (loop.TakeEvent(event)) {
       if (event.kind == LoopEventKind::kSay) Say(WhereNow());
       if (event.kind == LoopEventKind::kBookmark) session_.SetMark(event.tip_P);
-      Say(say::Event(event));
+      const bool lost =
+          event.kind == LoopEventKind::kSafety && event.safety == SafetyEvent::kDeviceLost;
+      Tell(event, lost ? say::DeviceLost(loop.WhyGone()) : say::Event(event));
     }
     LoopSample sample;
     while (loop.TakeSample(sample)) {
@@ -141,16 +151,21 @@ void RequireDevice(LoopSession& session) {
 
 void SayBeginning(const LoopSession& session, Console& console) {
   const SessionRequest& request = session.request();
-  const bool simulated = IsSimulated(request.device);
-  console.Result(say::LoopBegins(simulated ? "simulated stylus" : request.device, request.rate));
+  const bool simulated = IsSimulated(request.live.device);
+  const std::string& text = session.text().text;
+  const TextOptions& given = request.text.text;
+  const bool chosen = given.text || !given.file.empty() || text != request.text.default_text;
+  console.Happening(say::OnThePage(text, chosen));
+  console.Happening(
+      say::LoopBegins(simulated ? "simulated stylus" : request.live.device, session.rate()));
   const Typeset& set = session.text().set;
-  if (!simulated) console.Result(say::SetFor(set.page, set.pages.size()));
-  if (request.scale && *request.scale != 1) console.Result(say::Scaled(*request.scale));
+  if (!simulated) console.Happening(say::SetFor(set.page, set.pages.size()));
+  if (session.scale() != 1) console.Happening(say::Scaled(session.scale()));
   const double usual = request.text.feel.scene.coupling_stiffness;
   if (session.coupling_stiffness() < usual) {
     console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
   }
-  if (!simulated && !glm::any(session.limits().pushes)) console.Result(say::NoMotors());
+  if (!simulated && !glm::any(session.limits().pushes)) console.Happening(say::NoMotors());
   const bool text_read = request.text.text.text == "-";
   console.Remark(text_read ? say::CannotSpeak() : say::HowToSpeak());
   console.out().flush();

@@ -59,6 +59,11 @@ std::string SafetySentence(SafetyEvent event) {
 
 }  // namespace
 
+std::string OnThePage(std::string_view text, bool chosen) {
+  return fmt::format("On the page: {}{}", OneLine(text),
+                     chosen ? "" : ". No text was given; write one after the command.");
+}
+
 std::string LoopBegins(std::string_view device, double rate) {
   return fmt::format("Running: {}, {:.0f} ticks a second.", OneLine(device), rate);
 }

@@ -15,6 +15,9 @@ namespace moontrace::say {
 
 namespace help {
 inline constexpr const char* kLoop = "lets a text be felt in real time, with any device";
+inline constexpr const char* kDefaultText = "the moon is bright";
+inline constexpr const char* kLoopText =
+    "the text; - reads standard input. Default the model's, else \"the moon is bright\".";
 inline constexpr const char* kDevice =
     "what moves the tip: simulated, a name from moontrace devices, or plugin:PATH. Default "
     "simulated.";
@@ -28,6 +31,8 @@ inline constexpr const char* kLoopPress =
 inline constexpr const char* kHoldToFeel = "force only while the first button is held.";
 }  // namespace help
 
+/// What is felt; `chosen`: somebody gave it.
+std::string OnThePage(std::string_view text, bool chosen);
 std::string LoopBegins(std::string_view device, double rate);
 std::string NotRealtime(std::string_view why);
 std::string Scaled(double scale);

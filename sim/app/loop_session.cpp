@@ -74,21 +74,21 @@ glm::dvec2 RoomOf(const DeviceLimits& limits, double scale) {
 LoopSession::LoopSession(SessionRequest request, Console& console)
     : request_(std::move(request)),
       console_(console),
-      simulated_(IsSimulated(request_.device)),
+      simulated_(IsSimulated(request_.live.device)),
       scene_options_(request_.text.feel.scene) {
-  const double tick = 1 / request_.rate;
+  const double tick = 1 / rate();
   request_.text.feel.scene.tick = scene_options_.tick = tick;
   const double press = request_.press.value_or(kPress);
   std::unique_ptr<Device> device;
-  if (simulated_ && request_.scale) throw UsageError(say::OnlyWithDevice("--scale"));
+  if (simulated_ && request_.live.scale) throw UsageError(say::OnlyWithDevice("--scale"));
   if (!simulated_) {
     const auto tell = [&console](std::string_view sentence) {
       console.Result(sentence);
       console.out().flush();
     };
-    device = OpenNamed(request_.device, tick, press, tell, console.stop());
+    device = OpenNamed(request_.live.device, tick, press, tell, console.stop());
     limits_ = device->Limits();
-    request_.text.room = RoomOf(limits_, request_.scale.value_or(1));
+    request_.text.room = RoomOf(limits_, scale());
   }
   text_ = SetUpText(request_.text, console);
   const std::string& model = request_.text.feel.model;
@@ -102,15 +102,15 @@ LoopSession::LoopSession(SessionRequest request, Console& console)
   if (simulated_) device = StylusFor(0);
 
   LoopOptions options;
-  options.rate = request_.rate;
+  options.rate = rate();
   options.press = press;
-  options.hold_to_feel = request_.hold_to_feel;
+  options.hold_to_feel = request_.live.hold_to_feel;
   DeviceSource source = [this, tick, press](const std::atomic<bool>& ending) {
     const auto tell = [this](std::string_view sentence) {
       const std::lock_guard lock(sentences_mutex_);
       sentences_.emplace_back(sentence);
     };
-    return OpenNamed(request_.device, tick, press, tell, &ending);
+    return OpenNamed(request_.live.device, tick, press, tell, &ending);
   };
   loop_ = std::make_unique<Loop>(std::move(scene), std::move(field), std::move(device),
                                  std::move(source), PlaceOfDevice(), options);
@@ -142,7 +142,7 @@ std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) const {
 DevicePlace LoopSession::PlaceOfDevice() const {
   DevicePlace place;
   if (simulated_) return place;
-  place.scale = request_.scale.value_or(1);
+  place.scale = scale();
   if (!limits_.measures.z) place.R_WD = X_WP_.R;
   const PageSpec& sheet = text_.set.page;
   const std::vector<PlacedGlyph>& glyphs = text_.set.pages[0].glyphs;

@@ -10,6 +10,7 @@
 
 #include "devices/device.h"
 #include "sim/app/console.h"
+#include "sim/app/device_choice.h"
 #include "sim/app/text_setup.h"
 #include "sim/loop/loop.h"
 #include "sim/scene/pose.h"
@@ -19,11 +20,8 @@ namespace moontrace {
 /// A text to be felt in real time.
 struct SessionRequest {
   TextRequest text;
-  std::string device;  ///< as IsSimulated and OpenNamed take it
-  double rate = 1000;  ///< [Hz]
-  std::optional<double> scale;
+  LiveOptions live;
   std::optional<double> press;  ///< [N]
-  bool hold_to_feel = false;
   bool blank = false;
   std::uint64_t seed = 1;  ///< of the simulated hand
 };
@@ -37,6 +35,8 @@ class LoopSession {
   Loop& loop() { return *loop_; }
   const TextSetup& text() const { return text_; }
   const SessionRequest& request() const { return request_; }
+  double rate() const { return request_.live.rate.value_or(1000); }  ///< [Hz]
+  double scale() const { return request_.live.scale.value_or(1); }   ///< see DevicePlace
   const DeviceLimits& limits() const { return limits_; }
   double force_bound() const { return force_bound_; }  ///< see ForceBound [N]
   double coupling_stiffness() const { return scene_options_.coupling_stiffness; }

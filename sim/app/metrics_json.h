@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "lessons/scoring.h"
@@ -9,6 +10,9 @@ namespace moontrace {
 
 /// Key order is the order of writing, as people read them.
 using Json = nlohmann::ordered_json;
+
+/// JSON has no infinity: null stands for "without limit" and for "none".
+inline Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// Metrics with the unit in the key, as `trace --json` and trial.json give them.
 Json MetricsJson(const TraceMetrics& metrics);

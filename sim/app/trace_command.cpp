@@ -15,7 +15,6 @@
 #include "sim/app/trial.h"
 #include "sim/app/trial_parameters.h"
 #include "sim/app/typeset_report.h"
-#include "sim/loop/pacing.h"
 #include "sim/view/picture_file.h"
 #include "sim/view/trace_picture.h"
 
@@ -110,10 +109,10 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
 namespace {
 
 void RefuseDeviceOptions(const TraceOptions& options) {
-  const std::pair<bool, const char*> given[] = {{options.seconds.has_value(), "--seconds"},
-                                                {options.rate.has_value(), "--rate-hz"},
-                                                {options.scale.has_value(), "--scale"},
-                                                {options.hold_to_feel, "--hold-to-feel"}};
+  const std::pair<bool, const char*> given[] = {{options.live.seconds.has_value(), "--seconds"},
+                                                {options.live.rate.has_value(), "--rate-hz"},
+                                                {options.live.scale.has_value(), "--scale"},
+                                                {options.live.hold_to_feel, "--hold-to-feel"}};
   for (const auto& option : given) {
     if (option.first) throw UsageError(say::OnlyWithDevice(option.second));
   }
@@ -126,7 +125,7 @@ int Run(const TraceOptions& options, Console& console) {
     throw UsageError(say::NeedsOther("--csv", "--record"));
   }
   if (!options.picture.empty()) CheckPicturePath(options.picture);
-  if (!IsSimulated(options.device)) return TraceWithDevice(options, console);
+  if (!IsSimulated(options.live.device)) return TraceWithDevice(options, console);
   RefuseDeviceOptions(options);
   Trace trace;
   trace.text =

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/app/device_choice.h"
 #include "sim/app/options.h"
 
 namespace moontrace {
@@ -25,11 +26,7 @@ struct TraceOptions {
   bool csv = false;
   std::string picture;
 
-  std::string device;  ///< empty or "simulated": the rest counts for nothing and is refused
-  std::optional<double> seconds;  ///< [s]
-  std::optional<double> rate;     ///< [Hz]
-  std::optional<double> scale;
-  bool hold_to_feel = false;
+  LiveOptions live;  ///< device empty or "simulated": the rest counts for nothing and is refused
 };
 void AddOptions(CLI::App& app, TraceOptions& options);
 int Run(const TraceOptions& options, Console& console);

@@ -29,7 +29,13 @@ enum class SafetyEvent : std::uint8_t {
   kLateLoop,      ///< no tick for so long that the watchdog has let the device go
   kStuck,         ///< reports go on, but the position does not answer to force (still_tip.h)
 };
-inline constexpr std::size_t kSafetyEvents = 12;
+inline constexpr std::size_t kSafetyEvents = 13;
+
+/// Whether an event means zero force; the others only lessen it.
+constexpr bool TakesForceAway(SafetyEvent event) noexcept {
+  return event != SafetyEvent::kForceCap && event != SafetyEvent::kRateCap &&
+         event != SafetyEvent::kPowerCap && event != SafetyEvent::kResting;
+}
 
 /// Everything the stage needs to know of one tick.
 struct SafetyInput {

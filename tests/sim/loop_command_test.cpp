@@ -39,9 +39,30 @@ TEST_F(LoopCommand, SaysThemInPlainLines) {
   EXPECT_EQ(outcome.code, 0);
   ExpectTextFace(outcome.out);
   ExpectTextFace(outcome.err);
+  // nobody chose the text: its first line says what is felt, and how to choose
+  EXPECT_EQ(outcome.out.rfind("On the page: the moon is bright. No text was given;", 0), 0U)
+      << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Running: simulated stylus, 1000 ticks a second."));
   EXPECT_TRUE(Holds(outcome.out, "Ran "));
   EXPECT_TRUE(Holds(outcome.out, "Late by at most"));
+}
+
+TEST_F(LoopCommand, SaysWhatIsOnThePage) {
+  const Outcome outcome = RunLine({"loop", "full moon", "--seconds", "0.1"});
+  EXPECT_EQ(outcome.out.rfind("On the page: full moon\n", 0), 0U) << outcome.out;
+  EXPECT_TRUE(Holds(RunLine({"loop", "--help"}).out, "Default the model's, else \"the moon"));
+}
+
+TEST_F(LoopCommand, QuietLeavesOutWhatGoesOnButNoAnswerAndNoLossOfForce) {
+  const Outcome outcome = RunLine({"loop", "MOON", "--page", "60x40", "--size-mm", "20", "--quiet"},
+                                  "stop\ngo\nwhere\nquit\n");
+  EXPECT_EQ(outcome.err, "");
+  for (const char* left_out : {"On the page", "Running", "Going on"}) {
+    EXPECT_FALSE(Holds(outcome.out, left_out)) << outcome.out;
+  }
+  EXPECT_TRUE(Holds(outcome.out, ", page 1 of")) << outcome.out;  // where
+  EXPECT_TRUE(Holds(outcome.out, "Stopped: no force.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Ran ")) << outcome.out;
 }
 
 TEST_F(LoopCommand, ObeysWordsUntilQuit) {
