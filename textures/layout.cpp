@@ -64,8 +64,8 @@ Layout::Layout(const Script& script, const TypeStyle& style, const PageSpec& pag
 void Layout::CheckRoom() const {
   if (room_ - Row().size + kSlack >= 0) return;
   throw InputError(
-      fmt::format("the page has {:.4g} mm between its margins, a line needs {:.4g} "
-                  "mm: choose smaller letters or a larger page",
+      fmt::format("page: {:.4g} mm within its margins, a line needs {:.4g} mm: choose smaller "
+                  "letters",
                   Mm(room_), Mm(Row().size)));
 }
 
@@ -200,11 +200,10 @@ void Layout::Place(const std::vector<Sign>& signs, std::size_t at) {
   const std::size_t together = std::min(at + (sign.keep_next ? 2 : 1), signs.size());
   if (!row_empty_ && !Fits(signs, at, together, pen_)) StartRow();
   if (!Fits(signs, at, at + 1, pen_)) {
-    throw InputError(
-        fmt::format("the page's lines are {:.4g} mm {}, the letter '{}' needs "
-                    "{:.4g} mm: choose smaller letters or a larger page",
-                    Mm(line_length_), direction_ == LineDirection::kVertical ? "high" : "wide",
-                    script_.glyphs[sign.glyph].name, Mm(Row().extent[sign.glyph])));
+    throw InputError(fmt::format(
+        "lines are {:.4g} mm {}, the letter '{}' needs {:.4g} mm: choose smaller letters",
+        Mm(line_length_), direction_ == LineDirection::kVertical ? "high" : "wide",
+        script_.glyphs[sign.glyph].name, Mm(Row().extent[sign.glyph])));
   }
   Put(sign);
 }

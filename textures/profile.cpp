@@ -47,8 +47,7 @@ void Check(const Profile& profile) {
     return;
   }
   throw InputError(fmt::format(
-      "groove of width {:g} mm, depth {:g} mm, rounding {:g} mm cannot be: all must be above zero, "
-      "rounding at most a quarter of the width",
+      "groove {:g} by {:g} mm, rounding {:g} mm: give all above 0, rounding to width / 4",
       profile.width * 1e3, profile.depth * 1e3, profile.rounding * 1e3));
 }
 

@@ -32,8 +32,8 @@ void CheckPage(const PageSpec& page) {
   if (!(page.margin >= 0 && shorter > 2 * page.margin &&
         std::max(page.width, page.height) <= kLargestPage)) {
     throw InputError(
-        fmt::format("page {:.6g} x {:.6g} mm with margins of {:.6g} mm: give sides "
-                    "above twice the margin, up to {:.0f} mm",
+        fmt::format("page {:.6g} x {:.6g} mm, margins {:.6g} mm: give sides above twice that, up "
+                    "to {:.0f} mm",
                     Mm(page.width), Mm(page.height), Mm(page.margin), Mm(kLargestPage)));
   }
 }
@@ -114,8 +114,7 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
   if (result.untaught_count > 0) {
     const Replacement& first = result.untaught.front();
     throw InputError(
-        fmt::format("nothing left to set: '{}' (line {}, column {}) and all else is "
-                    "not among the signs taught: use those",
+        fmt::format("nothing left to set: '{}' (line {}, column {}) and the rest are not taught",
                     first.was, first.line, first.column));
   }
   if (result.missing_count == 0) {
@@ -123,9 +122,8 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
   }
   const Replacement& first = result.missing.front();
   throw InputError(
-      fmt::format("nothing left to set: script {} has no form of any of the {} "
-                  "characters, the first is '{}' (line {}, column {}): use others",
-                  script.name, result.missing_count, first.was, first.line, first.column));
+      fmt::format("nothing left to set: script {} has no sign for '{}' (line {}, column {})",
+                  script.name, first.was, first.line, first.column));
 }
 
 }  // namespace moontrace
