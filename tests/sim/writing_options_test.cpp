@@ -54,10 +54,10 @@ TEST_F(WritingOptions, ReadBackSaysWhetherTheSignsAreTheText) {
                 "Reads back as written, not as given: 2 words, 2 characters left out, 1 replaced."),
             std::string::npos)
       << less.out;
-  const nlohmann::json json =
+  const nlohmann::json of_less =
       RunLine({"page", "caf\u00e9 \u2603 b\u2603", "--read-back", "--json"}).Json();
-  EXPECT_EQ(json["read_back"]["left_out"], 2);
-  EXPECT_EQ(json["read_back"]["replaced"], 1);
+  EXPECT_EQ(of_less["read_back"]["left_out"], 2);
+  EXPECT_EQ(of_less["read_back"]["replaced"], 1);
   EXPECT_NE(same.out.find("Reads: the band"), std::string::npos);
   const Outcome other = RunLine({"page", "room 3d", "--read-back"});
   EXPECT_NE(other.out.find("Reads back otherwise: 1 word of 2."), std::string::npos) << other.out;
