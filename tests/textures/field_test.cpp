@@ -35,18 +35,28 @@ struct Setting {
   const char* name;
   double size;
   Relief relief;
+  LinkReach links = LinkReach::kNone;
 };
+SamplePage PageOf(const Setting& setting) {
+  SamplePage page = MakePage(kPangram, setting.size, setting.relief);
+  if (setting.links == LinkReach::kNone) return page;
+  page.typeset.style.links.reach = setting.links;
+  page.texture = BuildTexture(page.typeset.pages.front(), page.script, page.typeset.style);
+  return page;
+}
 class FieldOfAPage : public ::testing::TestWithParam<Setting> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, FieldOfAPage,
                          ::testing::Values(Setting{"Large", 0.020, Relief::kEngraved},
                                            Setting{"Small", 0.006, Relief::kEngraved},
-                                           Setting{"Embossed", 0.010, Relief::kEmbossed}),
+                                           Setting{"Embossed", 0.010, Relief::kEmbossed},
+                                           Setting{"Linked", 0.012, Relief::kEngraved,
+                                                   LinkReach::kWords}),
                          [](const auto& setting) { return setting.param.name; });
 
 // Places agree to 8 units in the last place of the page's width, and displacement changes by the
 // slope times that; blending may add the other member's slope.
 TEST_P(FieldOfAPage, EqualsTheTreeToRounding) {
-  const SamplePage page = MakePage(kPangram, GetParam().size, GetParam().relief);
+  const SamplePage page = PageOf(GetParam());
   const TextureField field(page.texture);
   const double tolerance = 1e-17 + 2 * field.greatest_slope() * 8 *
                                        std::numeric_limits<double>::epsilon() *
@@ -71,7 +81,7 @@ TEST_P(FieldOfAPage, EqualsTheTreeToRounding) {
 // members are within the step of each other lie on the crease set and are left out, as are points
 // whose differences straddle one.
 TEST_P(FieldOfAPage, GradientIsTheDerivativeOffTheCreases) {
-  const SamplePage page = MakePage(kPangram, GetParam().size, GetParam().relief);
+  const SamplePage page = PageOf(GetParam());
   const TextureField field(page.texture);
   const TypeStyle& style = page.typeset.style;
   const double s = field.greatest_slope();
@@ -109,7 +119,7 @@ TEST_P(FieldOfAPage, GradientIsTheDerivativeOffTheCreases) {
 // Continuity across rims, spines, caps, joints, neighbours: along any straight walk the
 // displacement changes by no more than the greatest slope times the step.
 TEST_P(FieldOfAPage, IsContinuousEverywhere) {
-  const SamplePage page = MakePage(kPangram, GetParam().size, GetParam().relief);
+  const SamplePage page = PageOf(GetParam());
   const TextureField field(page.texture);
   Points points(page, 13);
   const double s = field.greatest_slope();
