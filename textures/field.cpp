@@ -107,9 +107,10 @@ std::size_t TextureField::memory_bytes() const noexcept {
   std::size_t bytes = sizeof *this + Bytes(layers_) + paper_.memory_bytes();
   for (const CompiledLayer& layer : layers_) {
     bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.rows.of_band) +
-             Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.blocks) +
-             Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.elements) + Bytes(layer.fills) +
-             Bytes(layer.fades) + Bytes(layer.profiles);
+             Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) +
+             Bytes(layer.heights) + Bytes(layer.blocks) + Bytes(layer.cells) + Bytes(layer.items) +
+             Bytes(layer.elements) + Bytes(layer.fills) + Bytes(layer.fades) +
+             Bytes(layer.profiles);
     for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
   }
   return bytes;

@@ -136,7 +136,8 @@ struct TextureField::CompiledLayer {
   Rows rows;                         ///< else the following three
   std::vector<std::uint32_t> bands;  ///< first leaf of each
   std::vector<std::uint16_t> buckets;
-  std::vector<Leaf> leaves;  ///< of each band from left to right
+  std::vector<Leaf> leaves;         ///< of each band from left to right
+  std::vector<glm::dvec2> heights;  ///< from and to where groups fill a band [m]; where few blocks
   std::vector<Block> blocks;
   std::vector<Cell> cells;
   std::vector<std::uint16_t> items;

@@ -74,6 +74,26 @@ void AddBand(const std::vector<const PlacedGroup*>& leaves, CompiledLayer& layer
   layer.leaves.push_back({{std::numeric_limits<double>::infinity(), 0.0}, 0, 0});
 }
 
+/// What each band holds in height, where blocks are few, as of rules: text has more, and is asked
+/// for anyway.
+void AddHeights(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
+  constexpr std::size_t kFew = 16;
+  if (layer.blocks.size() > kFew) return;
+  layer.heights.assign(static_cast<std::size_t>(layer.band_count), glm::dvec2(1e300, -1e300));
+  // computed as a query computes it, so that rounding cannot part them
+  const auto band_of = [&layer](double y) {
+    const double band = std::floor((y - layer.origin.y) * layer.bands_per_m);
+    return static_cast<std::size_t>(std::clamp(band, 0.0, layer.band_count - 1));
+  };
+  for (const PlacedGroup& place : places) {
+    const std::size_t last = band_of(place.box.max.y);
+    for (std::size_t i = band_of(place.box.min.y); i <= last; ++i) {
+      layer.heights[i].x = std::min(layer.heights[i].x, place.box.min.y);
+      layer.heights[i].y = std::max(layer.heights[i].y, place.box.max.y);
+    }
+  }
+}
+
 }  // namespace
 
 void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
@@ -93,13 +113,17 @@ void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
       return a->box.min.x < b->box.min.x;
     });
   }
-  if (AddRows(bands, all, layer) || AddUnevenRows(places, all, layer)) return;
+  if (AddRows(bands, all, layer) || AddUnevenRows(places, all, layer)) {
+    AddHeights(places, layer);
+    return;
+  }
   std::size_t longest = 1;
   for (const auto& band : bands) longest = std::max(longest, band.size());
   ChooseBuckets(places.size(), longest, all, layer);
   for (const auto& band : bands) AddBand(band, layer);
   layer.buckets.shrink_to_fit();
   layer.leaves.shrink_to_fit();
+  AddHeights(places, layer);
 }
 
 }  // namespace moontrace

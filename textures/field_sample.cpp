@@ -310,6 +310,15 @@ Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, glm::dve
   }
 }
 
+/// Whether the point lies above or below all that its band holds.
+inline bool IsBetween(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+  if (layer.heights.empty()) return false;
+  const double v = (p.y - layer.origin.y) * layer.bands_per_m;
+  if (!(v >= 0 && v < layer.band_count)) return true;
+  const glm::dvec2& height = layer.heights[static_cast<std::uint32_t>(v)];
+  return (p.y < height.x) | (p.y > height.y);
+}
+
 /// The layer's magnitude and gradient.
 inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   // comparisons are written so that a NaN ends here
@@ -328,7 +337,7 @@ Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const CompiledLayer& layer = layers_[i];
     // what is added to the text is mostly not where the text is
-    if (i > 0 && IsIn(layer.hole, p_P)) continue;
+    if (i > 0 && (IsIn(layer.hole, p_P) || IsBetween(layer, p_P))) continue;
     const Magnitude magnitude = SampleLayer(layer, p_P);
     sum.displacement += layer.sign * magnitude.height;
     sum.gradient += layer.sign * magnitude.gradient;
