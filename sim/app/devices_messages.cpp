@@ -101,11 +101,10 @@ std::string DeviceMeasures(const DeviceProfile& profile) {
 
 std::string DeviceLetters(const DeviceProfile& profile, double smallest) {
   if (!glm::any(profile.limits.pushes)) return "Letters of every size can be seen, none felt.";
-  std::string line =
-      fmt::format("It holds up to {} N/m steady; ", Short(StableStiffness(profile), 0));
+  std::string line = fmt::format("It holds {} N/m steady; ", Short(StableStiffness(profile), 0));
   if (smallest == 0) return line + "it cannot hold the tip in a groove.";
   if (!std::isfinite(smallest)) return line + "it is too weak to render letters well.";
-  return line + fmt::format("the smallest letter that it renders well is {} mm.",
+  return line + fmt::format("the smallest letter that renders well is {} mm.",
                             Short(std::ceil(10 * kMillimetres * smallest - 1e-9) / 10, 1));
 }
 

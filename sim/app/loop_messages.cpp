@@ -12,9 +12,9 @@ namespace moontrace::say {
 
 namespace {
 
-std::string Micro(double microseconds) {
-  return fmt::format("{} microseconds", Short(microseconds, microseconds < 10 ? 1 : 0));
-}
+/// Of microseconds, where the unit has been said.
+std::string Figure(double microseconds) { return Short(microseconds, microseconds < 10 ? 1 : 0); }
+std::string Micro(double microseconds) { return Figure(microseconds) + " microseconds"; }
 
 std::string Joined(const std::vector<std::string>& words, std::string_view last) {
   std::string list;
@@ -234,12 +234,12 @@ std::string LoopOutcome(const LoopReport& report, double seconds) {
 
 std::string Lateness(const LoopReport& report) {
   return fmt::format("Late by at most {} in 999 of 1000 ticks, {} at worst.",
-                     Micro(report.lateness.Percentile(0.999)), Micro(report.lateness.max()));
+                     Micro(report.lateness.Percentile(0.999)), Figure(report.lateness.max()));
 }
 
 std::string Cost(const LoopReport& report) {
   return fmt::format("A tick takes at most {} in 999 of 1000, {} at worst.",
-                     Micro(report.cost.Percentile(0.999)), Micro(report.cost.max()));
+                     Micro(report.cost.Percentile(0.999)), Figure(report.cost.max()));
 }
 
 std::string Realtime(std::string_view not_realtime) {
