@@ -36,10 +36,9 @@ void CheckSheetTexture(const TypeStyle& style, const Box& sheet_P) {
   const double strokes = GreatestSlope(Profile{style.width, style.depth, style.rounding});
   const double slope = BoundsOf(patch).slope;
   if (strokes + slope <= kSteepest) return;
-  throw InputError(
-      fmt::format("texture of slope {:.2f} on strokes of slope {:.2f}: together at most {:g}, "
-                  "choose a lower texture amplitude",
-                  slope, strokes, kSteepest));
+  throw InputError(fmt::format(
+      "texture slope {:.2f} on strokes of slope {:.2f}: above {:g}, choose a flatter one", slope,
+      strokes, kSteepest));
 }
 
 void AddSheetTexture(const TextPage& page, const TypeStyle& style, Texture& texture) {
