@@ -4,7 +4,10 @@
 #include <fstream>
 #include <string>
 
+#include "sim/app/sheet_options.h"
+#include "sim/scene/label.h"
 #include "tests/sim/cli_fixture.h"
+#include "textures/error.h"
 
 namespace moontrace {
 namespace {
@@ -123,6 +126,21 @@ TEST_F(SheetOptionsOf, PicturesShowThemAndSaySo) {
   EXPECT_NE(svg.find("Line rules 1.2 mm wide. Raised margin 1.2 mm wide. Paper rough with waves"),
             std::string::npos);
   EXPECT_NE(svg.find("its crests shaded"), std::string::npos);
+}
+
+TEST(SheetLabel, HasATextureOfItsOwn) {
+  const Label label = ParseLabel(
+      "moontrace:mug", "{texture='grid', texture_amplitude_mm=0.02, texture_wavelength_mm=1.5}",
+      "mug.xml");
+  const SheetTexture texture = SheetTextureOf({}, label);
+  ASSERT_TRUE(texture.paper.has_value());
+  EXPECT_EQ(texture.paper->kind, PaperKind::kGrid);
+  EXPECT_NEAR(texture.paper->amplitude, 20e-6, 1e-15);
+  EXPECT_NEAR(texture.paper->wavelength, 1.5e-3, 1e-15);
+  SheetOptions none;
+  none.texture = "none";
+  EXPECT_FALSE(SheetTextureOf(none, label).paper.has_value());
+  EXPECT_THROW(ParseLabel("moontrace:mug", "{texture='sand'}", "mug.xml"), InputError);
 }
 
 }  // namespace
