@@ -35,7 +35,8 @@ constexpr std::size_t kMostCells = 16;                              // of one ch
 // What the library keeps for the whole program, and what its call-backs leave here.
 struct Library {
   std::mutex mutex;
-  std::string first_error;
+  std::string first_error;  ///< liblouis' own words
+  std::string refused;      ///< why Resolve found nothing, in ours
   std::size_t files = 0;
   std::vector<std::string> answer;  ///< of Resolve
   std::vector<char*> answer_pointers;
@@ -46,13 +47,16 @@ Library& State() {
   return library;
 }
 
-// The "file:3" of liblouis' own first line, which is "file:3: error: ..."; else the table's name.
-std::string PlaceOfError(const std::string& name) {
+// One line of ours about a table: what Resolve found, else the "file:3" of liblouis' own first
+// line, which is "file:3: error: ...", else the table's name.
+std::string WhatIsWrong(const std::string& name) {
+  constexpr const char* kBroken = ": this Braille table is broken: mend it or use another";
   const std::string& line = State().first_error;
+  if (!State().refused.empty()) return OneLine(name, 200) + ": " + State().refused;
   const std::size_t end = line.find(": error");
   const bool has_place = end != std::string::npos && end > 0 && line[end - 1] >= '0' &&
                          line[end - 1] <= '9' && line.rfind(':', end - 1) != std::string::npos;
-  return has_place ? line.substr(0, end) : OneLine(name, 200);
+  return (has_place ? line.substr(0, end) : OneLine(name, 200)) + kBroken;
 }
 
 // "file:3: error: opcode 'foo' not defined." is the first; those that follow only say that it
@@ -114,8 +118,8 @@ char** Resolve(const char* list, const char* base) {
   const std::vector<std::string> names = SplitNames(list);
   State().files += names.size();
   if (State().files > kMostFiles) {
-    if (State().first_error.empty()) {
-      State().first_error = fmt::format("includes itself, or more than {} files", kMostFiles);
+    if (State().refused.empty()) {
+      State().refused = fmt::format("includes itself, or more than {} files", kMostFiles);
     }
     return nullptr;
   }
@@ -125,8 +129,8 @@ char** Resolve(const char* list, const char* base) {
   for (const std::string& name : names) {
     files.push_back(FindTable(name, base));
     if (!files.back().empty()) continue;
-    if (State().first_error.empty()) {
-      State().first_error = "cannot find '" + OneLine(name, 60) + "'";
+    if (State().refused.empty()) {
+      State().refused = "cannot find '" + OneLine(name, 60) + "'";
     }
     return nullptr;
   }
@@ -199,11 +203,11 @@ Translation Translated(const std::string& table, std::u32string_view text) {
     int taken = static_cast<int>(input.size());
     int given = static_cast<int>(room);
     State().first_error.clear();
+    State().refused.clear();
     const int good = lou_translate(table.c_str(), input.data(), &taken, result.cells.data(), &given,
                                    nullptr, nullptr, to.data(), result.from.data(), nullptr, mode);
     if (good == 0) {
-      throw InputError("Braille table '" + OneLine(table, 40) + "' failed: " +
-                       (State().first_error.empty() ? "use another" : State().first_error));
+      throw InputError(WhatIsWrong(table));
     }
     if (static_cast<std::size_t>(taken) == input.size()) {
       result.cells.resize(static_cast<std::size_t>(given));
@@ -252,9 +256,10 @@ BrailleTable::BrailleTable(const std::string& name) : name_(name) {
   lou_setLogLevel(LOU_LOG_ERROR);
   lou_registerTableResolver(Resolve);
   State().first_error.clear();
+  State().refused.clear();
   State().files = 0;
   if (lou_checkTable(name.c_str()) != 0) return;
-  throw InputError(PlaceOfError(name) + ": this Braille table is broken: mend it or use another");
+  throw InputError(WhatIsWrong(name));
 }
 
 bool BrailleTable::Has(char32_t c) const {

@@ -88,8 +88,9 @@ TEST(Catalogue, TellsTheUdevLineWherePermissionIsRefused) {
   const FakeHid fake("pid", "refused");
   const std::vector<DeviceEntry> entries = ListDevices(kProfiles);
   ASSERT_EQ(entries.size(), 1u);
-  EXPECT_TRUE(Has(entries[0].problem, "KERNELS==\"*:1209:FFB0.*\"")) << entries[0].problem;
-  EXPECT_TRUE(Has(Refusal("openffboard"), "KERNELS==\"*:1209:FFB0.*\""));
+  EXPECT_EQ(entries[0].problem, "no permission");
+  EXPECT_TRUE(Has(entries[0].rule, "KERNELS==\"*:1209:FFB0.*\"")) << entries[0].rule;
+  EXPECT_TRUE(Has(Refusal("openffboard"), "\"moontrace devices\" tells how to give it"));
 }
 
 TEST(Catalogue, TellsWhatABrokenDescriptorLacks) {
