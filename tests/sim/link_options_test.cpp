@@ -1,0 +1,65 @@
+// Groove links from the command line to page, picture and record.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+class LinkOptionsTest : public CliTest {};
+
+TEST_F(LinkOptionsTest, ArePutOnThePageAndTold) {
+  const nlohmann::json plain = RunLine({"page", "la la", "--json"}).Json();
+  EXPECT_EQ(plain["links"]["reach"], "none");
+  const nlohmann::json json = RunLine({"page", "la la", "--links", "words", "--link-depth", "0.5",
+                                       "--link-gap-mm", "0.3", "--json"})
+                                  .Json();
+  EXPECT_EQ(json["links"]["reach"], "words");
+  EXPECT_EQ(json["links"]["count"], 3);
+  EXPECT_EQ(json["links"]["missing"], 0);
+  EXPECT_DOUBLE_EQ(json["links"]["depth"], 0.5);
+  EXPECT_DOUBLE_EQ(json["links"]["gap_mm"], 0.3);
+  const Outcome words = RunLine({"page", "la la", "--links", "letters"});
+  EXPECT_NE(words.out.find("Links: 2, 0.4 of the letters' depth."), std::string::npos) << words.out;
+  ExpectTextFace(words.out);
+  const Outcome crowded = RunLine({"page", "la", "--links", "words", "--link-gap-mm", "12"});
+  EXPECT_NE(crowded.out.find("no room for 1."), std::string::npos) << crowded.out;
+}
+
+TEST_F(LinkOptionsTest, AreRefusedWhereTheyCannotBe) {
+  EXPECT_EQ(RunLine({"page", "a", "--links", "lines"}).code, 2);
+  EXPECT_GE(RunLine({"page", "a", "--links", "words", "--link-depth", "0"}).code, 2);
+  EXPECT_GE(RunLine({"page", "a", "--links", "words", "--link-gap-mm", "-1"}).code, 2);
+  EXPECT_EQ(RunLine({"page", "a", "--links", "words", "--link-gap-mm", "900"}).code, 3);
+  EXPECT_EQ(RunLine({"page", "a", "--link-depth", "0.5"}).code, 2);
+  EXPECT_EQ(RunLine({"page", "a", "--link-gap-mm", "1"}).code, 2);
+}
+
+TEST_F(LinkOptionsTest, ARecordReplaysToTheBit) {
+  const Outcome trace = RunLine(
+      {"trace", "lo", "--links", "words", "--link-depth", "0.45", "--record", In("r"), "--json"});
+  ASSERT_EQ(trace.code, 0) << trace.err;
+  EXPECT_EQ(trace.Json()["total"]["lifts_within_lines"], 0);
+  const Outcome replay = RunLine({"replay", In("r"), "--check"});
+  EXPECT_EQ(replay.code, 0) << replay.out << replay.err;
+}
+
+TEST_F(LinkOptionsTest, LiftsAreTold) {
+  const Outcome trace = RunLine({"trace", "la", "--links", "words"});
+  EXPECT_NE(trace.out.find("Lifted within lines: 0 times, 1 line."), std::string::npos)
+      << trace.out;
+  ExpectTextFace(trace.out);
+}
+
+TEST_F(LinkOptionsTest, AreDrawnAndSaidBesideThePicture) {
+  const std::string file = In("p.svg");
+  ASSERT_EQ(RunLine({"page", "la", "--links", "words", "--picture", file}).code, 0);
+  const std::string linked = ReadAll(file);
+  EXPECT_NE(linked.find("1 link, drawn thin and light."), std::string::npos);
+}
+
+}  // namespace
+}  // namespace moontrace
