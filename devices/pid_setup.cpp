@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <thread>
 
@@ -16,8 +18,9 @@ using std::chrono::milliseconds;
 
 constexpr int kLoadTries = 60;  // as the kernel's own driver
 constexpr milliseconds kBetweenTries(2);
-constexpr milliseconds kStateWait(100);  // not every device tells its state
+constexpr milliseconds kStateWait(500);  // not every device tells its state
 constexpr milliseconds kDrainTime(20);
+constexpr int kLateReports = 100;  // read after the time is over; a queue holds fewer
 
 [[noreturn]] void Fail(const char* what) {
   throw DeviceError(fmt::format("the joystick {}: plug it in again", what));
@@ -75,15 +78,18 @@ class Setup {
     Fail("does not load an effect");
   }
 
-  /// Reads input reports for `time`, or until `done`; keeps the newest state.
+  /// Reads input reports for `time`, or until `done`; keeps the newest state. What has arrived by
+  /// then is read in any case: on a busy machine this thread may sleep through the whole time.
   void ReadStates(milliseconds time, const std::function<bool()>& done) {
     const auto end = Clock::now() + time;
+    int late = 0;
     while (!done()) {
-      const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
-      if (left.count() <= 0) return;
+      const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now()).count();
+      if (left <= 0 && ++late > kLateReports) return;
       HidReport report;
-      const int n = handle_.Read(report.bytes, static_cast<int>(left.count()));
+      const int n = handle_.Read(report.bytes, static_cast<int>(std::max<std::int64_t>(left, 0)));
       if (n < 0) Fail("is gone");
+      if (n == 0 && left <= 0) return;
       const HidReportId& state = layout_.state.report;
       if (!state.IsThere() || report.bytes[0] != state.id ||
           static_cast<std::size_t>(n) < state.bytes) {
