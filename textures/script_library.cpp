@@ -86,18 +86,16 @@ Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
 
 [[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {
   std::vector<std::string> names;
-  std::string message = "unknown script '" + OneLine(name, 40) + "'; known:";
-  for (const ScriptEntry& entry : entries) {
-    names.push_back(entry.name);
-    const bool listed = entry.name.compare(0, kHershey.size(), kHershey) != 0;
-    if (listed) message.append(" ").append(OneLine(entry.name, 40));
-  }
+  for (const ScriptEntry& entry : entries) names.push_back(entry.name);
   const std::string with_prefix = std::string(kHershey).append(name);
   const bool is_hershey = std::find(names.begin(), names.end(), with_prefix) != names.end();
   const std::string nearest = is_hershey ? with_prefix : NearestWord(name, names);
-  message += nearest.empty() ? std::string("; or give the path of an SVG font")
-                             : fmt::format("; did you mean '{}'?", OneLine(nearest, 40));
-  throw InputError(message);
+  if (nearest.empty()) {
+    throw InputError(fmt::format("unknown script '{}': give a font's path or see script list",
+                                 OneLine(name, 30)));
+  }
+  throw InputError(fmt::format("unknown script '{}'; did you mean '{}'?", OneLine(name, 25),
+                               OneLine(nearest, 25)));
 }
 
 }  // namespace
@@ -106,7 +104,10 @@ std::vector<ScriptEntry> ListScripts() {
   std::vector<ScriptEntry> entries;
   AppendFolder(
       ResourcePath("textures/scripts"), "",
-      [](const fs::directory_entry& entry) { return EndingOf(entry.path().string()) == ".svg"; },
+      [](const fs::directory_entry& entry) {
+        std::error_code error;
+        return entry.is_directory(error) || EndingOf(entry.path().string()) == ".svg";
+      },
       entries);
   AppendFolder(
       UserFolder(), "",

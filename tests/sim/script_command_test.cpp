@@ -10,7 +10,7 @@
 namespace moontrace {
 namespace {
 
-const std::string kKanji = MOONTRACE_SOURCE_DIR "/tests/data/kanji";
+const std::string kKanji = MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji";
 
 /// No scripts of the user who runs the tests.
 class ScriptCommand : public CliTest {

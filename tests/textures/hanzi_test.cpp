@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string kFile = MOONTRACE_SOURCE_DIR "/tests/data/hanzi/graphics.txt";
-const std::string kFolder = MOONTRACE_SOURCE_DIR "/tests/data/hanzi_writer";
+const std::string kFolder = MOONTRACE_SOURCE_DIR "/textures/scripts/sample-hanzi";
 
 template <typename Load>
 std::string ErrorOf(const Load& load) {
@@ -135,7 +135,7 @@ TEST_F(HanziFile, SaysWhenNoneOfTheTextIsThere) {
 
 TEST(LoadHanziFolder, ReadsAFileACharacter) {
   EXPECT_TRUE(IsHanziFolder(kFolder));
-  EXPECT_FALSE(IsHanziFolder(MOONTRACE_SOURCE_DIR "/tests/data/kanji"));
+  EXPECT_FALSE(IsHanziFolder(MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji"));
   EXPECT_EQ(LoadHanziFolder(kFolder, {}).glyphs.size(), 2U);
   const Script one = LoadHanziFolder(kFolder, {U'\u6728'});
   const Script other = LoadHanziFile(kFile, {U'\u6728'});

@@ -12,7 +12,7 @@
 namespace moontrace {
 namespace {
 
-const std::string kFolder = MOONTRACE_SOURCE_DIR "/tests/data/kanji";
+const std::string kFolder = MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji";
 
 std::string Svg(const std::string& inside) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + inside + "\n</svg>";

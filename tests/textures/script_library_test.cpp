@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string kScripts = MOONTRACE_SOURCE_DIR "/textures/scripts";
 const std::string kData = MOONTRACE_SOURCE_DIR "/tests/data";
 
 /// A user's folder of scripts, found by XDG_DATA_HOME.
@@ -53,7 +54,7 @@ TEST_F(ScriptLibrary, FindsTheUsersOwnScriptsByName) {
   Write("strokes.svg",
         "<svg><font horiz-adv-x=\"9\"><font-face units-per-em=\"9\"/>"
         "<glyph unicode=\"a\" d=\"M0 0L1 1\"/></font></svg>");
-  fs::copy(kData + "/kanji", Folder() / "kanji");
+  fs::copy(kScripts + "/sample-kanji", Folder() / "kanji");
   fs::copy(kData + "/hanzi/graphics.txt", Folder() / "hanzi.txt");
   for (const char* name : {"moon", "own", "strokes", "kanji", "hanzi"}) EXPECT_TRUE(Lists(name));
   EXPECT_EQ(LoadScriptNamed("own", "").glyphs.at(0).name, "!");
@@ -69,9 +70,9 @@ TEST_F(ScriptLibrary, KeepsMoonForItself) {
 }
 
 TEST_F(ScriptLibrary, LoadsByPathWhateverTheKind) {
-  EXPECT_EQ(LoadScriptFile(kData + "/kanji/", "").glyphs.size(), 7U);
-  EXPECT_EQ(LoadScriptFile(kData + "/kanji/", "").name, "kanji");
-  EXPECT_EQ(LoadScriptFile(kData + "/hanzi_writer", "").glyphs.size(), 2U);
+  EXPECT_EQ(LoadScriptFile(kScripts + "/sample-kanji/", "").glyphs.size(), 7U);
+  EXPECT_EQ(LoadScriptFile(kScripts + "/sample-kanji/", "").name, "sample-kanji");
+  EXPECT_EQ(LoadScriptFile(kScripts + "/sample-hanzi", "").glyphs.size(), 2U);
   EXPECT_EQ(LoadScriptFile(kData + "/hanzi/graphics.txt", "\u5341").glyphs.size(), 1U);
 }
 
@@ -86,11 +87,9 @@ TEST_F(ScriptLibrary, FindsDebiansHersheyFonts) {
 }
 
 TEST_F(ScriptLibrary, SaysWhatIsKnownAndWhatIsNoScript) {
-  EXPECT_EQ(Error("mon").rfind("unknown script 'mon'; known:", 0), 0U) << Error("mon");
-  EXPECT_NE(Error("mon").find("did you mean 'moon'?"), std::string::npos);
-  EXPECT_EQ(Error(kData), kData +
-                              ": a folder without characters; give one of KanjiVG (04e00.svg) "
-                              "or of hanzi-writer-data (\u4e00.json)");
+  EXPECT_EQ(Error("mon"), "unknown script 'mon'; did you mean 'moon'?");
+  EXPECT_EQ(Error(kData),
+            kData + ": a folder without characters: give KanjiVG's or hanzi-writer-data's");
   EXPECT_NE(Error("./none.jhf").find("./none.jhf"), std::string::npos);
 }
 
