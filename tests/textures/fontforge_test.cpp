@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/textures/stroke_distance.h"
 #include "textures/script.h"
 #include "textures/script_check.h"
 #include "textures/svg_font_writer.h"
@@ -53,19 +54,6 @@ class Fontforge : public testing::Test {
   fs::path folder_;
 };
 
-double Apart(const Stroke& a, const Stroke& b) {
-  double most = 0;
-  for (const Piece& piece : a.pieces) {
-    for (int i = 0; i <= 32; ++i) {
-      double least = 1e300;
-      const glm::dvec2 p = PointAt(piece, Length(piece) * i / 32);
-      for (const Piece& other : b.pieces) least = std::min(least, DistanceTo(other, p));
-      most = std::max(most, least);
-    }
-  }
-  return most;
-}
-
 void ExpectSame(const Script& moon, const Script& again) {
   ASSERT_EQ(again.glyphs.size(), moon.glyphs.size());
   for (const auto& [character, name] : moon.signs) {  // fontforge binds U+02BC of its own accord
@@ -80,8 +68,8 @@ void ExpectSame(const Script& moon, const Script& again) {
     ASSERT_EQ(other.strokes.size(), glyph.strokes.size()) << glyph.name;
     for (std::size_t s = 0; s < glyph.strokes.size(); ++s) {
       EXPECT_EQ(other.strokes[s].kind, glyph.strokes[s].kind) << glyph.name;
-      EXPECT_LE(Apart(glyph.strokes[s], other.strokes[s]), kTolerance) << glyph.name;
-      EXPECT_LE(Apart(other.strokes[s], glyph.strokes[s]), kTolerance) << glyph.name;
+      EXPECT_LE(DistanceOf(glyph.strokes[s], other.strokes[s]), kTolerance) << glyph.name;
+      EXPECT_LE(DistanceOf(other.strokes[s], glyph.strokes[s]), kTolerance) << glyph.name;
     }
   }
 }

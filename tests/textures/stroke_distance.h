@@ -43,6 +43,20 @@ inline double DistanceOf(const Stroke& stroke, const std::vector<glm::dvec2>& po
   return most;
 }
 
+/// Greatest distance of a stroke's points from the other stroke, 32 a piece.
+inline double DistanceOf(const Stroke& from, const Stroke& to) {
+  double most = 0;
+  for (const Piece& piece : from.pieces) {
+    for (int i = 0; i <= 32; ++i) {
+      const glm::dvec2 p = PointAt(piece, Length(piece) * i / 32);
+      double least = 1e300;
+      for (const Piece& other : to.pieces) least = std::min(least, DistanceTo(other, p));
+      most = std::max(most, least);
+    }
+  }
+  return most;
+}
+
 /// What a glyph may lie off the path in its file: 0.05 mm at 20 mm [em].
 constexpr double kGlyphTolerance = 0.05 / 20;
 

@@ -1,4 +1,5 @@
 #include "textures/svg_font_writer.h"
+#include "tests/textures/stroke_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -16,20 +17,6 @@ Script Again(const Script& script) {
   return ParseScript(WriteSvgFont(script), script.name + ".svg", WriteRules(script), "a.toml");
 }
 
-/// Greatest distance of a stroke's points from the other stroke, 32 a piece [em].
-double Apart(const Stroke& a, const Stroke& b) {
-  double most = 0;
-  for (const Piece& piece : a.pieces) {
-    for (int i = 0; i <= 32; ++i) {
-      double least = 1e300;
-      const glm::dvec2 p = PointAt(piece, Length(piece) * i / 32);
-      for (const Piece& other : b.pieces) least = std::min(least, DistanceTo(other, p));
-      most = std::max(most, least);
-    }
-  }
-  return most;
-}
-
 void ExpectSameGlyphs(const Script& one, const Script& other, double tolerance) {
   ASSERT_EQ(one.glyphs.size(), other.glyphs.size());
   for (std::size_t g = 0; g < one.glyphs.size(); ++g) {
@@ -39,8 +26,8 @@ void ExpectSameGlyphs(const Script& one, const Script& other, double tolerance) 
     ASSERT_EQ(a.strokes.size(), b.strokes.size()) << a.name;
     for (std::size_t s = 0; s < a.strokes.size(); ++s) {
       EXPECT_EQ(a.strokes[s].kind, b.strokes[s].kind) << a.name;
-      EXPECT_LE(Apart(a.strokes[s], b.strokes[s]), tolerance) << a.name;
-      EXPECT_LE(Apart(b.strokes[s], a.strokes[s]), tolerance) << a.name;
+      EXPECT_LE(DistanceOf(a.strokes[s], b.strokes[s]), tolerance) << a.name;
+      EXPECT_LE(DistanceOf(b.strokes[s], a.strokes[s]), tolerance) << a.name;
       EXPECT_LE(
           glm::length(StartOf(a.strokes[s].pieces.front()) - StartOf(b.strokes[s].pieces.front())),
           tolerance)
@@ -89,7 +76,7 @@ TEST(WriteSvgFont, BrailleComesBackWithItsTables) {
 }
 
 TEST(WriteSvgFont, CharactersAndSpecialNamesComeBack) {
-  const Script kanji = LoadKanjiVg(MOONTRACE_SOURCE_DIR "/tests/data/kanji", {});
+  const Script kanji = LoadKanjiVg(MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji", {});
   ExpectSameGlyphs(kanji, Again(kanji), kRounding);
   const std::string path = "/usr/share/hershey-fonts/rowmans.jhf";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "hershey-fonts-data is not installed";

@@ -12,32 +12,16 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <thread>
 
 #include "sim/loop/loop.h"
+#include "tests/counted_memory.h"
 #include "tests/sim/scene_fixture.h"
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define MOONTRACE_NO_COUNTING
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define MOONTRACE_NO_COUNTING
-#endif
-
-#ifndef MOONTRACE_NO_COUNTING
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-}
+#ifdef MOONTRACE_COUNTED_MEMORY
 
 namespace {
 thread_local bool watched = false;  ///< this thread ticks
@@ -46,10 +30,6 @@ std::atomic<long> allocations{0};
 std::atomic<long> calls{0};
 std::atomic<int> last_call{-1};
 
-void Count() noexcept {
-  if (watched && counting) ++allocations;
-}
-
 extern "C" void OnForbiddenCall(int, siginfo_t* info, void*) {
   if (!counting) return;
   ++calls;
@@ -57,29 +37,8 @@ extern "C" void OnForbiddenCall(int, siginfo_t* info, void*) {
 }
 }  // namespace
 
-// operator new of the C++ library comes here too
-extern "C" {
-void* malloc(std::size_t size) noexcept {
-  Count();
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) noexcept {
-  Count();
-  return __libc_calloc(count, size);
-}
-void* realloc(void* old, std::size_t size) noexcept {
-  Count();
-  return __libc_realloc(old, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  Count();
-  return __libc_memalign(alignment, size);
-}
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
-  Count();
-  *memory = __libc_memalign(alignment, size);
-  return *memory != nullptr ? 0 : ENOMEM;
-}
+void OnAllocation() noexcept {
+  if (watched && counting) ++allocations;
 }
 
 namespace moontrace {

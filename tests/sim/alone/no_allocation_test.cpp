@@ -5,58 +5,19 @@
 #include <mujoco/mujoco.h>
 
 #include <atomic>
-#include <cerrno>
 
 #include "sim/loop/button.h"
 #include "sim/loop/safety.h"
+#include "tests/counted_memory.h"
 #include "tests/sim/scene_fixture.h"
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define MOONTRACE_NO_COUNTING
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define MOONTRACE_NO_COUNTING
-#endif
-
-#ifndef MOONTRACE_NO_COUNTING
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-}
+#ifdef MOONTRACE_COUNTED_MEMORY
 
 namespace {
 std::atomic<long> allocations{0};
 }
 
-// operator new of the C++ library comes here too
-extern "C" {
-void* malloc(std::size_t size) noexcept {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) noexcept {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* old, std::size_t size) noexcept {
-  ++allocations;
-  return __libc_realloc(old, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
-  ++allocations;
-  *memory = __libc_memalign(alignment, size);
-  return *memory != nullptr ? 0 : ENOMEM;
-}
-}
+void OnAllocation() noexcept { ++allocations; }
 
 namespace moontrace {
 namespace {
@@ -130,4 +91,4 @@ TEST(NoAllocation, WhenMujocoResetsItself) {
 }  // namespace
 }  // namespace moontrace
 
-#endif  // MOONTRACE_NO_COUNTING
+#endif  // MOONTRACE_COUNTED_MEMORY
