@@ -14,6 +14,7 @@
 #include "sim/app/bench_command.h"
 #include "sim/app/demo_command.h"
 #include "sim/app/devices_command.h"
+#include "sim/app/gallery_command.h"
 #include "sim/app/help.h"
 #include "sim/app/loop_command.h"
 #include "sim/app/loop_messages.h"
@@ -113,6 +114,7 @@ constexpr Command kCommands[] = {
     {"loop", say::help::kLoop, RunCommand<LoopCommandOptions>},
     {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
     {"script", say::help::kScriptCommand, RunCommand<ScriptOptions>},
+    {"gallery", say::help::kGallery, RunCommand<GalleryOptions>},
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},

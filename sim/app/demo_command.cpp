@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
+#include "sim/app/output_files.h"
 #include "sim/app/trial.h"
 #include "sim/app/typeset_report.h"
 #include "sim/view/cairo_writer.h"
@@ -48,12 +48,6 @@ TrialResult TraceWord(const DemoOptions& options, const Script& script, double s
   WritePicture((fs::path(options.folder) / name).string(),
                TracePicture(*setup.page, script, setup.style, blank, kWord, result));
   return result;
-}
-
-void MakeFolder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw LackError(say::CannotMakeFolder(folder, error.message()));
 }
 
 Json RowJson(double size, bool blank, const TrialResult& result) {

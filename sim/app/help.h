@@ -26,6 +26,8 @@ inline constexpr const char* kReplay = "runs a recorded trace again and compares
 inline constexpr const char* kBench = "measures speed and accuracy against other methods";
 inline constexpr const char* kDemo = "traces a word at four sizes and leaves pictures";
 
+inline constexpr const char* kGallery =
+    "draws every script and option, gathered in one page with words";
 inline constexpr const char* kDevices =
     "says which devices are there and what they can do, or tries one: devices test NAME";
 inline constexpr const char* kDevicesWords = "nothing, or: test NAME.";
@@ -87,6 +89,8 @@ inline constexpr const char* kStability =
     "instead: the stiffness that devices hold quiet, and the energy they put out.";
 inline constexpr const char* kHeat =
     "instead: how warm motors become under a resting hand, page level and tilted.";
+inline constexpr const char* kGalleryFolder =
+    "where the page and its pictures go. Default moontrace-gallery.";
 inline constexpr const char* kDemoFolder = "where the pictures go. Default moontrace-demo.";
 }  // namespace say::help
 

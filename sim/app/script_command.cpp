@@ -1,15 +1,13 @@
 #include "sim/app/script_command.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <vector>
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
+#include "sim/app/output_files.h"
 #include "sim/app/script_messages.h"
 #include "sim/app/typeset_report.h"
 #include "sim/view/picture_file.h"
@@ -138,20 +136,6 @@ int Check(const ScriptOptions& options, const Script& script, Console& console) 
     if (outlines) console.Result(say::ScriptIsOutlines());
   }
   return findings.empty() && !outlines ? exit_code::kGood : exit_code::kFailed;
-}
-
-/// First beside its place, then renamed: nothing half-written is left.
-void WriteWhole(const std::string& path, const std::string& bytes) {
-  const std::string partial = path + ".partial";
-  std::FILE* file = std::fopen(partial.c_str(), "wb");
-  if (file == nullptr) throw LackError(say::CannotWriteScript(path, std::strerror(errno)));
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  const bool closed = std::fclose(file) == 0;
-  if (!written || !closed || std::rename(partial.c_str(), path.c_str()) != 0) {
-    const std::string cause = std::strerror(errno);
-    std::remove(partial.c_str());
-    throw LackError(say::CannotWriteScript(path, cause));
-  }
 }
 
 int Convert(const ScriptOptions& options, Script script, Console& console) {

@@ -175,10 +175,6 @@ std::string TableWords(const Script& script, std::size_t shown) {
       OneLine(script.licence, 80));
 }
 
-std::string CannotWriteScript(std::string_view path, std::string_view cause) {
-  return fmt::format("{}: cannot be written ({}); choose another place", path, cause);
-}
-
 std::string NotAnSvgPath(std::string_view path) {
   return fmt::format("--to is '{}'; give a path that ends in .svg", OneLine(path, 60));
 }

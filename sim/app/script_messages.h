@@ -31,7 +31,6 @@ std::string TableOutcome(std::size_t shown, std::size_t glyphs);
 std::string TableRow(std::size_t row, std::string_view names);
 std::string TableTitle(const Script& script);
 std::string TableWords(const Script& script, std::size_t shown);
-std::string CannotWriteScript(std::string_view path, std::string_view cause);
 std::string NotAnSvgPath(std::string_view path);
 
 namespace help {

@@ -16,7 +16,8 @@ namespace {
 constexpr double kMillimetres = 1e3;
 constexpr double kPerWavelength = 5;  // cells that show a crest's form; twice as many where few
 constexpr double kMostCells = 400000, kFewCells = 50000;
-constexpr double kCrest = 0.25;  // of the amplitude
+constexpr double kMostPerTile = 24;  // cells along a tile
+constexpr double kCrest = 0.25;      // of the amplitude
 
 /// Cells along both sides of a patch.
 glm::dvec2 CellCount(const PaperPatch& patch) {
@@ -29,7 +30,8 @@ glm::dvec2 CellCount(const PaperPatch& patch) {
   // two cells a sample
   const glm::dvec2 samples(texture.heights->columns(), texture.heights->rows());
   if (!texture.tiled) return 2.0 * samples;
-  return glm::max(glm::ceil(2.0 * samples.x / texture.wavelength * size), 1.0);
+  return glm::max(glm::ceil(std::min(2.0 * samples.x, kMostPerTile) / texture.wavelength * size),
+                  1.0);
 }
 
 std::vector<Piece> Polygon(const std::vector<glm::dvec2>& corners) {

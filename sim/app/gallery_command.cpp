@@ -1,0 +1,200 @@
+#include "sim/app/gallery_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "sim/app/cli.h"
+#include "sim/app/gallery_messages.h"
+#include "sim/app/gallery_page.h"
+#include "sim/app/help.h"
+#include "sim/app/messages.h"
+#include "sim/app/output_files.h"
+#include "sim/app/typeset_report.h"
+#include "textures/resources.h"
+
+namespace moontrace {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A picture: the command line that draws it, without the picture's place.
+struct Exhibit {
+  const char* title;
+  std::vector<std::string> args;
+};
+
+constexpr const char* kTile = "textures/tiles/weave.pgm";
+
+std::vector<std::string> PageArgs(const char* text, std::vector<std::string> more) {
+  std::vector<std::string> args{"page", text, "--page", "210x40", "--size-mm", "10"};
+  args.insert(args.end(), more.begin(), more.end());
+  return args;
+}
+
+std::vector<Exhibit> Scripts() {
+  return {
+      {"The signs of Moon", {"script", "picture", "moon"}},
+      {"The signs of Braille",
+       {"script", "picture", "braille", "--only", "abcdefghijklmnopqrstuvwxyz0123456789"}},
+      {"A line of Moon", PageArgs("Moon by touch", {"--letters"})},
+      {"Moon without contractions", PageArgs("sun and moon", {"--grade", "0.5", "--letters"})},
+      {"Moon of grade 1", PageArgs("sun and moon", {"--grade", "1", "--letters"})},
+      {"Another form of H", PageArgs("hush", {"--h-form", "pocket"})},
+      {"Braille, uncontracted",
+       PageArgs("Moon and Braille", {"--script", "braille", "--size-mm", "5", "--letters"})},
+      {"Braille, contracted", PageArgs("Moon and Braille", {"--script", "braille", "--size-mm", "5",
+                                                            "--grade", "2", "--letters"})},
+      {"Braille of raised dots",
+       PageArgs("dots", {"--script", "braille", "--size-mm", "5", "--embossed"})},
+      {"A Hershey font", PageArgs("Strokes of 1967", {"--script", "hershey:rowmans"})},
+      {"Japanese characters in writing order",
+       PageArgs("\u65e5\u6728\u4e09", {"--script", "sample-kanji", "--size-mm", "18"})},
+      {"Chinese characters in writing order",
+       PageArgs("\u6728\u4e00", {"--script", "sample-hanzi", "--size-mm", "18"})},
+      {"A sign with no form, named", PageArgs("5 \u20ac", {"--size-mm", "8", "--letters"})},
+  };
+}
+
+std::vector<Exhibit> Options() {
+  return {
+      {"Large letters, to begin with",
+       PageArgs("Moon", {"--page", "210x60", "--size-mm", "24", "--letters"})},
+      {"Ridges instead of grooves", PageArgs("Moon by touch", {"--embossed"})},
+      {"Letters that lean", PageArgs("Moon by touch", {"--slant-deg", "15"})},
+      {"Wide letters", PageArgs("Moon", {"--stretch", "1.5"})},
+      {"More room between letters and words",
+       PageArgs("room to move", {"--letter-gap-mm", "3", "--word-gap-mm", "6", "--letters"})},
+      {"Lines that turn back, as in old Moon",
+       PageArgs("lines come to an end and turn",
+                {"--page", "160x60", "--lines", "alternate", "--size-mm", "8"})},
+      {"Lines from right to left",
+       PageArgs("right to left", {"--lines", "right-to-left", "--letters"})},
+      {"Lines from top to bottom",
+       PageArgs("down", {"--page", "80x120", "--lines", "vertical", "--letters"})},
+      {"Links between the letters of a word",
+       PageArgs("no sun, no moon", {"--size-mm", "8", "--links", "letters"})},
+      {"Links across words too",
+       PageArgs("no sun, no moon", {"--size-mm", "8", "--links", "words"})},
+      {"Raised rules beside the lines",
+       PageArgs("between the rules", {"--size-mm", "8", "--line-pitch-mm", "18", "--rules"})},
+      {"A raised margin", PageArgs("inside", {"--margin-mm", "12", "--raised-margin"})},
+      {"Paper of parallel waves", PageArgs("waves", {"--texture", "sine"})},
+      {"Paper of waves both ways", PageArgs("grid", {"--texture", "grid"})},
+      {"Rough paper", PageArgs("rough", {"--texture", "noise"})},
+      {"Woven paper, from a picture",
+       PageArgs("woven", {"--texture", kTile, "--texture-wavelength-mm", "8"})},
+      {"Two sizes: a heading, a quotation, a link",
+       PageArgs("# News\nThe [moon](m) is up.\n> So bright!",
+                {"--page", "160x110", "--size-mm", "8", "--structure", "--structure-texture", "yes",
+                 "--letters"})},
+      {"A heading of ridges above grooves",
+       PageArgs("# Ridges\nand grooves", {"--page", "160x80", "--size-mm", "10", "--structure",
+                                          "--heading-relief", "embossed"})},
+  };
+}
+
+/// As it would be typed in a shell.
+std::string Typed(const std::vector<std::string>& args) {
+  std::string line = "moontrace";
+  for (const std::string& arg : args) {
+    const bool plain = std::all_of(arg.begin(), arg.end(), [](unsigned char c) {
+      return std::isalnum(c) != 0 || std::strchr("-./:", c) != nullptr;
+    });
+    const bool broken = arg.find('\n') != std::string::npos;
+    line.append(plain ? " " : broken ? " $'" : " '");
+    for (const char c : arg) line.append(c == '\n' ? "\\n" : std::string(1, c));
+    line.append(plain ? "" : "'");
+  }
+  return line;
+}
+
+std::string FileName(const std::string& title, std::size_t number) {
+  std::string name = fmt::format("{:02}-", number);
+  for (const char c : title) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (plain) name += c;
+    if (c >= 'A' && c <= 'Z') name += static_cast<char>(c - 'A' + 'a');
+    if (c == ' ') name += '-';
+  }
+  return name + ".svg";
+}
+
+/// Runs the exhibit's command. Where the machine lacks something its line stands in place of a
+/// picture; any other failure ends the work.
+GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const std::string& folder,
+                    Console& console) {
+  GalleryPicture shown{exhibit.title, Typed(exhibit.args), FileName(exhibit.title, number), ""};
+  std::vector<std::string> args = exhibit.args;
+  std::replace(args.begin(), args.end(), std::string(kTile), ResourcePath(kTile));
+  const std::string path = (fs::path(folder) / shown.picture).string();
+  args.insert(args.end(), {"--picture", path});
+  std::istringstream in;
+  std::ostringstream out, err;
+  Console inner(in, out, err, console.stop());
+  const int code = RunCli(args, inner);
+  console.CheckStop();
+  if (code != exit_code::kGood && code != exit_code::kLack) {
+    throw WorkFailed(say::ExhibitFailed(exhibit.title, err.str()));
+  }
+  if (code == exit_code::kGood && !fs::exists(path)) {
+    throw WorkFailed(say::ExhibitFailed(exhibit.title, "more than a page"));
+  }
+  shown.words = out.str();
+  // the page says itself where its picture stands
+  const std::size_t last = shown.words.find(std::string(say::PictureIn()) + "\n");
+  if (last != std::string::npos) shown.words.resize(last);
+  if (code == exit_code::kLack) {
+    shown.words = err.str();
+    shown.picture.clear();
+  }
+  return shown;
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, GalleryOptions& options) {
+  AddPath(app, "--folder", "DIR", options.folder, say::help::kGalleryFolder);
+  AddOptions(app, options.output);
+}
+
+int Run(const GalleryOptions& options, Console& console) {
+  MakeFolder(options.folder);
+  std::vector<GalleryPicture> pictures;
+  std::size_t missing = 0;
+  std::vector<Exhibit> exhibits = Scripts();
+  for (Exhibit& exhibit : Options()) exhibits.push_back(std::move(exhibit));
+  for (const Exhibit& exhibit : exhibits) {
+    pictures.push_back(Show(exhibit, pictures.size() + 1, options.folder, console));
+    if (pictures.back().picture.empty()) {
+      ++missing;
+      console.Remark(say::ExhibitMissing(exhibit.title, pictures.back().words));
+    }
+  }
+  const std::string page =
+      (fs::absolute(options.folder).lexically_normal() / "index.html").string();
+  WriteWhole(page, GalleryPage(pictures));
+  if (options.output.json) {
+    Json list = Json::array();
+    for (const GalleryPicture& shown : pictures) {
+      list.push_back({{"title", shown.title},
+                      {"command", shown.command},
+                      {"picture", shown.picture},
+                      {"words", shown.words}});
+    }
+    console.Json(Dump({{"page", page}, {"pictures", std::move(list)}}));
+    return exit_code::kGood;
+  }
+  console.Result(say::GalleryOutcome(pictures.size() - missing, missing));
+  console.Path(page);
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace
