@@ -44,7 +44,7 @@ struct Layer {
 /// The tactile surface as a tree: the sum of its layers and its patches of rough paper.
 struct Texture {
   std::vector<Layer> layers;
-  std::vector<PaperPatch> paper;
+  std::vector<PaperPatch> paper{};
 };
 
 /// Samples the tree itself by walking it. Exact, slow, allocates nothing; the compiled field agrees

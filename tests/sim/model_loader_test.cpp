@@ -136,7 +136,7 @@ TEST_F(ModelLoader, IncludesThatNeverEndAreRefused) {
 
 TEST_F(ModelLoader, BrokenFilesGiveOneLineWithTheirName) {
   EXPECT_TRUE(Holds(LoadError("<mujoco>\n  <worldbody>\n</mujoco>"), "m.xml:3:"));
-  EXPECT_TRUE(Holds(LoadError("<robot/>"), "not a MuJoCo model"));
+  EXPECT_TRUE(Holds(LoadError("<robot/>"), "no MuJoCo model"));
   const std::string schema = LoadError("<mujoco>\n\n<foo/></mujoco>");
   EXPECT_TRUE(Holds(schema, "foo") && Holds(schema, "line 3")) << schema;
   const std::string body = LoadError(ModelWith("", "<body><joint type='slide'/></body>"));

@@ -54,7 +54,7 @@ TEST_F(StructureOptions, WithoutItNothingIsReadAndTheOthersAreRefused) {
     EXPECT_EQ(outcome.code, 2) << more.front();
     EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
   }
-  EXPECT_EQ(RunLine({"page", "A", "--structure", "--heading-scale", "9"}).code, 3);
+  EXPECT_EQ(RunLine({"page", "A", "--structure", "--heading-scale", "9"}).code, 2);
 }
 
 TEST_F(StructureOptions, LettersLeanAndWiden) {
@@ -71,7 +71,7 @@ TEST_F(StructureOptions, LettersLeanAndWiden) {
   EXPECT_DOUBLE_EQ(PageJson({"--slant-deg", "20"}, "AB")["slant_deg"], 20);
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{"--slant-deg", "31"}, {"--stretch", "0.4"}}) {
-    EXPECT_EQ(RunLine(With({"page", "A"}, more)).code, 3) << more[0];
+    EXPECT_EQ(RunLine(With({"page", "A"}, more)).code, 2) << more[0];
   }
   EXPECT_EQ(RunLine({"page", "A", "--stretch", "wide"}).code, 2);
   const Outcome braille = RunLine({"page", "a", "--script", "braille", "--slant-deg", "10"});
