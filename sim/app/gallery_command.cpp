@@ -31,10 +31,15 @@ struct Exhibit {
   std::vector<std::string> args;
 };
 
+// The letters a to z, as cells.
+constexpr const char* kCells =
+    "\u2801\u2803\u2809\u2819\u2811\u280b\u281b\u2813\u280a\u281a\u2805\u2807\u280d\u281d\u2815"
+    "\u280f"
+    "\u281f\u2817\u280e\u281e\u2825\u2827\u283a\u282d\u283d\u2835";
 constexpr const char* kTile = "textures/tiles/weave.pgm";
 
 std::vector<std::string> PageArgs(const char* text, std::vector<std::string> more) {
-  std::vector<std::string> args{"page", text, "--page", "210x40", "--size-mm", "10"};
+  std::vector<std::string> args{"page", text, "--page", "210x50", "--size-mm", "9"};
   args.insert(args.end(), more.begin(), more.end());
   return args;
 }
@@ -42,8 +47,7 @@ std::vector<std::string> PageArgs(const char* text, std::vector<std::string> mor
 std::vector<Exhibit> Scripts() {
   return {
       {"The signs of Moon", {"script", "picture", "moon"}},
-      {"The signs of Braille",
-       {"script", "picture", "braille", "--only", "abcdefghijklmnopqrstuvwxyz0123456789"}},
+      {"The signs of Braille", {"script", "picture", "braille", "--only", kCells}},
       {"A line of Moon", PageArgs("Moon by touch", {"--letters"})},
       {"Moon without contractions", PageArgs("sun and moon", {"--grade", "0.5", "--letters"})},
       {"Moon of grade 1", PageArgs("sun and moon", {"--grade", "1", "--letters"})},

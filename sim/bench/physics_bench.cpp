@@ -37,10 +37,20 @@ double RunScene(Scene& scene, const std::vector<DeviceState>& inputs) {
   return sum;
 }
 
-/// The bare model: the same coupling by hand, no field, mj_step.
+/// The proxy pulled behind the tip by hand, so that it moves as ours does.
+void Pull(mjData& d, glm::dvec3 aim) {
+  for (int axis = 0; axis < 3; ++axis) {
+    d.qfrc_applied[axis] = 1000 * (aim[axis] - d.qpos[axis]) - 14 * d.qvel[axis];
+  }
+}
+
+/// The bare model on the same slide: mj_step without a field and without us.
 double RunBare(Scene& scene, const std::vector<DeviceState>& inputs) {
   mjData* d = scene.data();
-  for (std::size_t i = 0; i < inputs.size(); ++i) mj_step(scene.model(), d);
+  for (const DeviceState& input : inputs) {
+    Pull(*d, input.p_D);
+    mj_step(scene.model(), d);
+  }
   return d->time;
 }
 
@@ -84,10 +94,7 @@ double RunHeightField(const mjModel& m, const std::vector<DeviceState>& inputs) 
   for (int axis = 0; axis < 3; ++axis) d->qpos[axis] = inputs.front().p_D[axis];
   d->qpos[2] = kTipRadius;
   for (const DeviceState& input : inputs) {
-    const glm::dvec3 aim = input.p_D + glm::dvec3(0, 0, kTipRadius);
-    for (int axis = 0; axis < 3; ++axis) {
-      d->qfrc_applied[axis] = 1000 * (aim[axis] - d->qpos[axis]) - 14 * d->qvel[axis];
-    }
+    Pull(*d, input.p_D + glm::dvec3(0, 0, kTipRadius));
     mj_step(&m, d.get());
   }
   return d->qpos[2];

@@ -20,8 +20,10 @@ const std::string kData = MOONTRACE_SOURCE_DIR "/tests/data";
 /// A user's folder of scripts, found by XDG_DATA_HOME.
 class ScriptLibrary : public testing::Test {
  protected:
-  ScriptLibrary() : home_(fs::path(testing::TempDir()) / "moontrace_library") {
-    fs::remove_all(home_);
+  ScriptLibrary() {
+    // a folder of its own: tests run side by side
+    std::string name = (fs::temp_directory_path() / "moontrace-library-XXXXXX").string();
+    home_ = mkdtemp(name.data());
     fs::create_directories(Folder());
     setenv("XDG_DATA_HOME", home_.c_str(), 1);
   }
