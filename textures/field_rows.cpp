@@ -222,10 +222,9 @@ bool AddUnevenRows(const std::vector<PlacedGroup>& places, const Box& all,
   if (lines.size() < 2 || !(gap > 0) || height / (0.9 * gap) > most) return false;
   Bands rows;
   for (TextLine& line : lines) {
-    std::stable_sort(line.row.begin(), line.row.end(),
-                     [](const PlacedGroup* a, const PlacedGroup* b) {
-                       return a->box.min.x < b->box.min.x;
-                     });
+    std::stable_sort(
+        line.row.begin(), line.row.end(),
+        [](const PlacedGroup* a, const PlacedGroup* b) { return a->box.min.x < b->box.min.x; });
     rows.push_back(line.row);
   }
   if (!AddRows(rows, all, layer)) return false;

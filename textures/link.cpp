@@ -8,9 +8,9 @@
 namespace moontrace {
 namespace {
 
-constexpr double kTurns[] = {1, 2, 4};     // in least radii
+constexpr double kTurns[] = {1, 2, 4};    // in least radii
 constexpr std::size_t kMostTries = 3000;  // bounds the time of a hopeless task
-constexpr double kLeastCrossing = 0.643;   // sine of 40 degrees
+constexpr double kLeastCrossing = 0.643;  // sine of 40 degrees
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 double Length(const std::vector<Piece>& path) {

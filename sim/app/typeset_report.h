@@ -5,8 +5,8 @@
 #include <string>
 
 #include "sim/app/metrics_json.h"
-#include "textures/script.h"
 #include "textures/groove_links.h"
+#include "textures/script.h"
 #include "textures/typeset.h"
 
 namespace moontrace {
