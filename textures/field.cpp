@@ -130,7 +130,7 @@ std::uint64_t TextureField::Hash() const noexcept {
     for (const FlatElement& element : layer.elements) Add(digest, element);
     for (const FlatFade& fade : layer.fades) {
       Add(digest, fade.spine);
-      for (const double value : {fade.from, fade.to, fade.sense}) digest.Add(value);
+      for (const double value : {fade.from, fade.to, fade.rate}) digest.Add(value);
     }
     for (const FlatFill& fill : layer.fills) {
       for (const FlatEdge& edge : fill.edges) Add(digest, edge.spine);

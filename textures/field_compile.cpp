@@ -101,8 +101,8 @@ FlatElement FlattenFill(const Fill& fill, CompiledLayer& layer) {
 void FlattenFade(const Element& element, FlatElement& flat, CompiledLayer& layer) {
   if (layer.fades.size() >= 65535) throw InputError("more than 65535 fading strokes on a page");
   const Arc* arc = std::get_if<Arc>(&element.shape);
-  layer.fades.push_back(
-      {flat, element.fade.from, element.fade.to, arc && arc->sweep < 0 ? -1.0 : 1.0});
+  const double rate = arc == nullptr ? 0 : (arc->sweep < 0 ? -0.5 : 0.5) / std::acos(flat.cos_half);
+  layer.fades.push_back({flat, element.fade.from, element.fade.to, rate});
   flat.kind = FlatKind::kFading;
   flat.fill = static_cast<std::uint16_t>(layer.fades.size() - 1);
 }

@@ -53,7 +53,7 @@ struct FlatFill {
 struct FlatFade {
   FlatElement spine;
   double from = 1, to = 1;  ///< q at start and end
-  double sense = 1;         ///< of an arc's travel: below zero clockwise
+  double rate = 0;          ///< of an arc: share of it for an angle, below zero clockwise [1/rad]
 };
 
 /// The elements that can matter in one cell of a block: up to three of them in place, else a list.

@@ -174,9 +174,8 @@ Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::
     u = (v.x * a.x + v.y * a.y) / spine.length;
     rise = a / spine.length;
   } else {
-    const double rate = fade.sense / (2 * std::acos(spine.cos_half));
-    u = 0.5 + rate * std::atan2(a.x * v.y - a.y * v.x, a.x * v.x + a.y * v.y);
-    rise = rate / std::max(v.x * v.x + v.y * v.y, kTiny) * glm::dvec2(-v.y, v.x);
+    u = 0.5 + fade.rate * std::atan2(a.x * v.y - a.y * v.x, a.x * v.x + a.y * v.y);
+    rise = fade.rate / std::max(v.x * v.x + v.y * v.y, kTiny) * glm::dvec2(-v.y, v.x);
   }
   u = u < 0 ? 0 : u > 1 ? 1 : u;
   const double change = fade.to - fade.from;
