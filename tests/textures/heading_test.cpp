@@ -15,6 +15,7 @@ namespace moontrace {
 namespace {
 
 constexpr double kSize = 0.010, kPitch = 0.018;     // gap between lines 8 mm
+constexpr double kHeading = 0.015;                  // gap 12 mm
 const PageSpec kPage{"custom", 0.10, 0.12, 0.010};  // 80 by 100 mm to set in
 
 TypeStyle Style(const Script& script) {
