@@ -162,6 +162,7 @@ std::vector<TextLine> LinesOf(const std::vector<PlacedGroup>& places) {
     line.row.push_back(&place);
   }
   std::vector<TextLine> lines;
+  lines.reserve(by_height.size());
   for (auto& [y, line] : by_height) lines.push_back(std::move(line));
   return lines;
 }

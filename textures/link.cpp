@@ -61,7 +61,7 @@ class LinkSearch {
       const double before = step.length - Length(pieces);
       if (!IsClear(pieces, before, IsGoal(step.to))) continue;
       if (IsGoal(step.to)) {
-        const std::vector<Piece> path = PathTo(step);
+        std::vector<Piece> path = PathTo(step);
         if (KeepsFromItself(path)) return path;
         continue;
       }

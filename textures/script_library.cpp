@@ -86,6 +86,7 @@ Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
 
 [[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {
   std::vector<std::string> names;
+  names.reserve(entries.size());
   for (const ScriptEntry& entry : entries) names.push_back(entry.name);
   const std::string with_prefix = std::string(kHershey).append(name);
   const bool is_hershey = std::find(names.begin(), names.end(), with_prefix) != names.end();
