@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moontrace {
+
+/// What a person does at a step of a lesson.
+enum class StepKind {
+  kExplore,      ///< feel the page freely; ends by "next"
+  kDemonstrate,  ///< the hand is led along each item, or the way is told where nothing can push
+  kTrace,        ///< follow each item's strokes; scored
+  kRecognise,    ///< feel an item that is not told, and name it
+  kRead,         ///< read a text aloud or silently; ends by "next"
+  kTest          ///< as kRecognise, unguided and without being told until the end
+};
+
+/// What is asked at kRecognise and kTest.
+enum class Question {
+  kName,  ///< what is it?
+  kPick,  ///< which of two: an item and its mate, "is it b or j?"
+  kSame   ///< two items side by side: same or different?
+};
+
+/// An item is a piece of text that is shown and asked by itself: "b", "the", "7", ",", "cat". Its
+/// text is its name in all data.
+struct Step {
+  StepKind kind = StepKind::kExplore;
+  Question question = Question::kName;
+  std::string say;                 ///< said when it begins; may be empty
+  std::vector<std::string> items;  ///< of all kinds but kExplore and kRead; empty: the lesson's new
+  std::string text;                ///< of kExplore and kRead: what lies on the page
+  /// Letters of this step [m]; none: the learner's, by mastery.
+  std::optional<double> size;
+  std::size_t line = 0, column = 0;  ///< in the lesson's file, from 1
+};
+
+struct Lesson {
+  std::string id;                  ///< the file's stem: "04-jnz"
+  std::string title;               ///< "J, N and Z"
+  std::string file;                ///< path, for messages
+  std::string script;              ///< of its pages, as FindScript takes it; default the course's
+  std::vector<std::string> items;  ///< taught here, in order of introduction ("new" in the file)
+  std::vector<std::string> needs;  ///< ids of lessons that must be done before
+  std::map<std::string, std::string> hints;  ///< item -> memory aid, said when it is introduced
+  std::vector<Step> steps;
+};
+
+/// When an item is sure at a size; counted over its last `attempts` unguided trials at that size.
+struct MasteryRule {
+  int attempts = 5;           ///< evidence needed
+  double recognised = 0.85;   ///< share named right, at least
+  double coverage = 0.9;      ///< of traced strokes, at least
+  double error_widths = 0.5;  ///< mean tracing error, at most [groove widths]
+  int failures = 3;           ///< wrong or badly traced in a row: back to the next larger size
+  double target = 0.85;       ///< share right that the choice of items aims at
+};
+
+/// How help fades, see fading.h. `rule`: "manual", "linear", "gate", "as-needed".
+struct FadeSettings {
+  std::string rule = "gate";
+  int start = 6;        ///< help at a new item, 0-10
+  int probe_every = 4;  ///< one unguided trial in so many
+};
+
+/// A course: lessons in order, what they have in common. From one TOML file and one file a lesson.
+struct Course {
+  std::string id, title, file, language, script;
+  std::vector<double> sizes;  ///< of letters, descending [m]; the last is standard size
+  MasteryRule mastery;
+  FadeSettings fade;
+  double break_after = 25 * 60;              ///< a break is proposed [s]
+  std::map<std::string, std::string> names;  ///< item -> how it is called: "," -> "comma"
+  std::map<std::string, std::string> mates;  ///< item -> the one it is most easily taken for
+  std::vector<Lesson> lessons;
+};
+
+/// Loads `course.toml` (or the folder it is in) and its lessons. Throws InputError:
+/// file:line:column, cause, nearest valid key. A name without a slash is looked up in the shipped
+/// `lessons/courses`.
+Course LoadCourse(const std::string& name_or_path);
+
+/// One thing that is wrong with a course that can be read.
+struct CourseFault {
+  std::string file;
+  std::size_t line = 0, column = 0;  ///< from 1; 0: of the whole file
+  std::string what;                  ///< one sentence: cause and cure
+};
+
+/// Items or letters used before they are taught, lessons that cannot be reached, needs in a cycle,
+/// items taught twice or without a form in the script, sizes below `smallest` [m] that a device
+/// renders. Empty: sound.
+std::vector<CourseFault> CheckCourse(const Course& course, double smallest);
+
+/// How an item is called: the course's name for it, else itself.
+std::string_view NameOf(const Course& course, std::string_view item);
+
+}  // namespace moontrace

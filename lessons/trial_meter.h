@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "lessons/intended_strokes.h"
+#include "lessons/scoring.h"
+#include "lessons/trial.h"
+
+namespace moontrace {
+
+/// Measures one trial while it lasts, sample by sample: coverage and errors (scoring.h),
+/// smoothness, force, and how much the push did. Off the tick; memory grows with the trial's time
+/// only as far as smoothness needs it (speeds at 100 Hz).
+class TrialMeter {
+ public:
+  /// `tick` [s] between samples.
+  TrialMeter(const std::vector<IntendedStroke>& strokes, std::size_t glyph_count, double tick);
+  ~TrialMeter();
+  TrialMeter(TrialMeter&&) noexcept;
+  TrialMeter& operator=(TrialMeter&&) noexcept;
+
+  /// In time order. `guidance_P` [N] is the push within the sample's force.
+  void Add(const TraceSample& sample, glm::dvec3 guidance_P);
+  /// Coverage, errors, wander-offs, duration, smoothness, forces, work of the push into `trial`.
+  void Fill(Trial& trial) const;
+  /// Coverage so far, 0-1: for "is it done?".
+  double Coverage() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace moontrace
