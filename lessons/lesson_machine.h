@@ -134,6 +134,8 @@ struct LessonState {
   double speed = 1;
   lesson_event::Overrule overrule;  ///< in force
   lesson_action::Await await = lesson_action::Await::kNext;
+  /// Go into every trial of this session as they are; who starts it sets them after StartLesson.
+  bool scaled = false, simulated = false;
 };
 
 struct LessonTurn {
