@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/app/earcon.h"
+
+namespace moontrace {
+
+/// Families of earcons are told apart by timbre: what a note is made of.
+enum class Timbre : std::uint8_t {
+  kPure,   ///< a sine
+  kBell,   ///< sine and two high partials, dying away
+  kReed,   ///< odd harmonics
+  kBrass,  ///< all harmonics
+};
+
+struct Note {
+  double pitch = 440;  ///< [Hz]; 0: a pause
+  double length = 0;   ///< [s]
+};
+
+/// One earcon: notes of one timbre, or a recording in their place.
+struct EarconSound {
+  bool on = true;
+  Timbre timbre = Timbre::kPure;
+  double volume = 1;  ///< 0-1
+  std::vector<Note> notes;
+  std::vector<float> recording;  ///< mono at `kSoundRate`; not empty: instead of the notes
+};
+
+/// How the way of the tip sounds.
+struct PathTone {
+  bool on = true;
+  double low = 200, high = 400;   ///< pitch at y = 0 and y = 1 [Hz]
+  double volume = 0.35;           ///< 0-1
+  double off_line_volume = 0.35;  ///< of the rough tone at its greatest, 0-1
+};
+
+inline constexpr double kSoundRate = 48000;  ///< of all that is synthesised [Hz]
+
+/// All sounds, from `sim/app/sounds.toml` (ours) and a file of the user's that overlays it.
+struct SoundTable {
+  double volume = 0.5;  ///< of everything, 0-1
+  PathTone path;
+  std::array<EarconSound, kEarcons> earcons;
+};
+
+/// The shipped sounds, changed by what `own` holds: a TOML file with the same keys, each optional.
+/// Empty: `$XDG_CONFIG_HOME/moontrace/sounds.toml` if it is there. Throws InputError (place, cause,
+/// nearest key), also for recordings that are no WAV, longer than 0.5 s or too large.
+SoundTable LoadSounds(const std::string& own = {});
+
+}  // namespace moontrace

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace moontrace {
+
+/// How urgent a sentence is, with the meanings of SSIP (speech-dispatcher's protocol).
+enum class Priority : std::uint8_t {
+  kImportant,     ///< never interrupted: the safety stop, lost force; keep it short
+  kMessage,       ///< waits its turn: the result of a trial, what a tutor says
+  kText,          ///< replaces older text: a letter's name, help, what lies there, answers
+  kNotification,  ///< dropped if anything else speaks: what is under the tip while it moves
+  kProgress,      ///< only the last one is said whole: long work
+};
+
+struct SpeechOptions {
+  std::string user = "learner";  ///< in the name under which the service knows us
+  int rate = 0;                  ///< -100 to 100
+  std::string language;          ///< "en"; empty: the service's own
+};
+
+/// Speech through speech-dispatcher. Every call returns at once: a thread of its own talks to the
+/// service, from a queue that never grows past 64 sentences. A service that is not there, dies or
+/// does not answer costs one sentence (TakeSentence) and then nothing more is spoken: text is what
+/// counts.
+class Speech {
+ public:
+  /// Begins to connect: to $SPEECHD_ADDRESS ("unix_socket:PATH"), else to the user's service, which
+  /// is started if need be. Never throws.
+  explicit Speech(const SpeechOptions& options);
+  /// What is still in the queue gets at most 0.2 s to be handed over.
+  ~Speech();
+  Speech(const Speech&) = delete;
+  Speech& operator=(const Speech&) = delete;
+
+  void Say(Priority priority, std::string_view text);
+  /// A word, letter by letter; as text.
+  void Spell(std::string_view word);
+  /// One character by its name: "comma", "capital a"; as text.
+  void Character(std::string_view character);
+  /// Silence at once, for any key and for a lifted stylus; drops what waits but kImportant.
+  void Cancel();
+  /// -100 to 100, held to that; from the next sentence on.
+  void SetRate(int rate);
+
+  /// Why nothing is spoken any more: one sentence, once.
+  std::optional<std::string> TakeSentence();
+  /// The service has answered and nothing went wrong since.
+  bool speaking() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moontrace {
+
+/// The door through which tutors speak to a running lesson: a Unix socket in the user's runtime
+/// folder, open to this user alone. A thread of its own serves it, so that no call below ever waits
+/// for a tutor. Lines are of at most 1000 bytes, tutors at most 8; one that does not read what it
+/// is sent, or sends without end, is dropped, and the lesson goes on.
+class TutorServer {
+ public:
+  /// What a tutor said.
+  struct Line {
+    std::size_t tutor = 0;  ///< from 1, in the order they came; never used again
+    std::string text;       ///< valid UTF-8 without control characters
+  };
+
+  /// Opens `tutor-LEARNER.sock` and listens. `greeting`: the line that each tutor is met with.
+  /// Throws LackError, one line: a live lesson of this learner has the socket; the folder is
+  /// another's or open to others; no room. What a dead program left behind is taken over.
+  TutorServer(const std::string& learner, std::string_view greeting);
+  /// Tutors are told the rest of what is theirs (for at most 0.2 s), and let go.
+  ~TutorServer();
+  TutorServer(const TutorServer&) = delete;
+  TutorServer& operator=(const TutorServer&) = delete;
+
+  /// The next line that has come, in order of coming, if there is one. Never waits.
+  std::optional<Line> Next();
+  /// One line to one tutor; nothing if that one has gone.
+  void Answer(std::size_t tutor, std::string_view line);
+  /// One line to every tutor: what the learner is told.
+  void Tell(std::string_view line);
+  /// Lets one tutor go once what is theirs has been sent: its "quit".
+  void Dismiss(std::size_t tutor);
+
+  /// Comings and goings since the last call, one sentence each, for the learner to know.
+  std::vector<std::string> TakeSentences();
+  std::size_t tutors() const;
+  const std::string& path() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace moontrace
