@@ -19,12 +19,28 @@ enum class StepKind {
   kTest          ///< as kRecognise, unguided and without being told until the end
 };
 
+/// "explore", "demonstrate", "trace", "recognise", "read", "test".
+std::string_view NameOf(StepKind kind);
+std::optional<StepKind> StepKindOf(std::string_view name);
+
 /// What is asked at kRecognise and kTest.
 enum class Question {
   kName,  ///< what is it?
   kPick,  ///< which of two: an item and its mate, "is it b or j?"
   kSame   ///< two items side by side: same or different?
 };
+
+/// "name", "pick", "same".
+std::string_view NameOf(Question question);
+std::optional<Question> QuestionOf(std::string_view name);
+
+/// Where something stands in a file, from 1; 0: it does not.
+struct SourcePlace {
+  std::size_t line = 0, column = 0;
+};
+
+/// Places of a file's values by key: "new", "new[0]", "steps[2].text", "steps[2].items[1]".
+using SourcePlaces = std::map<std::string, SourcePlace>;
 
 /// An item is a piece of text that is shown and asked by itself: "b", "the", "7", ",", "cat". Its
 /// text is its name in all data.
@@ -44,10 +60,12 @@ struct Lesson {
   std::string title;               ///< "J, N and Z"
   std::string file;                ///< path, for messages
   std::string script;              ///< of its pages, as FindScript takes it; default the course's
+  double grade = 1;                ///< of the script on its pages; default the course's
   std::vector<std::string> items;  ///< taught here, in order of introduction ("new" in the file)
   std::vector<std::string> needs;  ///< ids of lessons that must be done before
   std::map<std::string, std::string> hints;  ///< item -> memory aid, said when it is introduced
   std::vector<Step> steps;
+  SourcePlaces places;
 };
 
 /// When an item is sure at a size; counted over its last `attempts` unguided trials at that size.
@@ -70,6 +88,7 @@ struct FadeSettings {
 /// A course: lessons in order, what they have in common. From one TOML file and one file a lesson.
 struct Course {
   std::string id, title, file, language, script;
+  double grade = 1;           ///< of the script on its pages
   std::vector<double> sizes;  ///< of letters, descending [m]; the last is standard size
   MasteryRule mastery;
   FadeSettings fade;
@@ -77,6 +96,7 @@ struct Course {
   std::map<std::string, std::string> names;  ///< item -> how it is called: "," -> "comma"
   std::map<std::string, std::string> mates;  ///< item -> the one it is most easily taken for
   std::vector<Lesson> lessons;
+  SourcePlaces places;
 };
 
 /// Loads `course.toml` (or the folder it is in) and its lessons. Throws InputError:
@@ -90,6 +110,9 @@ struct CourseFault {
   std::size_t line = 0, column = 0;  ///< from 1; 0: of the whole file
   std::string what;                  ///< one sentence: cause and cure
 };
+
+/// "file:line:column: what", as far as the place is known.
+std::string LineOf(const CourseFault& fault);
 
 /// Items or letters used before they are taught, lessons that cannot be reached, needs in a cycle,
 /// items taught twice or without a form in the script, sizes below `smallest` [m] that a device

@@ -72,12 +72,16 @@ void CheckKeys(std::string_view text, const std::string& file) {
   }
 }
 
-std::string At(const Document& document, const toml::source_position& position) {
+TextPlace PlaceIn(const Document& document, const toml::source_position& position) {
   const std::size_t line = position.line;
   std::size_t column = position.column;
   if (line == 1 && column > document.shift) column -= document.shift;
-  return document.file + ":" + std::to_string(std::max<std::size_t>(line, 1)) + ":" +
-         std::to_string(std::max<std::size_t>(column, 1));
+  return {std::max<std::size_t>(line, 1), std::max<std::size_t>(column, 1)};
+}
+
+std::string At(const Document& document, const toml::source_position& position) {
+  const TextPlace place = PlaceIn(document, position);
+  return document.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
 const char* KindOf(const toml::node& node) {
@@ -261,16 +265,33 @@ std::vector<TomlTable> TomlTable::Tables(const std::string& key) const {
   return tables;
 }
 
-void TomlTable::FailUnknown() const {
+std::vector<std::string> TomlTable::Unknown() const {
+  std::vector<std::string> lines;
   for (const auto& entry : *view_->table) {
     const std::string key(entry.first.str());
     if (view_->asked.count(key) != 0) continue;
     const std::vector<std::string> known(view_->asked.begin(), view_->asked.end());
     const std::string nearest = NearestWord(key, known);
-    throw InputError(At(*view_->document, entry.first.source().begin) + ": unknown key '" +
-                     OneLine(key) + "'; " +
-                     (nearest.empty() ? "remove it" : "did you mean '" + nearest + "'?"));
+    lines.push_back(At(*view_->document, entry.first.source().begin) + ": unknown key '" +
+                    OneLine(key) + "'; " +
+                    (nearest.empty() ? "remove it" : "did you mean '" + nearest + "'?"));
   }
+  return lines;
+}
+
+void TomlTable::FailUnknown() const {
+  const std::vector<std::string> lines = Unknown();
+  if (!lines.empty()) throw InputError(lines.front());
+}
+
+TextPlace TomlTable::PlaceOf(const std::string& key, std::size_t element) const {
+  const toml::node* node = view_->table->get(key);
+  if (node != nullptr && element != kWhole && node->is_array()) {
+    const toml::node* part = node->as_array()->get(element);
+    if (part != nullptr) node = part;
+  }
+  return PlaceIn(*view_->document,
+                 node != nullptr ? node->source().begin : view_->table->source().begin);
 }
 
 std::string TomlTable::Where(const std::string& key) const {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "textures/text_file.h"
+
 namespace moontrace {
 
 /// A table of a TOML document, read by typed getters. Every error is an InputError of one line:
@@ -50,6 +52,14 @@ class TomlTable {
 
   /// Throws for the first key of this table (not of its sub-tables) that no getter has asked for.
   void FailUnknown() const;
+
+  /// The same for all of them, each as the error's line; empty where all are known.
+  std::vector<std::string> Unknown() const;
+
+  /// Place of a key's value, of an element of its array, or of the table when the key is absent or
+  /// empty. Columns count characters.
+  TextPlace PlaceOf(const std::string& key = "", std::size_t element = kWhole) const;
+  static constexpr std::size_t kWhole = static_cast<std::size_t>(-1);
 
   /// "file:line:column" of a key's value, or of the table when the key is absent or empty.
   std::string Where(const std::string& key = "") const;
