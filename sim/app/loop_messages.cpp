@@ -16,15 +16,6 @@ namespace {
 std::string Figure(double microseconds) { return Short(microseconds, microseconds < 10 ? 1 : 0); }
 std::string Micro(double microseconds) { return Figure(microseconds) + " microseconds"; }
 
-std::string Joined(const std::vector<std::string>& words, std::string_view last) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) list += i + 1 == words.size() ? std::string(last) : ", ";
-    list += words[i];
-  }
-  return list;
-}
-
 std::string SafetySentence(SafetyEvent event) {
   switch (event) {
     case SafetyEvent::kNotANumber:

@@ -16,6 +16,15 @@ std::string Times(std::size_t count) {
   return count == 1 ? "once" : fmt::format("{} times", count);
 }
 
+std::string Joined(const std::vector<std::string>& words, std::string_view last) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) list += i + 1 == words.size() ? std::string(last) : ", ";
+    list += words[i];
+  }
+  return list;
+}
+
 std::string Short(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);
   if (text.find('.') != std::string::npos) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// The words that many sentences share.
 namespace moontrace::say {
@@ -12,6 +13,8 @@ inline constexpr double kMillimetres = 1e3;
 std::string Counted(std::size_t count, std::string_view one, std::string_view many);
 /// "never", "once", "3 times".
 std::string Times(std::size_t count);
+/// "a, b or c" with `last` = " or ".
+std::string Joined(const std::vector<std::string>& words, std::string_view last);
 /// At most `decimals`, no needless zeros.
 std::string Short(double value, int decimals);
 /// Four significant digits, or all of a whole part, without an exponent: "0.01234", "15000000".

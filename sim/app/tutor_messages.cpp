@@ -1,0 +1,114 @@
+#include "sim/app/tutor_messages.h"
+
+#include <fmt/format.h>
+
+#include "sim/app/words.h"
+#include "textures/text_file.h"
+
+namespace moontrace::say {
+
+std::string TutorHelp(const std::vector<std::string>& words) {
+  std::vector<std::string> numbered;
+  for (const std::string& word : words) {
+    numbered.push_back(fmt::format("{} {}", numbered.size() + 1, word));
+  }
+  return fmt::format("Words, or their beginning or number: {}.", Joined(numbered, ", "));
+}
+
+std::string TutorSaidNothing() { return "Nothing was said. Type ? for the words."; }
+
+std::string TutorUnknown(std::string_view given, std::string_view nearest) {
+  return fmt::format("Unknown: {}. {}Type ? for the words.", OneLine(given),
+                     nearest.empty() ? std::string() : fmt::format("Did you mean {}? ", nearest));
+}
+
+std::string TutorAmbiguous(std::string_view given, const std::vector<std::string>& words) {
+  return fmt::format("{} could be {}.", OneLine(given), Joined(words, " or "));
+}
+
+std::string TutorWants(std::string_view word, std::string_view wants) {
+  return fmt::format("{} lacks what it wants: {}.", word, wants);
+}
+
+std::string TutorCannotRead(std::string_view word, std::string_view given, std::string_view wants) {
+  return fmt::format("{} cannot be {}: it wants {}.", word, OneLine(given, 20), wants);
+}
+
+std::string TutorOutOfRange(std::string_view word, std::string_view given, std::string_view wants) {
+  return fmt::format("{} cannot be {}, out of range: it wants {}.", word, OneLine(given, 20),
+                     wants);
+}
+
+std::string TutorNothingBehind(std::string_view word, std::string_view given) {
+  return fmt::format("{} stands alone: leave out {}.", word, OneLine(given));
+}
+
+std::string TutorCame(std::size_t tutor) {
+  return fmt::format("Tutor {} is here, and sees what you are told.", tutor);
+}
+
+std::string TutorLeft(std::size_t tutor) { return fmt::format("Tutor {} has left.", tutor); }
+
+std::string TutorDropped(std::size_t tutor) {
+  return fmt::format("Tutor {} was let go: it did not read what it was sent.", tutor);
+}
+
+std::string TutorLineTooLong(std::size_t longest) {
+  return fmt::format("Too long, not read: a line holds at most {} bytes.", longest);
+}
+
+std::string TutorTooFast() { return "Too fast, not read: wait for answers, then go on."; }
+
+std::string TooManyTutors(std::size_t most) {
+  return fmt::format("No room: {} are here already. Try again later.",
+                     Counted(most, "tutor", "tutors"));
+}
+
+std::string SocketTaken(std::string_view path) {
+  return fmt::format(
+      "the tutor socket is already taken: another lesson of this learner runs; end it, or use "
+      "another --learner: {}",
+      OneLine(path, 300));
+}
+
+std::string SocketIsNoSocket(std::string_view path) {
+  return fmt::format("the tutor socket has no place: something else has its name; move it away: {}",
+                     OneLine(path, 300));
+}
+
+std::string FolderNotOurs(std::string_view folder) {
+  return fmt::format(
+      "no tutor can come: the folder for its socket is another user's or no folder; set "
+      "XDG_RUNTIME_DIR to one of your own: {}",
+      OneLine(folder, 300));
+}
+
+std::string FolderOpenToOthers(std::string_view folder) {
+  return fmt::format(
+      "no tutor can come: others may enter the folder for its socket; close it with chmod 700: {}",
+      OneLine(folder, 300));
+}
+
+std::string CannotOpenSocket(std::string_view path, std::string_view cause) {
+  return fmt::format("no tutor can come: the socket cannot be opened, {}: {}", cause,
+                     OneLine(path, 300));
+}
+
+std::string NoLessonRuns(std::string_view learner) {
+  return fmt::format("no lesson{} runs here with a tutor: start one with moontrace learn --tutor",
+                     learner.empty() ? std::string() : fmt::format(" of {}", OneLine(learner)));
+}
+
+std::string SeveralLessons(const std::vector<std::string>& learners) {
+  return fmt::format("several lessons run: choose with --learner: {}", Joined(learners, ", "));
+}
+
+std::string LessonRefused(std::string_view path, std::string_view cause) {
+  return fmt::format("the lesson cannot be reached, {}: {}", cause, OneLine(path, 300));
+}
+
+std::string LessonEnded() { return "The lesson has ended."; }
+
+std::string TutorGone() { return "You have left; the lesson goes on."; }
+
+}  // namespace moontrace::say

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Sentences of the tutor's door to a lesson; see messages.h.
+namespace moontrace::say {
+
+namespace help {
+inline constexpr const char* kTutor =
+    "speaks to a lesson that runs on this machine (learn --tutor): size, help, mode and more";
+inline constexpr const char* kTutorLearner =
+    "the learner whose lesson it is. Default: the one whose lesson runs.";
+}  // namespace help
+
+// Lines that are no command.
+std::string TutorHelp(const std::vector<std::string>& words);
+std::string TutorSaidNothing();
+std::string TutorUnknown(std::string_view given, std::string_view nearest);
+std::string TutorAmbiguous(std::string_view given, const std::vector<std::string>& words);
+/// `wants`: what stands behind the word, "a number from 0 to 10".
+std::string TutorWants(std::string_view word, std::string_view wants);
+std::string TutorCannotRead(std::string_view word, std::string_view given, std::string_view wants);
+std::string TutorOutOfRange(std::string_view word, std::string_view given, std::string_view wants);
+std::string TutorNothingBehind(std::string_view word, std::string_view given);
+
+// What comes and goes, for the learner and for the tutor.
+std::string TutorCame(std::size_t tutor);
+std::string TutorLeft(std::size_t tutor);
+std::string TutorDropped(std::size_t tutor);
+std::string TutorLineTooLong(std::size_t longest);
+std::string TutorTooFast();
+std::string TooManyTutors(std::size_t most);
+
+// Why there is no door.
+std::string SocketTaken(std::string_view path);
+std::string SocketIsNoSocket(std::string_view path);
+std::string FolderNotOurs(std::string_view folder);
+std::string FolderOpenToOthers(std::string_view folder);
+std::string CannotOpenSocket(std::string_view path, std::string_view cause);
+
+// The tutor's own program.
+std::string NoLessonRuns(std::string_view learner);
+std::string SeveralLessons(const std::vector<std::string>& learners);
+std::string LessonRefused(std::string_view path, std::string_view cause);
+std::string LessonEnded();
+std::string TutorGone();
+
+}  // namespace moontrace::say

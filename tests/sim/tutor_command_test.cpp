@@ -1,0 +1,122 @@
+#include "sim/app/tutor_command.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "textures/utf8_check.h"
+
+namespace moontrace {
+namespace {
+
+TutorCommand Read(std::string_view line) {
+  const auto read = ReadTutorCommand(line);
+  if (const TutorRefusal* refusal = std::get_if<TutorRefusal>(&read)) {
+    ADD_FAILURE() << line << ": " << refusal->line;
+    return {};
+  }
+  return std::get<TutorCommand>(read);
+}
+
+std::string Refused(std::string_view line) {
+  const auto read = ReadTutorCommand(line);
+  const TutorRefusal* refusal = std::get_if<TutorRefusal>(&read);
+  return refusal == nullptr ? std::string() : refusal->line;
+}
+
+TEST(TutorCommand, TakesNumbersWithTheirUnitOrWithout) {
+  EXPECT_DOUBLE_EQ(Read("size 20").value, 0.020);
+  EXPECT_DOUBLE_EQ(Read("size 20 mm").value, 0.020);
+  EXPECT_DOUBLE_EQ(Read("SIZE 2CM").value, 0.020);
+  EXPECT_DOUBLE_EQ(Read("size 0.02 m").value, 0.020);
+  EXPECT_EQ(Read("help 7").value, 7);
+  EXPECT_DOUBLE_EQ(Read("depth 50%").value, 0.5);
+  EXPECT_DOUBLE_EQ(Read("depth 150 percent").value, 1.5);
+  EXPECT_EQ(Read("spacing +1.5").value, 1.5);
+  EXPECT_DOUBLE_EQ(Read("tilt -60 degrees").value, -std::numbers::pi / 3);
+}
+
+TEST(TutorCommand, TakesTheEndsOfARangeAndNothingBeyond) {
+  for (const char* line : {"size 1", "size 1000", "size 1 m", "size 0.1 cm", "help 0", "help 10",
+                           "depth 0.2", "depth 2", "spacing 1", "spacing 300 %", "tilt 60"}) {
+    EXPECT_EQ(Refused(line), "") << line;
+  }
+  EXPECT_EQ(Refused("size 0.9"),
+            "size cannot be 0.9, out of range: it wants mm of the letters, 1 to 1000.");
+  for (const char* line : {"size 1001", "size 2 m", "size -20", "help 10.1", "help -1", "depth 0.1",
+                           "depth 201 %", "spacing 0.9", "tilt 61", "size 1e300"}) {
+    EXPECT_NE(Refused(line).find("out of range"), std::string::npos) << line;
+  }
+}
+
+TEST(TutorCommand, RefusesWhatIsNoNumberOfTheWord) {
+  for (const char* line : {"size big", "size 20 inches", "size nan", "size inf", "help 5 mm",
+                           "tilt 5 %", "size 20 30", "size 1,5", "depth 0x1p0"}) {
+    EXPECT_NE(Refused(line).find(" cannot be "), std::string::npos) << line;
+  }
+  EXPECT_EQ(Refused("help"), "help lacks what it wants: a number from 0 to 10.");
+  EXPECT_EQ(Refused("say  "), "say lacks what it wants: a text for the learner.");
+}
+
+TEST(TutorCommand, IsReadWholeBegunOrByNumber) {
+  for (std::size_t i = 0; i < TutorWords().size(); ++i) {
+    const std::string behind[] = {"", " 2", " bead", " x"};
+    int taken = 0;
+    for (const std::string& more : behind) {
+      const auto by_name = ReadTutorCommand(TutorWords()[i] + more);
+      const auto by_number = ReadTutorCommand(std::to_string(i + 1) + more);
+      ASSERT_EQ(by_name.index(), by_number.index()) << TutorWords()[i] + more;
+      if (by_name.index() != 0) continue;
+      ++taken;
+      EXPECT_EQ(std::get<TutorCommand>(by_name).word, static_cast<TutorWord>(i));
+      EXPECT_EQ(std::get<TutorCommand>(by_number).word, static_cast<TutorWord>(i));
+    }
+    EXPECT_GE(taken, 1) << TutorWords()[i];
+  }
+  EXPECT_EQ(Read("si 20").word, TutorWord::kSize);
+  EXPECT_EQ(Read(" G\r").word, TutorWord::kGo);
+  EXPECT_EQ(Read("next lesson").word, TutorWord::kNext);
+  EXPECT_EQ(Read("n").word, TutorWord::kNext);
+  EXPECT_EQ(Read("?").word, TutorWord::kQuestion);
+  EXPECT_EQ(Read("mode BEAD").mode, GuidanceMode::kBead);
+}
+
+TEST(TutorCommand, ThatIsNoneOrSeveralIsToldApart) {
+  EXPECT_EQ(Refused("sp 2 x"), "spacing cannot be 2 x: it wants a factor from 1 to 3.");
+  EXPECT_EQ(Refused("s 2"), "s could be size, spacing, show, say or skip.");
+  EXPECT_EQ(Refused("whare"), "Unknown: whare. Did you mean where? Type ? for the words.");
+  EXPECT_EQ(Refused("20"), "Unknown: 20. Type ? for the words.");
+  EXPECT_EQ(Refused("0"), "Unknown: 0. Type ? for the words.");
+  EXPECT_EQ(Refused(""), "Nothing was said. Type ? for the words.");
+  EXPECT_EQ(Refused("pause now"), "pause stands alone: leave out now.");
+  EXPECT_EQ(Refused("next page"), "next stands alone: leave out page.");
+  EXPECT_EQ(Refused("mode magic"),
+            "mode cannot be magic: it wants off, attract, rail, bead, amplify, corridor.");
+}
+
+TEST(TutorCommand, KeepsTheTextsCapitalsAndNoControlCharacter) {
+  EXPECT_EQ(Read("say Well done, J!").text, "Well done, J!");
+  EXPECT_EQ(Read("lesson 04-jnz").text, "04-jnz");
+  // an escape, and its twin above ASCII, would speak to the learner's terminal
+  EXPECT_EQ(Read("say a\x1b[2Jb\xC2\x9Bzc").text, "a?[2Jb?zc");
+  EXPECT_EQ(Read("say \xC3\xA4").text, "\xC3\xA4");
+}
+
+TEST(TutorCommand, TakesAnyBytes) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> byte(0, 255), length(0, 40);
+  for (int i = 0; i < 20000; ++i) {
+    std::string line = i % 3 == 0 ? "say " : i % 3 == 1 ? "size " : "";
+    for (int left = length(random); left > 0; --left) line += static_cast<char>(byte(random));
+    const auto read = ReadTutorCommand(line);
+    const TutorRefusal* refusal = std::get_if<TutorRefusal>(&read);
+    const std::string& text =
+        refusal != nullptr ? refusal->line : std::get<TutorCommand>(read).text;
+    EXPECT_FALSE(FirstBadUtf8(text)) << text;
+    for (const char c : text) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != '\x7f');
+  }
+}
+
+}  // namespace
+}  // namespace moontrace
