@@ -64,6 +64,18 @@ Found Find(const TextSetup& text, std::size_t source) {
   return found;
 }
 
+/// A text of one line, moved to the sheet's middle.
+void Centre(Typeset& set) {
+  if (set.pages.size() != 1 || set.pages[0].lines != 1) return;
+  std::vector<PlacedGlyph>& glyphs = set.pages[0].glyphs;
+  if (glyphs.empty()) return;
+  const double size = set.style.size;
+  const glm::dvec2 low = glyphs.front().origin_P;
+  const glm::dvec2 high = glyphs.back().origin_P + glm::dvec2(size, size);
+  const glm::dvec2 way = 0.5 * (glm::dvec2(set.page.width, set.page.height) - low - high);
+  for (PlacedGlyph& glyph : glyphs) glyph.origin_P += way;
+}
+
 /// How much page a device can reach, its edges finite [m].
 glm::dvec2 RoomOf(const DeviceLimits& limits, double scale) {
   return 2 * scale * glm::dvec2(limits.workspace_D);
@@ -90,7 +102,7 @@ LoopSession::LoopSession(SessionRequest request, Console& console)
     limits_ = device->Limits();
     request_.text.room = RoomOf(limits_, scale());
   }
-  text_ = SetUpText(request_.text, console);
+  text_ = SetUp(request_.text);
   const std::string& model = request_.text.feel.model;
   scene_options_ = HeldBy(limits_, scene_options_, Scene::Load(model, scene_options_).proxy_mass());
   Scene scene = Scene::Load(model, scene_options_);
@@ -116,13 +128,19 @@ LoopSession::LoopSession(SessionRequest request, Console& console)
                                  std::move(source), PlaceOfDevice(), options);
 }
 
+TextSetup LoopSession::SetUp(const TextRequest& request) {
+  TextSetup setup = SetUpText(request, console_);
+  if (request_.centred) Centre(setup.set);
+  return setup;
+}
+
 std::unique_ptr<TextureField> LoopSession::FieldOf(std::size_t page) const {
   return std::make_unique<TextureField>(
       PageField(text_.set.pages[page], text_.script, text_.set.style, request_.blank));
 }
 
 /// The simulated hand, on its way through a page again and again.
-std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) const {
+std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) {
   const HandModel hand = ShippedHand();
   const TypeStyle& style = text_.set.style;
   PlanOptions options;
@@ -134,6 +152,7 @@ std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) const {
   const auto strokes = IntendedStrokes(sheet, text_.script, style);
   const GrooveLinks links = LinkPage(sheet, text_.script, style);
   const Plan plan = MakePlan(strokes, WalksOf(strokes, sheet, links), options, X_WP_);
+  round_ = plan.duration;
   return MakeSimulatedStylus(hand, plan.path_W, scene_options_.tick, request_.seed);
 }
 
@@ -156,7 +175,7 @@ DevicePlace LoopSession::PlaceOfDevice() const {
 void LoopSession::Show(std::size_t page, const std::optional<PageAnchor>& anchor) {
   PageChange change;
   change.field = FieldOf(page);
-  change.page = static_cast<std::uint32_t>(page);
+  change.page = first_number_ + static_cast<std::uint32_t>(page);
   if (simulated_) {
     change.device = StylusFor(page);
   } else {
@@ -181,7 +200,7 @@ void LoopSession::Resize(bool bigger, glm::dvec2 tip_P) {
   request.text.text = text_.text;  // standard input has been read
   if (text_.text == "-") request.text.text = "- ";
   request.style.size = std::clamp(bigger ? before * kStep : before / kStep, kSmallest, kGreatest);
-  TextSetup next = SetUpText(request, console_);
+  TextSetup next = SetUp(request);
 
   const PlacedGlyph* letter = NearestGlyph(text_, page_, tip_P);
   const Found found = Find(next, letter != nullptr ? letter->source_begin : 0);
@@ -199,6 +218,46 @@ void LoopSession::Resize(bool bigger, glm::dvec2 tip_P) {
   request_.text.style.size = text_.set.style.size;
 }
 
+void LoopSession::ChangeText(TextRequest request, bool blank) {
+  request.room = request_.text.room;
+  request.feel = request_.text.feel;
+  TextSetup next = SetUp(request);
+  const std::uint32_t number = first_number_ + static_cast<std::uint32_t>(text_.set.pages.size());
+  const std::uint32_t number_before = std::exchange(first_number_, number);
+  const bool blank_before = std::exchange(request_.blank, blank);
+  std::swap(text_, next);
+  try {
+    Show(0, std::nullopt);
+  } catch (...) {
+    std::swap(text_, next);
+    request_.blank = blank_before;
+    first_number_ = number_before;
+    throw;
+  }
+  request_.text = std::move(request);
+  mark_.reset();
+}
+
+std::optional<NearLetter> LoopSession::Near(glm::dvec2 tip_P) const {
+  const PlacedGlyph* glyph = NearestGlyph(text_, page_, tip_P);
+  if (glyph == nullptr) return std::nullopt;
+  NearLetter found;
+  found.name = SourceOf(text_, *glyph);
+  if (found.name.empty()) found.name = text_.script.glyphs[glyph->glyph].name;
+  std::size_t begin = glyph->source_begin, end = glyph->source_end;
+  for (const PlacedGlyph& other : text_.set.pages[page_].glyphs) {
+    if (other.word != glyph->word) continue;
+    begin = std::min(begin, other.source_begin);
+    end = std::max(end, other.source_end);
+  }
+  found.word = text_.text.substr(begin, end - begin);
+  found.line = glyph->line;
+  const double size = SizeOf(*glyph, text_);
+  found.near = DistanceTo(*glyph, text_, tip_P) <= 0.25 * size;
+  found.in_P = glm::clamp((tip_P - glyph->origin_P) / size, glm::dvec2(0), glm::dvec2(1));
+  return found;
+}
+
 std::vector<std::string> LoopSession::TakeSentences() {
   const std::lock_guard lock(sentences_mutex_);
   return std::exchange(sentences_, {});
@@ -207,13 +266,10 @@ std::vector<std::string> LoopSession::TakeSentences() {
 std::string LoopSession::Where(const LoopSnapshot& now) const {
   const glm::dvec3 tip_P = now.tip_P;
   const say::Feeling feeling{now.depth > 0, glm::any(limits_.pushes), glm::length(now.force_P)};
-  const PlacedGlyph* glyph = NearestGlyph(text_, page_, tip_P);
+  const std::optional<NearLetter> letter = Near(tip_P);
   const std::size_t pages = text_.set.pages.size();
-  if (glyph == nullptr) return say::Where("", 0, page_, pages, feeling);
-  const bool near = DistanceTo(*glyph, text_, tip_P) <= 0.25 * SizeOf(*glyph, text_);
-  std::string name(SourceOf(text_, *glyph));
-  if (name.empty()) name = text_.script.glyphs[glyph->glyph].name;
-  return say::Where(near ? name : "", glyph->line, page_, pages, feeling);
+  if (!letter) return say::Where("", 0, page_, pages, feeling);
+  return say::Where(letter->near ? letter->name : "", letter->line, page_, pages, feeling);
 }
 
 void LoopSession::SetMark(glm::dvec3 tip_P) {

@@ -23,7 +23,18 @@ struct SessionRequest {
   LiveOptions live;
   std::optional<double> press;  ///< [N]
   bool blank = false;
+  /// A text of one line lies in the sheet's middle, not at its upper left.
+  bool centred = false;
   std::uint64_t seed = 1;  ///< of the simulated hand
+};
+
+/// The letter that is nearest to a place.
+struct NearLetter {
+  std::string name;       ///< the characters it stands for, else the sign's name
+  std::string word;       ///< that it belongs to
+  std::size_t line = 0;   ///< on the page, from 0
+  bool near = false;      ///< no farther than a quarter of its size
+  glm::dvec2 in_P{0, 0};  ///< the place in its em box, 0-1 each way
 };
 
 /// A device, a text set for its reach, and the loop that lets it be felt, page by page.
@@ -48,6 +59,17 @@ class LoopSession {
   /// nearest to `tip_P` stays under the tip. Throws InputError, and leaves all as it was: no room
   /// for such letters.
   void Resize(bool bigger, glm::dvec2 tip_P);
+  /// Another text for the same device and loop: its first page is felt from now on, and a simulated
+  /// hand begins it. Throws InputError, and leaves all as it was.
+  void ChangeText(TextRequest request, bool blank);
+  /// Of LoopSample::page and LoopSnapshot::page while the present page of this text is felt; no
+  /// page of another text has it.
+  std::uint32_t number() const { return first_number_ + static_cast<std::uint32_t>(page_); }
+  /// How long the simulated hand takes for the page once [s]; 0 of a device.
+  double round() const { return round_; }
+  bool simulated() const { return simulated_; }
+  /// None on an empty page.
+  std::optional<NearLetter> Near(glm::dvec2 tip_P) const;
   /// What opening a lost device again has to say, since the last call.
   std::vector<std::string> TakeSentences();
   /// Where the tip is and what it feels, in words.
@@ -59,7 +81,8 @@ class LoopSession {
 
  private:
   std::unique_ptr<TextureField> FieldOf(std::size_t page) const;
-  std::unique_ptr<Device> StylusFor(std::size_t page) const;
+  std::unique_ptr<Device> StylusFor(std::size_t page);
+  TextSetup SetUp(const TextRequest& request);
   DevicePlace PlaceOfDevice() const;
   void Show(std::size_t page, const std::optional<PageAnchor>& anchor);
 
@@ -72,6 +95,8 @@ class LoopSession {
   Pose X_WP_;
   double force_bound_ = 0;
   std::size_t page_ = 0;
+  std::uint32_t first_number_ = 0;
+  double round_ = 0;
   /// A place of the text, which stays the same at another size.
   struct Mark {
     std::size_t source = 0;        ///< byte of the letter
