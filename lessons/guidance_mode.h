@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,6 +17,8 @@ enum class GuidanceMode : std::uint8_t {
   kAmplify,  ///< away from the stroke: error amplification
   kCorridor  ///< a cue beyond the corridor's edge, without a net force
 };
+
+inline constexpr std::size_t kGuidanceModeCount = 6;
 
 /// "off", "attract", "rail", "bead", "amplify", "corridor".
 std::string_view NameOf(GuidanceMode mode);
