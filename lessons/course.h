@@ -68,14 +68,21 @@ struct Lesson {
   SourcePlaces places;
 };
 
-/// When an item is sure at a size; counted over its last `attempts` unguided trials at that size.
+/// When an item is sure at a size, counted over its last unguided trials at that size; and which
+/// items come next.
 struct MasteryRule {
-  int attempts = 5;           ///< evidence needed
+  int attempts = 5;           ///< namings needed as evidence
+  int traces = 2;             ///< traces needed as evidence, the last of them
   double recognised = 0.85;   ///< share named right, at least
   double coverage = 0.9;      ///< of traced strokes, at least
   double error_widths = 0.5;  ///< mean tracing error, at most [groove widths]
   int failures = 3;           ///< wrong or badly traced in a row: back to the next larger size
   double target = 0.85;       ///< share right that the choice of items aims at
+  double known =
+      0.25;          ///< share of questions that ask what is sure already; twice that below target
+  int reviews = 20;  ///< items due that a session begins with, at most
+  double quick = 5;  ///< named faster: easy, for the schedule of reviews [s]
+  double slow = 30;  ///< named slower: hard [s]
 };
 
 /// How help fades, see fading.h. `rule`: "manual", "linear", "gate", "as-needed".

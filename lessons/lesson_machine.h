@@ -25,6 +25,7 @@ struct Traced {
 struct Answered {
   std::string text;
   double latency = 0;  ///< since the page could be felt [s]
+  Trial measured;      ///< of the hand while it explored; `scaled` and `simulated` too
 };
 /// A word of the learner, or of the tutor, who overrules anything.
 enum class Word { kAgain, kNext, kBigger, kSmaller, kMoreHelp, kLessHelp, kSlower, kFaster, kHint };
@@ -32,7 +33,8 @@ struct Said {
   Word word = Word::kAgain;
   bool by_tutor = false;
 };
-/// The tutor sets what the rules would choose; unset: by the rules again.
+/// The tutor sets what the rules would choose. What is set comes into force and stays; one with
+/// nothing set gives all back to the rules. `lesson`, `next_lesson` and `skip` are done at once.
 struct Overrule {
   std::optional<double> size;  ///< [m]
   std::optional<int> help;     ///< 0-10
@@ -58,11 +60,14 @@ enum class Sentence {
   kWelcomeBack,  ///< text: lesson's title
   kLesson,       ///< text: lesson's title; number, of
   kCourseText,   ///< text: as it stands in the lesson's file
+  kExploreIt,    ///< a page to be felt, until "next"
+  kReadIt,       ///< a text to be read, until "next"; text: the text
   kNewItem,      ///< text: item
   kHint,         ///< text: memory aid
+  kLedAlong,     ///< text: item; the hand is led along it now
   kAskName,      ///< what is it?
-  kAskPick,      ///< text: item, other: mate
-  kAskSame,
+  kAskPick,      ///< is it text or other?
+  kAskSame,      ///< two side by side: same or different?
   kTraceIt,      ///< text: item
   kProbe,        ///< this one without help
   kRight,        ///< text: item
@@ -76,17 +81,25 @@ enum class Sentence {
   kHelpNow,      ///< value: help
   kSpeedNow,     ///< value: speed factor
   kSizeNow,      ///< value: size [m]
+  kModeNow,      ///< text: guidance mode
+  kByRules,      ///< what was overruled is chosen by the rules again
+  kSkipped,      ///< text: item or lesson's title; it is left and not sure
   kCannotLarger,
   kCannotSmaller,
   kNoMoreHelp,
   kNoLessHelp,
-  kTestBegins,
+  kNoHelpHere,  ///< no push while something is to be recognised
+  kTestBegins,  ///< number: items asked
   kTestResult,  ///< number right, of
+  kTestAgain,   ///< too few were right: they are practised first, then asked again
   kReviewDue,   ///< number: items due
   kLessonDone,  ///< text: title
   kCourseDone,
   kBreak,  ///< number: minutes worked
-  kNoHint
+  kNoHint,
+  kNotAsked,     ///< text: an answer where nothing was asked
+  kNotNow,       ///< a trace where none was awaited
+  kNoSuchLesson  ///< text: what was asked for
 };
 struct Say {
   Sentence sentence = Sentence::kWelcome;
@@ -98,6 +111,7 @@ struct Say {
 struct Show {
   std::string text;    ///< to be set; two items of kSame with a space between
   std::string script;  ///< as FindScript takes it
+  double grade = 1;    ///< of the script
   double size = 0;     ///< [m]
   bool told = true;    ///< false: what it is must not be said or shown
 };
@@ -119,23 +133,27 @@ enum class Await { kTrace, kAnswer, kNext, kEnd };
 using Action = std::variant<lesson_action::Say, lesson_action::Show, lesson_action::Push,
                             lesson_action::Keep, lesson_action::Await>;
 
-/// Everything that a lesson in progress remembers; a value.
+/// Everything that a lesson in progress remembers; a value. `progress` changes by kept trials
+/// alone, so that it can be told again from the records; all else lasts as long as the session.
 struct LessonState {
   Progress progress;
   bool begun = false, ended = false;
-  std::int64_t session_begin = 0, session_trials = 0, break_told = 0;  ///< Unix time [s]
-  std::uint64_t random = 1;        ///< seed; each choice advances it
-  std::vector<std::string> queue;  ///< items still to come at this step
-  std::string item, mate;          ///< shown now; second of a pair
-  int at_item = 0;                 ///< trials of this item at this step
-  int guided_run = 0;              ///< guided trials since the last probe
-  bool probe = false;
-  int test_right = 0, test_asked = 0;
+  std::int64_t session_begin = 0, break_told = 0;  ///< Unix time [s]
+  std::uint64_t random = 1;                        ///< seed; each choice advances it
+  std::vector<std::string> reviews;                ///< items due, still to be asked
+  std::vector<std::string> queue;      ///< items to be asked again soon, after a failure
+  std::vector<std::string> skipped;    ///< items of this step that were left by "next"
+  std::string item, mate;              ///< shown now; second of a pair
+  bool review = false;                 ///< it was due
+  StepKind task = StepKind::kExplore;  ///< what is done with it now
+  Question question = Question::kName;
+  bool probe = false;  ///< unguided by plan, in a guided block
+  double size = 0;     ///< of what is shown [m]
+  GuidanceMode mode = GuidanceMode::kOff;
+  int help = 0, most_help = 0;  ///< of the push now; the greatest since the page was shown
   double speed = 1;
   lesson_event::Overrule overrule;  ///< in force
   lesson_action::Await await = lesson_action::Await::kNext;
-  /// Go into every trial of this session as they are; who starts it sets them after StartLesson.
-  bool scaled = false, simulated = false;
 };
 
 struct LessonTurn {
@@ -147,7 +165,7 @@ struct LessonTurn {
 LessonState StartLesson(const Course& course, Progress progress, std::uint64_t seed);
 
 /// The lesson machine: pure. Never throws on any event in any state: what does not fit is answered
-/// by a sentence.
+/// by a sentence. The last action is always an Await.
 LessonTurn Advance(const Course& course, LessonState state, const Event& event);
 
 }  // namespace moontrace

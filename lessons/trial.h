@@ -15,8 +15,10 @@ struct Trial {
   std::string lesson;     ///< id
   std::size_t step = 0;   ///< of the lesson, from 0
   StepKind kind = StepKind::kTrace;
-  std::string item;  ///< what was shown; two joined by a line feed where two were
-  double size = 0;   ///< of its letters [m]
+  /// What was shown; two joined by a line feed at kPick (shown first, then the other) and kSame.
+  /// Empty: no work but a mark of the learner's way: `right`, the step ended; else, came to it.
+  std::string item;
+  double size = 0;  ///< of its letters [m]
   GuidanceMode guidance = GuidanceMode::kOff;
   int help = 0;        ///< 0-10; guided if > 0 and a mode is on
   bool probe = false;  ///< unguided by plan, in a guided block

@@ -102,6 +102,28 @@ std::string LessonSentence(const Course& course, const lesson_action::Say& sente
                          Counted(static_cast<std::size_t>(sentence.number), "minute", "minutes"));
     case Sentence::kNoHint:
       return "No hint for this one.";
+    case Sentence::kExploreIt:
+      return "Feel the page; say next to go on.";
+    case Sentence::kReadIt:
+      return "Read the page; say next to go on.";
+    case Sentence::kLedAlong:
+      return fmt::format("Let your hand be led: {}.", text);
+    case Sentence::kModeNow:
+      return fmt::format("Push now: {}.", OneLine(sentence.text));
+    case Sentence::kByRules:
+      return "By the rules again: size, help and push.";
+    case Sentence::kSkipped:
+      return fmt::format("Skipped, not sure yet: {}.", text);
+    case Sentence::kNoHelpHere:
+      return "No push while it is to be recognised.";
+    case Sentence::kTestAgain:
+      return "Not passed: practice, then once more.";
+    case Sentence::kNotAsked:
+      return fmt::format("Nothing is asked now: {}.", OneLine(sentence.text, 16));
+    case Sentence::kNotNow:
+      return "No trace is awaited now.";
+    case Sentence::kNoSuchLesson:
+      return fmt::format("No such lesson: {}.", OneLine(sentence.text, 20));
   }
   return {};
 }
