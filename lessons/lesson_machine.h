@@ -25,7 +25,7 @@ struct Traced {
 struct Answered {
   std::string text;
   double latency = 0;  ///< since the page could be felt [s]
-  Trial measured;      ///< of the hand while it explored; `scaled` and `simulated` too
+  Trial measured;      ///< its metrics of the hand while it explored
 };
 /// A word of the learner, or of the tutor, who overrules anything.
 enum class Word { kAgain, kNext, kBigger, kSmaller, kMoreHelp, kLessHelp, kSlower, kFaster, kHint };
@@ -154,6 +154,8 @@ struct LessonState {
   double speed = 1;
   lesson_event::Overrule overrule;  ///< in force
   lesson_action::Await await = lesson_action::Await::kNext;
+  /// Go into every trial of this session as they are; who starts it sets them after StartLesson.
+  bool scaled = false, simulated = false;
 };
 
 struct LessonTurn {
