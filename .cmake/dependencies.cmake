@@ -19,6 +19,10 @@ pkg_check_modules(louis QUIET IMPORTED_TARGET liblouis)
 if(NOT louis_FOUND)
   message(STATUS "liblouis is missing: no page can be set in Braille")
 endif()
+pkg_check_modules(sqlite QUIET IMPORTED_TARGET sqlite3)
+if(NOT sqlite_FOUND)
+  message(STATUS "SQLite is missing: no records of learners can be kept")
+endif()
 
 find_package(mujoco 2.2.2 REQUIRED)
 # Debian's target names a qhull include folder that only libqhull-dev brings and no public header

@@ -60,6 +60,9 @@ class Records {
   /// All that is known of a learner as JSON text (UTF-8), and back. Import throws InputError
   /// (where, cause, cure) and then has added nothing.
   std::string Export(const std::string& pseudonym) const;
+  /// What of it researchers may see: no pseudonym, no words, no tracks; times count from the first
+  /// trial. It lists the fields that it holds. Cannot be imported.
+  std::string ExportAnonymous(const std::string& pseudonym) const;
   std::string Import(const std::string& json, const std::string& name);  ///< gives the pseudonym
   /// Every byte of a learner out of the file, its log and its free pages.
   void Erase(const std::string& pseudonym);

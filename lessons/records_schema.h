@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace moontrace {
+
+/// In the head of the file, so that no other database is taken for one: "MOON".
+inline constexpr std::int64_t kRecordsApplication = 0x4d4f4f4e;
+
+/// What makes version N of the records from version N - 1; the first makes it from an empty file.
+/// A step that was ever released is never changed: a new one is appended.
+const std::vector<std::string>& RecordsSteps();
+
+/// The version that this program writes: the number of steps.
+std::int64_t RecordsVersion();
+
+/// "INSERT INTO trial ..." with two values before those of TrialFields: learner, course.
+std::string InsertTrial();
+/// "SELECT ... FROM trial": two columns before those of TrialFields: id, course.
+std::string SelectTrials();
+
+}  // namespace moontrace
