@@ -1,9 +1,9 @@
 // Lines of two sizes on a page: where they stand, and what is felt.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 
+#include "gradient_walk.h"
 #include "small_script.h"
 #include "textures/error.h"
 #include "textures/field.h"
@@ -208,38 +208,10 @@ TEST(TwoSizes, RidgesOfHeadingsStandAmongGrooves) {
   EXPECT_LE(highest, 0.45e-3 + 1e-9);
 }
 
-// Along random lines in steps of 1 um, displacement changes by no more than the greatest slope
-// allows, ridge to groove included, and off creases the gradient is the derivative.
+// Ridge to groove included.
 TEST(TwoSizes, DisplacementIsContinuousAndItsDerivativeTheGradient) {
   const Felt felt = Feel(Relief::kEmbossed);
-  const TextureField field(felt.texture);
-  constexpr double kStep = 1e-6, kSmall = 1e-9;
-  // Blending adds up the slopes of two flanks at most.
-  const double steepest = 2 * field.greatest_slope();
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> x(0, 0.15), y(0, 0.12), turn(0, 6.28);
-  int wrong = 0, count = 0;
-  for (int line = 0; line < 300; ++line) {
-    const double angle = turn(random);
-    const glm::dvec2 way(std::cos(angle), std::sin(angle));
-    glm::dvec2 p(x(random), y(random));
-    double before = field.SampleAt(p).displacement;
-    for (int i = 0; i < 3000; ++i) {
-      p += kStep * way;
-      const Sample sample = field.SampleAt(p);
-      ASSERT_LE(std::abs(sample.displacement - before), steepest * kStep + 1e-15);
-      before = sample.displacement;
-      if (sample.displacement == 0) continue;
-      const double rise = (field.SampleAt(p + kSmall * way).displacement -
-                           field.SampleAt(p - kSmall * way).displacement) /
-                          (2 * kSmall);
-      ++count;
-      // Curvature up to 4e4 /m over 1 nm, and cancellation of 1e-19 m over it.
-      if (std::abs(rise - glm::dot(sample.gradient, way)) > 2e-4) ++wrong;
-    }
-  }
-  EXPECT_GT(count, 20000);
-  EXPECT_LT(wrong, count / 1000);  // points within 1 nm of a crease
+  ExpectGradientIsTheDerivative(TextureField(felt.texture), {0.15, 0.12}, 20000);
 }
 
 // Strokes of different lines stay a groove's width apart: a tip finds paper between them.
