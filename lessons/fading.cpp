@@ -57,7 +57,7 @@ FadeRule FadeRuleNamed(const FadeSettings& settings) {
   return rule;
 }
 
-FadeState Fade(const FadeRule& rule, FadeState state, double error_widths, bool good) {
+FadeState FadeHelp(const FadeRule& rule, FadeState state, double error_widths, bool good) {
   switch (rule.kind) {
     case FadeRule::Kind::kManual:
       break;

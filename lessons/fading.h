@@ -41,6 +41,6 @@ FadeRule FadeRuleNamed(const FadeSettings& settings);
 ///   the dead zone. The robot forgets: with e = 0 help shrinks, and is 0 once below 0.05.
 ///
 /// Always 0 to 10. An error that is no number, or below 0, counts as none.
-FadeState Fade(const FadeRule& rule, FadeState state, double error_widths, bool good);
+FadeState FadeHelp(const FadeRule& rule, FadeState state, double error_widths, bool good);
 
 }  // namespace moontrace
