@@ -85,10 +85,9 @@ TEST(GuidanceTable, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(ErrorWith("= [40, 60, 85", "= [60, 85").find("9 numbers"), std::string::npos);
   EXPECT_NE(ErrorWith("cap_n = 1.5", "cap_n = 3.1").find("is not from 0.05 to 3"),
             std::string::npos);
-  EXPECT_NE(ErrorWith("forgetting       = 0.8", "forgetting = 1.0").find("forgetting"),
+  EXPECT_NE(ErrorWith("forgetting = 0.8", "forgetting = 1.0").find("forgetting"),
             std::string::npos);
-  EXPECT_NE(ErrorWith("gate_good        = 2", "gate_good = 0").find("gate_good"),
-            std::string::npos);
+  EXPECT_NE(ErrorWith("gate_good = 2", "gate_good = 0").find("gate_good"), std::string::npos);
   EXPECT_NE(ErrorWith("0.70, 0.65, 0.60", "0.70, 0.75, 0.60").find("only shrink"),
             std::string::npos);
 }
