@@ -33,6 +33,8 @@ struct RecordedEvent {
 /// program; InputError: no records file, of a newer version, damaged. Then nothing was changed.
 class Records {
  public:
+  /// False: built without SQLite; then nothing can be remembered.
+  static bool Available();
   /// `$XDG_DATA_HOME/moontrace/records.sqlite`, else `~/.local/share/...`.
   static std::string DefaultPath();
   /// Opens for writing; makes file (0600) and folder (0700) where there are none; an older version
