@@ -34,8 +34,16 @@ namespace {
 // milliseconds.
 constexpr int kBusyMilliseconds = 2000;
 
+/// errno of what failed last; SQLite's own copy is of what it did after that, on its way back.
+int SystemError(sqlite3* file) {
+  int error = 0;
+  if (file == nullptr) return 0;
+  sqlite3_file_control(file, "main", SQLITE_FCNTL_LAST_ERRNO, &error);
+  return error != 0 ? error : sqlite3_system_errno(file);
+}
+
 [[noreturn]] void Fail(const std::string& path, sqlite3* file, int code) {
-  const int system = file == nullptr ? 0 : sqlite3_system_errno(file);
+  const int system = SystemError(file);
   const bool full = system == ENOSPC || system == EDQUOT || system == EFBIG;
   const auto lack = [&](const char* what) { throw LackError(path + ": " + what); };
   switch (code & 0xff) {

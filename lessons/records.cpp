@@ -183,6 +183,14 @@ struct Records::Impl {
   }
 };
 
+bool Records::Available() {
+#ifdef MOONTRACE_HAVE_SQLITE
+  return true;
+#else
+  return false;
+#endif
+}
+
 std::string Records::DefaultPath() {
   const auto variable = [](const char* name) {
     const char* value = std::getenv(name);
@@ -195,11 +203,12 @@ std::string Records::DefaultPath() {
 }
 
 Records Records::Open(const std::string& path) {
-  PrepareRecordsFile(path);
+  MakeRecordsFile(path);
   auto impl = std::make_unique<Impl>(path, true);
   if (!impl->IsEmpty()) impl->RequireOurs();
   impl->BringUpToDate();
   impl->Scrub();
+  MakePrivate(path);
   return Records(std::move(impl));
 }
 

@@ -33,20 +33,17 @@ void MakePrivateFolder(const fs::path& folder) {
 
 }  // namespace
 
-void PrepareRecordsFile(const std::string& path) {
+void MakeRecordsFile(const std::string& path) {
   MakePrivateFolder(fs::absolute(path).parent_path());
   const int made = open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
-  if (made >= 0) {
-    close(made);
-    return;
-  }
-  if (errno != EEXIST) Refuse(path, errno);
+  if (made < 0 && errno != EEXIST) Refuse(path, errno);
+  if (made >= 0) close(made);
+}
+
+void MakePrivate(const std::string& path) {
   struct stat found {};
-  if (stat(path.c_str(), &found) == 0 && S_ISREG(found.st_mode) &&
-      (found.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
-    // another's file keeps its rights: then there is no right to change them either
-    static_cast<void>(chmod(path.c_str(), found.st_mode & S_IRWXU));
-  }
+  if (stat(path.c_str(), &found) != 0 || (found.st_mode & (S_IRWXG | S_IRWXO)) == 0) return;
+  static_cast<void>(chmod(path.c_str(), found.st_mode & S_IRWXU));
 }
 
 WriterLock::WriterLock(const std::string& path) {

@@ -4,9 +4,12 @@
 
 namespace moontrace {
 
-/// Makes the folder (0700, with those above it) and an empty file (0600) where there are none, and
-/// takes the rights of group and others from a file that is there. Throws LackError.
-void PrepareRecordsFile(const std::string& path);
+/// Makes the folder (0700, with those above it) and an empty file (0600) where there are none.
+/// Throws LackError.
+void MakeRecordsFile(const std::string& path);
+
+/// Takes the rights of group and others from a file, as far as that is allowed.
+void MakePrivate(const std::string& path);
 
 /// Held by the one program that writes to a records file, in an empty file "PATH-lock" beside it:
 /// SQLite's own locks last for one transaction only. Ends with the program, however it ends.
