@@ -6,63 +6,16 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lessons/movement_meter.h"
+#include "lessons/pause_meter.h"
 #include "lessons/spine.h"
+#include "lessons/trace_tally.h"
 
 namespace moontrace {
 namespace {
 
 constexpr std::size_t kCapacity = 16;      ///< covered parts of a stroke held without allocating
 constexpr std::size_t kMostLeftAt = 1000;  ///< places kept for pictures
-
-/// What has been summed for one stroke, one letter or all: plain sums, so that they add.
-struct Tally {
-  double length = 0, covered = 0;  ///< intended [m]
-  double way = 0;                  ///< of the tip, weight of the errors [m]
-  double error_way = 0;            ///< integral of the error over the way [m^2]
-  double square_way = 0;           ///< of its square [m^3]
-  double max_error = 0;
-  std::size_t excursions = 0, entries = 0, lifts = 0;
-  double entry_error = 0;
-  double duration = 0;
-  double force_sum = 0, peak_force = 0;
-  std::size_t contacts = 0;  ///< samples in contact
-};
-
-void Include(Tally& sum, const Tally& part) {
-  sum.length += part.length;
-  sum.covered += part.covered;
-  sum.way += part.way;
-  sum.error_way += part.error_way;
-  sum.square_way += part.square_way;
-  sum.max_error = std::max(sum.max_error, part.max_error);
-  sum.excursions += part.excursions;
-  sum.entries += part.entries;
-  sum.lifts += part.lifts;
-  sum.entry_error = std::max(sum.entry_error, part.entry_error);
-  sum.duration += part.duration;
-  sum.force_sum += part.force_sum;
-  sum.peak_force = std::max(sum.peak_force, part.peak_force);
-  sum.contacts += part.contacts;
-}
-
-TraceMetrics MetricsOf(const Tally& tally) {
-  TraceMetrics metrics;
-  metrics.coverage = tally.length > 0 ? std::min(1.0, tally.covered / tally.length) : 0;
-  // Touched without a way: a tip that rested in one place.
-  const bool moved = tally.way > 0;
-  metrics.mean_error = moved ? tally.error_way / tally.way : tally.max_error;
-  metrics.rms_error = moved ? std::sqrt(tally.square_way / tally.way) : tally.max_error;
-  metrics.max_error = tally.max_error;
-  metrics.excursions = tally.excursions;
-  metrics.duration = tally.duration;
-  metrics.mean_force =
-      tally.contacts > 0 ? tally.force_sum / static_cast<double>(tally.contacts) : 0;
-  metrics.peak_force = tally.peak_force;
-  metrics.entries = tally.entries;
-  metrics.lifts = tally.lifts;
-  metrics.entry_error = tally.entry_error;
-  return metrics;
-}
 
 /// One intended stroke and what has become of it.
 struct Progress {
@@ -74,8 +27,8 @@ struct Progress {
         is_dot(stroke.kind == StrokeKind::kDot || !(spine.length() > 0)) {}
 
   /// The sums with coverage, and a dot's closest approach, put in.
-  Tally Closed() const {
-    Tally closed = tally;
+  TraceTally Closed() const {
+    TraceTally closed = tally;
     closed.length = is_dot ? width : spine.length();
     closed.covered = covered.Total();
     if (is_dot) closed.covered = closest <= width / 4 ? width : 0;
@@ -96,7 +49,13 @@ struct Progress {
   bool landed = false;  ///< since the hand last came down on it
   bool out = false;     ///< beyond w/2 and not yet back within w/4
   double closest = std::numeric_limits<double>::infinity();  ///< of a dot [m]
-  Tally tally;
+  glm::dvec2 mark{0, 0};  ///< where the way along or against it has been counted to [m]
+  std::size_t visit = 0;  ///< how manieth it was visited, from 1; 0: not
+  /// How much must be followed for the stroke to count as visited [m].
+  double visit_way() const { return std::min(width, spine.length() / 2); }
+  bool visited() const { return is_dot ? closest <= width / 4 : tally.followed > visit_way(); }
+
+  TraceTally tally;
 };
 
 }  // namespace
@@ -104,26 +63,55 @@ struct Progress {
 struct TraceScorer::State {
   std::vector<Progress> strokes;
   std::size_t glyph_count = 0;
-  Tally air;  ///< time and forces between strokes
+  TraceTally air;  ///< time and forces between strokes
   std::vector<Excursion> left_at;
+  std::size_t visits = 0;
+  PauseMeter pauses;
+  MovementMeter movement;
+  std::size_t moving = 0;  ///< stroke of the movement
 
   bool any = false;  ///< the rest tells of the sample before
   TraceSample last;
   bool last_counted = false;
-  double last_error = 0;
+  double last_error = 0, last_aside = 0;
 
-  void AddForce(Tally& tally, const TraceSample& sample) const;
+  void AddForce(TraceTally& tally, const TraceSample& sample) const;
+  void AddPause(TraceTally& tally, const TraceSample& sample);
   void AddLanding(Progress& stroke, const TraceSample& sample) const;
-  double AddError(Progress& stroke, const TraceSample& sample);
+  void AddStroke(Progress& stroke, const TraceSample& sample);
+  void AddExcursion(Progress& stroke, const TraceSample& sample, double error);
+  void AddWay(Progress& stroke, const TraceSample& sample, double error, double aside) const;
+  void AddDirection(Progress& stroke, glm::dvec2 p, glm::dvec2 tangent) const;
+  void AddMovement(const TraceSample& sample);
+  void EndMovement();
+  /// Whether the sample before was of the same stroke and counted as well.
+  bool GoesOn(const TraceSample& sample) const {
+    return last_counted && last.stroke == sample.stroke;
+  }
 };
 
-void TraceScorer::State::AddForce(Tally& tally, const TraceSample& sample) const {
-  if (any) tally.duration += sample.time - last.time;
+void TraceScorer::State::AddForce(TraceTally& tally, const TraceSample& sample) const {
+  const double since = any ? sample.time - last.time : 0;
+  tally.duration += since;
+  if (sample.in_contact) tally.contact_time += since;
   const double force = glm::length(sample.force_P);
   if (!sample.in_contact || !std::isfinite(force)) return;
+  const double normal = std::abs(sample.force_P.z);
   tally.force_sum += force;
   tally.peak_force = std::max(tally.peak_force, force);
+  tally.normal_sum += normal;
+  tally.peak_normal = std::max(tally.peak_normal, normal);
   ++tally.contacts;
+}
+
+void TraceScorer::State::AddPause(TraceTally& tally, const TraceSample& sample) {
+  if (!sample.in_contact) {
+    pauses.Break();
+    return;
+  }
+  const PauseMeter::Step step = pauses.Add(sample.time, glm::dvec2(sample.tip_P));
+  tally.pause_time += step.time;
+  if (step.began) ++tally.pauses;
 }
 
 void TraceScorer::State::AddLanding(Progress& stroke, const TraceSample& sample) const {
@@ -142,30 +130,72 @@ void TraceScorer::State::AddLanding(Progress& stroke, const TraceSample& sample)
   }
 }
 
-double TraceScorer::State::AddError(Progress& stroke, const TraceSample& sample) {
+void TraceScorer::State::AddStroke(Progress& stroke, const TraceSample& sample) {
   const glm::dvec2 p(sample.tip_P);
   const double error = stroke.spine.Cover(p, stroke.width / 4, stroke.covered);
   if (stroke.is_dot) {
     stroke.closest = std::min(stroke.closest, error);
-    return error;
+  } else {
+    const Spine::Foot foot = stroke.spine.FootOf(p);
+    AddExcursion(stroke, sample, error);
+    AddWay(stroke, sample, error, foot.aside);
+    AddDirection(stroke, p, foot.tangent);
+    AddMovement(sample);
+    last_error = error;
+    last_aside = foot.aside;
   }
-  Tally& tally = stroke.tally;
+  if (stroke.visit == 0 && stroke.visited()) stroke.visit = ++visits;
+}
+
+void TraceScorer::State::AddExcursion(Progress& stroke, const TraceSample& sample, double error) {
+  TraceTally& tally = stroke.tally;
   tally.max_error = std::max(tally.max_error, error);
+  if (stroke.out && GoesOn(sample)) tally.time_outside += sample.time - last.time;
   if (!stroke.out && error > stroke.width / 2) {
     stroke.out = true;
     ++tally.excursions;
-    if (left_at.size() < kMostLeftAt) left_at.push_back({p, sample.time, sample.stroke});
+    if (left_at.size() < kMostLeftAt) {
+      left_at.push_back({glm::dvec2(sample.tip_P), sample.time, sample.stroke});
+    }
   } else if (stroke.out && error <= stroke.width / 4) {
     stroke.out = false;
   }
-  if (last_counted && last.stroke == sample.stroke) {
-    // Exact for an error that changes evenly between the two samples.
-    const double way = glm::length(p - glm::dvec2(last.tip_P));
-    tally.way += way;
-    tally.error_way += way * (last_error + error) / 2;
-    tally.square_way += way * (last_error * last_error + last_error * error + error * error) / 3;
-  }
-  return error;
+}
+
+void TraceScorer::State::AddWay(Progress& stroke, const TraceSample& sample, double error,
+                                double aside) const {
+  if (!GoesOn(sample)) return;
+  // Exact for an error that changes evenly between the two samples.
+  TraceTally& tally = stroke.tally;
+  const double way = glm::length(glm::dvec2(sample.tip_P) - glm::dvec2(last.tip_P));
+  tally.way += way;
+  tally.error_way += way * (last_error + error) / 2;
+  tally.square_way += way * (last_error * last_error + last_error * error + error * error) / 3;
+  tally.aside_way += way * (last_aside + aside) / 2;
+  tally.followed += way;
+  tally.follow_time += sample.time - last.time;
+}
+
+/// In steps of w/4, so that tremor does not count as going to and fro.
+void TraceScorer::State::AddDirection(Progress& stroke, glm::dvec2 p, glm::dvec2 tangent) const {
+  if (!last_counted || &stroke != &strokes[last.stroke]) stroke.mark = p;
+  const glm::dvec2 step = p - stroke.mark;
+  if (glm::length(step) < stroke.width / 4) return;
+  const double along = glm::dot(step, tangent);
+  (along > 0 ? stroke.tally.forward : stroke.tally.backward) += std::abs(along);
+  stroke.mark = p;
+}
+
+void TraceScorer::State::AddMovement(const TraceSample& sample) {
+  if (!GoesOn(sample) || !movement.Takes(sample.time)) EndMovement();
+  moving = sample.stroke;
+  movement.Add(sample.time, glm::dvec2(sample.tip_P));
+}
+
+void TraceScorer::State::EndMovement() {
+  const double time = movement.duration();
+  if (time > 0) Include(strokes[moving].tally, movement.Measure(), time);
+  movement.Clear();
 }
 
 TraceScorer::TraceScorer(const std::vector<IntendedStroke>& strokes, std::size_t glyph_count)
@@ -189,31 +219,67 @@ void TraceScorer::Add(TraceSample sample) {
   State& state = *state_;
   const glm::dvec3 p = sample.tip_P;
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) sample.in_contact = false;
-  bool counted = false;
-  if (sample.phase == TracePhase::kAir || sample.phase == TracePhase::kWay) {
-    state.AddForce(state.air, sample);
+  const bool apart = sample.phase == TracePhase::kAir || sample.phase == TracePhase::kWay;
+  Progress* stroke = apart ? nullptr : &state.strokes.at(sample.stroke);
+  TraceTally& tally = apart ? state.air : stroke->tally;
+  state.AddForce(tally, sample);
+  state.AddPause(tally, sample);
+  if (!apart) state.AddLanding(*stroke, sample);
+  const bool counted = sample.phase == TracePhase::kStroke && sample.in_contact;
+  if (counted) {
+    state.AddStroke(*stroke, sample);
   } else {
-    Progress& stroke = state.strokes.at(sample.stroke);
-    state.AddForce(stroke.tally, sample);
-    state.AddLanding(stroke, sample);
-    counted = sample.phase == TracePhase::kStroke && sample.in_contact;
-    if (counted) state.last_error = state.AddError(stroke, sample);
+    state.EndMovement();
   }
   state.last_counted = counted;
   state.last = sample;
   state.any = true;
 }
 
+double TraceScorer::Coverage() const {
+  TraceTally all;
+  for (const Progress& stroke : state_->strokes) {
+    const TraceTally closed = stroke.Closed();
+    all.length += closed.length;
+    all.covered += closed.covered;
+  }
+  return MetricsOf(all).coverage;
+}
+
+namespace {
+
+/// Pairs of one letter's strokes, visited one before the other.
+void AddOrder(std::vector<TraceTally>& letters, const std::vector<Progress>& strokes) {
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    // A letter's strokes stand side by side.
+    for (std::size_t j = i; j-- > 0 && strokes[j].glyph == strokes[i].glyph;) {
+      if (strokes[i].visit == 0 || strokes[j].visit == 0) continue;
+      TraceTally& letter = letters[strokes[i].glyph];
+      ++(strokes[j].visit < strokes[i].visit ? letter.in_order : letter.out_of_order);
+    }
+  }
+}
+
+}  // namespace
+
 TraceScore TraceScorer::Finish() const {
-  std::vector<Tally> letters(state_->glyph_count);
+  std::vector<TraceTally> letters(state_->glyph_count);
   for (const Progress& stroke : state_->strokes) Include(letters[stroke.glyph], stroke.Closed());
+  AddOrder(letters, state_->strokes);
+  const double moving = state_->movement.duration();
+  if (moving > 0) {
+    Include(letters[state_->strokes[state_->moving].glyph], state_->movement.Measure(), moving);
+  }
   TraceScore score;
-  Tally total = state_->air;
-  for (const Tally& letter : letters) {
+  TraceTally total = state_->air;
+  double traced = 0;
+  for (const TraceTally& letter : letters) {
     score.letters.push_back(MetricsOf(letter));
+    if (letter.length > 0 && score.letters.back().coverage >= 0.5) ++traced;
     Include(total, letter);
   }
   score.total = MetricsOf(total);
+  if (total.duration > 0) score.letters_per_second = traced / total.duration;
   score.left_at = state_->left_at;
   return score;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/intended_strokes.h"
+#include "lessons/smoothness.h"
 
 namespace moontrace {
 
@@ -42,7 +43,31 @@ struct TraceMetrics {
   std::size_t entries = 0;     ///< landings
   std::size_t lifts = 0;       ///< contact lost while following a stroke, and regained
   double entry_error = 0;      ///< greatest distance from the stroke's start at a landing [m]
+
+  double bias = 0;           ///< mean offset, > 0 to the left of the way, weighed as the errors [m]
+  double time_outside = 0;   ///< of the excursions, until back within w/4 [s]
+  double contact_share = 0;  ///< of the duration, 0-1
+  double mean_speed = 0;     ///< while following a stroke [m/s]
+  std::size_t pauses = 0;    ///< in contact (pause_meter.h)
+  double pause_time = 0;     ///< [s]
+  double mean_normal_force = 0, peak_normal_force = 0;  ///< across the page, in contact [N]
+  /// Way along the strokes less the way against them, as a share of both: 1 as written, -1
+  /// backwards, 0 where nothing was followed.
+  double direction = 0;
+  /// Pairs of a letter's strokes that were visited in the order of writing less those that were
+  /// not, as a share of both (Kendall's tau): 1 in order, -1 backwards; 1 without a pair. Visited:
+  /// followed for a groove's width.
+  double order = 1;
+  /// Mean over movements, each a stretch in contact along one stroke (movement_meter.h), weighed
+  /// by time; peaks are summed. Zero where none was long enough.
+  Smoothness smoothness;
 };
+
+/// Time x error [s m], less is better: what a trace costs that is neither fast at any price nor
+/// exact at any price. Only for traces of the same text. The formula is ours: Williams, Tremblay
+/// and Carnahan (2016) combine the two, but how is not known to us.
+double SpeedAccuracyCost(const TraceMetrics& metrics);
+
 /// Where a sample left the groove: for pictures and words.
 struct Excursion {
   glm::dvec2 p_P{0, 0};
@@ -53,6 +78,8 @@ struct TraceScore {
   std::vector<TraceMetrics> letters;  ///< one per glyph of the page
   TraceMetrics total;
   std::vector<Excursion> left_at;  ///< the first 1000
+  /// Letters of which half was covered, by the time of all [1/s].
+  double letters_per_second = 0;
 };
 
 /// Takes samples one by one in time order, so that nothing long need be kept. Metrics after
@@ -68,6 +95,8 @@ class TraceScorer {
 
   /// Throws std::out_of_range for a stroke that was not given.
   void Add(TraceSample sample);
+  /// Of all strokes so far, 0-1; costs little.
+  double Coverage() const;
   TraceScore Finish() const;
 
  private:

@@ -35,6 +35,40 @@ Spine::Spine(const std::vector<Piece>& pieces) {
   if (!parts_.empty()) start_ = parts_.front().from;
 }
 
+Spine::Foot Spine::FootOf(glm::dvec2 p) const noexcept {
+  Foot foot;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Part& part : parts_) {
+    glm::dvec2 tangent{1, 0};
+    const glm::dvec2 off = p - NearestOn(part, p, tangent);
+    const double square = glm::dot(off, off);
+    if (square >= nearest) continue;
+    nearest = square;
+    foot.tangent = tangent;
+    foot.aside = tangent.x * off.y - tangent.y * off.x;
+  }
+  return foot;
+}
+
+glm::dvec2 Spine::NearestOn(const Part& part, glm::dvec2 p, glm::dvec2& tangent) noexcept {
+  const glm::dvec2 v = p - part.anchor;
+  if (!part.is_arc) {
+    tangent = part.direction;
+    return part.anchor + std::clamp(glm::dot(v, tangent), 0.0, part.length) * tangent;
+  }
+  const double sense = part.clockwise ? -1 : 1;
+  const double turned = (std::atan2(v.y, v.x) - part.start) * sense;
+  double along = turned - kTurn * std::floor(turned / kTurn);
+  if (along > part.sweep) {
+    const glm::dvec2 to_start = p - part.from, to_end = p - part.to;
+    along = glm::dot(to_start, to_start) < glm::dot(to_end, to_end) ? 0 : part.sweep;
+  }
+  const double angle = part.start + sense * along;
+  const glm::dvec2 out(std::cos(angle), std::sin(angle));
+  tangent = sense * glm::dvec2(-out.y, out.x);
+  return part.anchor + part.radius * out;
+}
+
 double Spine::Cover(glm::dvec2 p, double radius, CoveredLength& covered) const {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Part& part : parts_) {

@@ -16,6 +16,13 @@ class Spine {
   double length() const noexcept { return length_; }    ///< [m]
   glm::dvec2 start() const noexcept { return start_; }  ///< [m]
 
+  /// The nearest point of the spine: which way it goes there, and where `p` lies from it.
+  struct Foot {
+    glm::dvec2 tangent{1, 0};  ///< unit, in the sense of writing
+    double aside = 0;          ///< of `p` from it along the normal, > 0 to the left [m]
+  };
+  Foot FootOf(glm::dvec2 p) const noexcept;
+
   /// Distance of `p` to the nearest point of the spine [m]; adds to `covered` the arc length that
   /// lies within `radius` of `p`. Exact for lines and arcs. Infinite for a spine without pieces.
   double Cover(glm::dvec2 p, double radius, CoveredLength& covered) const;
@@ -33,6 +40,7 @@ class Spine {
     bool clockwise = false;
     glm::dvec2 from{0, 0}, to{0, 0};  ///< ends
   };
+  static glm::dvec2 NearestOn(const Part& part, glm::dvec2 p, glm::dvec2& tangent) noexcept;
   static double CoverLine(const Part& part, glm::dvec2 p, double radius, CoveredLength& covered);
   /// Exact only where it is below `nearest`; else some value not below it.
   static double CoverArc(const Part& part, glm::dvec2 p, double radius, double nearest,

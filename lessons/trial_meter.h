@@ -12,8 +12,8 @@
 namespace moontrace {
 
 /// Measures one trial while it lasts, sample by sample: coverage and errors (scoring.h),
-/// smoothness, force, and how much the push did. Off the tick; memory grows with the trial's time
-/// only as far as smoothness needs it (speeds at 100 Hz).
+/// smoothness, force, and how much the push did. Off the tick; memory is bounded, however long the
+/// trial lasts.
 class TrialMeter {
  public:
   /// `tick` [s] between samples.
@@ -24,7 +24,9 @@ class TrialMeter {
 
   /// In time order. `guidance_P` [N] is the push within the sample's force.
   void Add(const TraceSample& sample, glm::dvec3 guidance_P);
-  /// Coverage, errors, wander-offs, duration, smoothness, forces, work of the push into `trial`.
+  /// Coverage, errors, wander-offs, duration (first to last touch), smoothness (movement_meter.h's
+  /// rate and filter), mean force in contact, mean push while there was one, and its work on the
+  /// hand into `trial`.
   void Fill(Trial& trial) const;
   /// Coverage so far, 0-1: for "is it done?".
   double Coverage() const;

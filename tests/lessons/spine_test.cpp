@@ -70,5 +70,23 @@ TEST(Spine, OfAPointIsTheDistanceToIt) {
   EXPECT_DOUBLE_EQ(point.Cover({4, 5}, 10, covered), 5);
 }
 
+TEST(Spine, KnowsItsWayAndOnWhichSideAPointLies) {
+  const std::vector<Piece> pieces = LetterN();
+  const Spine spine(pieces);
+  for (const Piece& piece : pieces) {
+    for (const double share : {0.1, 0.4, 0.9}) {
+      const glm::dvec2 along = TangentAt(piece, share * Length(piece));
+      for (const double d : {-0.02, 0.015}) {
+        const glm::dvec2 left(-along.y, along.x);
+        const Spine::Foot foot = spine.FootOf(PointAt(piece, share * Length(piece)) + d * left);
+        EXPECT_NEAR(foot.aside, d, 1e-14);
+        EXPECT_NEAR(glm::distance(foot.tangent, along), 0, 1e-14);
+      }
+    }
+  }
+  // Beyond an end there is no side.
+  EXPECT_NEAR(spine.FootOf({0, -0.3}).aside, 0, 1e-15);
+}
+
 }  // namespace
 }  // namespace moontrace
