@@ -187,8 +187,6 @@ Database::Database(const std::string& path, bool write)
   Run(write ? "PRAGMA journal_mode = DELETE" : "PRAGMA query_only = ON");
 }
 
-Statement Database::Prepare(const std::string& sql) const { return {*path_, file_.get(), sql}; }
-
 void Database::Run(const std::string& sql) const {
   const int code = sqlite3_exec(file_.get(), sql.c_str(), nullptr, nullptr, nullptr);
   if (code == SQLITE_ERROR) Fail(*path_, file_.get(), SQLITE_CORRUPT);
@@ -196,6 +194,8 @@ void Database::Run(const std::string& sql) const {
 }
 
 std::int64_t Database::LastRow() const { return sqlite3_last_insert_rowid(file_.get()); }
+
+bool Database::Available() { return true; }
 
 #else  // nothing below can be reached but the constructor, which throws
 
@@ -214,14 +214,19 @@ std::string Statement::Text(int) const { return {}; }
 std::vector<double> Statement::Numbers(int) const { return {}; }
 
 void Database::Close::operator()(sqlite3*) const noexcept {}
-Database::Database(const std::string& path, bool) {
-  throw LackError(path + ": built without SQLite; install libsqlite3-dev and build again");
-}
-Statement Database::Prepare(const std::string& sql) const { return {*path_, file_.get(), sql}; }
+Database::Database(const std::string& path, bool) { RequireAvailable(path); }
 void Database::Run(const std::string&) const {}
 std::int64_t Database::LastRow() const { return 0; }
+bool Database::Available() { return false; }
 
 #endif
+
+void Database::RequireAvailable(const std::string& path) {
+  if (Available()) return;
+  throw LackError(path + ": built without SQLite; install libsqlite3-dev and build again");
+}
+
+Statement Database::Prepare(const std::string& sql) const { return {*path_, file_.get(), sql}; }
 
 std::int64_t Database::Number(const std::string& sql) const {
   Statement statement = Prepare(sql);

@@ -35,8 +35,8 @@ class Statement {
   struct Finish {
     void operator()(sqlite3_stmt* statement) const noexcept;
   };
-  const std::string* path_;
-  sqlite3* file_;
+  [[maybe_unused]] const std::string* path_;  // without SQLite nobody asks
+  [[maybe_unused]] sqlite3* file_;
   std::unique_ptr<sqlite3_stmt, Finish> statement_;
 };
 
@@ -49,6 +49,10 @@ class Database {
   /// `write`: makes the file where there is none. Otherwise nothing but what a killed program left
   /// half-done is changed.
   Database(const std::string& path, bool write);
+
+  /// False: built without SQLite.
+  static bool Available();
+  static void RequireAvailable(const std::string& path);
 
   Statement Prepare(const std::string& sql) const;
   /// Statements without values and results.

@@ -183,13 +183,7 @@ struct Records::Impl {
   }
 };
 
-bool Records::Available() {
-#ifdef MOONTRACE_HAVE_SQLITE
-  return true;
-#else
-  return false;
-#endif
-}
+bool Records::Available() { return Database::Available(); }
 
 std::string Records::DefaultPath() {
   const auto variable = [](const char* name) {
@@ -203,6 +197,7 @@ std::string Records::DefaultPath() {
 }
 
 Records Records::Open(const std::string& path) {
+  Database::RequireAvailable(path);
   MakeRecordsFile(path);
   auto impl = std::make_unique<Impl>(path, true);
   if (!impl->IsEmpty()) impl->RequireOurs();

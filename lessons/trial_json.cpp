@@ -289,10 +289,13 @@ LearnerHistory HistoryFromJson(std::string_view text, const std::string& name) {
 
 std::string ResearchJson(const LearnerHistory& history) {
   std::int64_t begin = history.trials.empty() ? 0 : history.trials.front().trial.time;
-  std::set<std::string> items{""};
+  std::set<std::string> items{"", "same", "different"};
   for (const RecordedTrial& row : history.trials) {
     begin = std::min(begin, row.trial.time);
-    items.insert(row.trial.item);
+    const std::string& shown = row.trial.item;
+    const std::size_t first = std::min(shown.find('\n'), shown.size());
+    items.insert(shown.substr(0, first));
+    if (first < shown.size()) items.insert(shown.substr(first + 1));
   }
   Json trials = Json::array();
   for (const RecordedTrial& row : history.trials) {
