@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace moontrace {
+
+/// What a hand feels at one moment: where it believes its tip to be and the force on it, in any
+/// frame whose z points out of the paper. No page, no stroke, no size.
+struct FeltSample {
+  glm::dvec3 tip{0, 0, 0};    ///< [m]
+  glm::dvec3 force{0, 0, 0};  ///< [N]
+};
+
+/// One thing felt, apart from others by a gap: a picture of where the paper gave way, moved to its
+/// own middle and scaled by its own spread, so that place and size are gone from it.
+struct FeltSign {
+  static constexpr std::size_t kCells = 21;      ///< a side
+  std::array<float, kCells * kCells> picture{};  ///< of length 1; row by row, from below
+  /// Where it lay and how large it was, by the height over which the hand has felt about: which
+  /// tells a comma from an apostrophe.
+  double height = 0.5, spread = 0;
+  double width = 0;  ///< its greatest extent along the line, by the same height
+};
+
+/// How touch becomes a shape; from `lessons/learner.toml`, ours.
+struct FeelingRule {
+  double least_depth = 1e-4;   ///< what gives way less is not felt [m]
+  double depth_share = 0.4;    ///< of the deepest: half of it begins to count as a groove
+  double slope = 0.5;          ///< sideways force over that out of the page: likewise
+  double least_force = 0.02;   ///< less is not felt [N]
+  double gap = 0.25;           ///< between signs, by the height felt over
+  double least_part = 0.08;    ///< of the largest sign: what is less is no sign
+  double blur_cells = 1.6;     ///< of a sign's picture
+  double least_spread = 0.12;  ///< by which a dot is scaled, by the height felt over
+};
+
+/// What was felt, sign by sign from the left; empty where nothing gave way: blank paper.
+using FeltShape = std::vector<FeltSign>;
+FeltShape ShapeOf(const std::vector<FeltSample>& samples, const FeelingRule& rule);
+
+}  // namespace moontrace
