@@ -2,66 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "lessons/movement_meter.h"
 #include "lessons/pause_meter.h"
-#include "lessons/spine.h"
+#include "lessons/stroke_trace.h"
 #include "lessons/trace_tally.h"
 
 namespace moontrace {
 namespace {
 
-constexpr std::size_t kCapacity = 16;      ///< covered parts of a stroke held without allocating
 constexpr std::size_t kMostLeftAt = 1000;  ///< places kept for pictures
-
-/// One intended stroke and what has become of it.
-struct Progress {
-  explicit Progress(const IntendedStroke& stroke)
-      : spine(stroke.spine_P),
-        covered(kCapacity),
-        width(stroke.width),
-        glyph(stroke.glyph),
-        is_dot(stroke.kind == StrokeKind::kDot || !(spine.length() > 0)) {}
-
-  /// The sums with coverage, and a dot's closest approach, put in.
-  TraceTally Closed() const {
-    TraceTally closed = tally;
-    closed.length = is_dot ? width : spine.length();
-    closed.covered = covered.Total();
-    if (is_dot) closed.covered = closest <= width / 4 ? width : 0;
-    if (is_dot && std::isfinite(closest)) {
-      closed.way = width;
-      closed.error_way = width * closest;
-      closed.square_way = width * closest * closest;
-      closed.max_error = closest;
-    }
-    return closed;
-  }
-
-  Spine spine;
-  CoveredLength covered;
-  double width = 0;
-  std::size_t glyph = 0;
-  bool is_dot = false;
-  bool landed = false;  ///< since the hand last came down on it
-  bool out = false;     ///< beyond w/2 and not yet back within w/4
-  double closest = std::numeric_limits<double>::infinity();  ///< of a dot [m]
-  glm::dvec2 mark{0, 0};  ///< where the way along or against it has been counted to [m]
-  std::size_t visit = 0;  ///< how manieth it was visited, from 1; 0: not
-  /// How much must be followed for the stroke to count as visited [m].
-  double visit_way() const { return std::min(width, spine.length() / 2); }
-  bool visited() const { return is_dot ? closest <= width / 4 : tally.followed > visit_way(); }
-
-  TraceTally tally;
-};
 
 }  // namespace
 
 struct TraceScorer::State {
-  std::vector<Progress> strokes;
+  std::vector<StrokeTrace> strokes;
   std::size_t glyph_count = 0;
   TraceTally air;  ///< time and forces between strokes
   std::vector<Excursion> left_at;
@@ -77,11 +34,11 @@ struct TraceScorer::State {
 
   void AddForce(TraceTally& tally, const TraceSample& sample) const;
   void AddPause(TraceTally& tally, const TraceSample& sample);
-  void AddLanding(Progress& stroke, const TraceSample& sample) const;
-  void AddStroke(Progress& stroke, const TraceSample& sample);
-  void AddExcursion(Progress& stroke, const TraceSample& sample, double error);
-  void AddWay(Progress& stroke, const TraceSample& sample, double error, double aside) const;
-  void AddDirection(Progress& stroke, glm::dvec2 p, glm::dvec2 tangent) const;
+  void AddLanding(StrokeTrace& stroke, const TraceSample& sample) const;
+  void AddStroke(StrokeTrace& stroke, const TraceSample& sample);
+  void AddExcursion(StrokeTrace& stroke, const TraceSample& sample, double error);
+  void AddWay(StrokeTrace& stroke, const TraceSample& sample, double error, double aside) const;
+  void AddDirection(StrokeTrace& stroke, glm::dvec2 p, glm::dvec2 tangent) const;
   void AddMovement(const TraceSample& sample);
   void EndMovement();
   /// Whether the sample before was of the same stroke and counted as well.
@@ -114,7 +71,7 @@ void TraceScorer::State::AddPause(TraceTally& tally, const TraceSample& sample) 
   if (step.began) ++tally.pauses;
 }
 
-void TraceScorer::State::AddLanding(Progress& stroke, const TraceSample& sample) const {
+void TraceScorer::State::AddLanding(StrokeTrace& stroke, const TraceSample& sample) const {
   const bool same = any && last.phase == sample.phase && last.stroke == sample.stroke;
   // reached over the page: it goes on without landing
   if (any && last.phase == TracePhase::kWay && last.in_contact) stroke.landed = true;
@@ -130,7 +87,7 @@ void TraceScorer::State::AddLanding(Progress& stroke, const TraceSample& sample)
   }
 }
 
-void TraceScorer::State::AddStroke(Progress& stroke, const TraceSample& sample) {
+void TraceScorer::State::AddStroke(StrokeTrace& stroke, const TraceSample& sample) {
   const glm::dvec2 p(sample.tip_P);
   const double error = stroke.spine.Cover(p, stroke.width / 4, stroke.covered);
   if (stroke.is_dot) {
@@ -141,13 +98,15 @@ void TraceScorer::State::AddStroke(Progress& stroke, const TraceSample& sample) 
     AddWay(stroke, sample, error, foot.aside);
     AddDirection(stroke, p, foot.tangent);
     AddMovement(sample);
+    stroke.way.Add(p);
     last_error = error;
     last_aside = foot.aside;
   }
   if (stroke.visit == 0 && stroke.visited()) stroke.visit = ++visits;
 }
 
-void TraceScorer::State::AddExcursion(Progress& stroke, const TraceSample& sample, double error) {
+void TraceScorer::State::AddExcursion(StrokeTrace& stroke, const TraceSample& sample,
+                                      double error) {
   TraceTally& tally = stroke.tally;
   tally.max_error = std::max(tally.max_error, error);
   if (stroke.out && GoesOn(sample)) tally.time_outside += sample.time - last.time;
@@ -162,7 +121,7 @@ void TraceScorer::State::AddExcursion(Progress& stroke, const TraceSample& sampl
   }
 }
 
-void TraceScorer::State::AddWay(Progress& stroke, const TraceSample& sample, double error,
+void TraceScorer::State::AddWay(StrokeTrace& stroke, const TraceSample& sample, double error,
                                 double aside) const {
   if (!GoesOn(sample)) return;
   // Exact for an error that changes evenly between the two samples.
@@ -177,7 +136,7 @@ void TraceScorer::State::AddWay(Progress& stroke, const TraceSample& sample, dou
 }
 
 /// In steps of w/4, so that tremor does not count as going to and fro.
-void TraceScorer::State::AddDirection(Progress& stroke, glm::dvec2 p, glm::dvec2 tangent) const {
+void TraceScorer::State::AddDirection(StrokeTrace& stroke, glm::dvec2 p, glm::dvec2 tangent) const {
   if (!last_counted || &stroke != &strokes[last.stroke]) stroke.mark = p;
   const glm::dvec2 step = p - stroke.mark;
   if (glm::length(step) < stroke.width / 4) return;
@@ -220,7 +179,7 @@ void TraceScorer::Add(TraceSample sample) {
   const glm::dvec3 p = sample.tip_P;
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) sample.in_contact = false;
   const bool apart = sample.phase == TracePhase::kAir || sample.phase == TracePhase::kWay;
-  Progress* stroke = apart ? nullptr : &state.strokes.at(sample.stroke);
+  StrokeTrace* stroke = apart ? nullptr : &state.strokes.at(sample.stroke);
   TraceTally& tally = apart ? state.air : stroke->tally;
   state.AddForce(tally, sample);
   state.AddPause(tally, sample);
@@ -238,7 +197,7 @@ void TraceScorer::Add(TraceSample sample) {
 
 double TraceScorer::Coverage() const {
   TraceTally all;
-  for (const Progress& stroke : state_->strokes) {
+  for (const StrokeTrace& stroke : state_->strokes) {
     const TraceTally closed = stroke.Closed();
     all.length += closed.length;
     all.covered += closed.covered;
@@ -249,7 +208,7 @@ double TraceScorer::Coverage() const {
 namespace {
 
 /// Pairs of one letter's strokes, visited one before the other.
-void AddOrder(std::vector<TraceTally>& letters, const std::vector<Progress>& strokes) {
+void AddOrder(std::vector<TraceTally>& letters, const std::vector<StrokeTrace>& strokes) {
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     // A letter's strokes stand side by side.
     for (std::size_t j = i; j-- > 0 && strokes[j].glyph == strokes[i].glyph;) {
@@ -264,7 +223,11 @@ void AddOrder(std::vector<TraceTally>& letters, const std::vector<Progress>& str
 
 TraceScore TraceScorer::Finish() const {
   std::vector<TraceTally> letters(state_->glyph_count);
-  for (const Progress& stroke : state_->strokes) Include(letters[stroke.glyph], stroke.Closed());
+  for (const StrokeTrace& stroke : state_->strokes) {
+    TraceTally closed = stroke.Closed();
+    stroke.AddShape(closed);
+    Include(letters[stroke.glyph], closed);
+  }
   AddOrder(letters, state_->strokes);
   const double moving = state_->movement.duration();
   if (moving > 0) {

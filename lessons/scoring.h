@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/intended_strokes.h"
+#include "lessons/shape_distance.h"
 #include "lessons/smoothness.h"
 
 namespace moontrace {
@@ -61,6 +62,10 @@ struct TraceMetrics {
   /// Mean over movements, each a stretch in contact along one stroke (movement_meter.h), weighed
   /// by time; peaks are summed. Zero where none was long enough.
   Smoothness smoothness;
+  /// Of the tip's way along each visited stroke from the stroke, both put on as many points a
+  /// quarter of the groove's width apart (16 to 128): `warped` the mean weighed by length, the
+  /// others the greatest.
+  ShapeDistance shape;
 };
 
 /// Time x error [s m], less is better: what a trace costs that is neither fast at any price nor
@@ -83,8 +88,10 @@ struct TraceScore {
 };
 
 /// Takes samples one by one in time order, so that nothing long need be kept. Metrics after
-/// `training-and-ux.md` 1.5. Add allocates only where a stroke is covered in more than 16 separate
-/// parts. A sample whose tip is not finite counts as out of contact.
+/// `training-and-ux.md` 1.5. Memory is bounded by the strokes, however long the trace lasts, but
+/// for parts that are covered separately. For off the tick: Add allocates now and then, and where a
+/// movement ends it takes up to some milliseconds. A sample whose tip is not finite counts as out
+/// of contact.
 class TraceScorer {
  public:
   /// Throws std::invalid_argument for a stroke whose glyph is not below `glyph_count`.

@@ -22,7 +22,7 @@ void Include(TraceTally& sum, const TraceTally& part) {
         &TraceTally::contact_time, &TraceTally::time_outside, &TraceTally::pause_time,
         &TraceTally::followed, &TraceTally::follow_time, &TraceTally::forward,
         &TraceTally::backward, &TraceTally::force_sum, &TraceTally::normal_sum,
-        &TraceTally::smooth_time}) {
+        &TraceTally::smooth_time, &TraceTally::shaped, &TraceTally::warped_length}) {
     sum.*field += part.*field;
   }
   for (std::size_t TraceTally::*field :
@@ -30,8 +30,9 @@ void Include(TraceTally& sum, const TraceTally& part) {
         &TraceTally::in_order, &TraceTally::out_of_order, &TraceTally::contacts}) {
     sum.*field += part.*field;
   }
-  for (double TraceTally::*field : {&TraceTally::max_error, &TraceTally::entry_error,
-                                    &TraceTally::peak_force, &TraceTally::peak_normal}) {
+  for (double TraceTally::*field :
+       {&TraceTally::max_error, &TraceTally::entry_error, &TraceTally::peak_force,
+        &TraceTally::peak_normal, &TraceTally::frechet, &TraceTally::hausdorff}) {
     sum.*field = std::max(sum.*field, part.*field);
   }
   sum.smooth_sum.normalised_jerk += part.smooth_sum.normalised_jerk;
@@ -75,6 +76,9 @@ TraceMetrics MetricsOf(const TraceTally& tally) {
   metrics.direction = Balance(tally.forward, tally.backward, 0);
   metrics.order =
       Balance(static_cast<double>(tally.in_order), static_cast<double>(tally.out_of_order), 1);
+  metrics.shape.warped = Ratio(tally.warped_length, tally.shaped);
+  metrics.shape.frechet = tally.frechet;
+  metrics.shape.hausdorff = tally.hausdorff;
   const double time = tally.smooth_time;
   metrics.smoothness.normalised_jerk = Ratio(tally.smooth_sum.normalised_jerk, time);
   metrics.smoothness.log_jerk = Ratio(tally.smooth_sum.log_jerk, time);

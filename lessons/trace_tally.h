@@ -19,7 +19,9 @@ struct TraceTally {
   double duration = 0, contact_time = 0, time_outside = 0, pause_time = 0;  ///< [s]
   double followed = 0, follow_time = 0;                                     ///< [m], [s]
   double forward = 0, backward = 0;                                         ///< [m]
-  std::size_t in_order = 0, out_of_order = 0;                               ///< pairs of strokes
+  double shaped = 0, warped_length = 0;  ///< strokes whose shape is known [m], times warped [m^2]
+  double frechet = 0, hausdorff = 0;
+  std::size_t in_order = 0, out_of_order = 0;  ///< pairs of strokes
   double force_sum = 0, peak_force = 0, normal_sum = 0, peak_normal = 0;
   std::size_t contacts = 0;  ///< samples in contact
   double smooth_time = 0;    ///< of the movements [s]
