@@ -57,7 +57,7 @@ std::string TutorLineTooLong(std::size_t longest) {
   return fmt::format("Too long, not read: a line holds at most {} bytes.", longest);
 }
 
-std::string TutorTooFast() { return "Too fast, not read: wait for answers, then go on."; }
+std::string StrangerRefused() { return "Someone who is not you wanted in as tutor: refused."; }
 
 std::string TooManyTutors(std::size_t most) {
   return fmt::format("No room: {} are here already. Try again later.",
@@ -108,6 +108,8 @@ std::string LessonRefused(std::string_view path, std::string_view cause) {
 }
 
 std::string LessonEnded() { return "The lesson has ended."; }
+
+std::string LessonSilent() { return "the lesson has not answered for 5 s"; }
 
 std::string TutorGone() { return "You have left; the lesson goes on."; }
 

@@ -31,8 +31,9 @@ std::string TutorCame(std::size_t tutor);
 std::string TutorLeft(std::size_t tutor);
 std::string TutorDropped(std::size_t tutor);
 std::string TutorLineTooLong(std::size_t longest);
-std::string TutorTooFast();
 std::string TooManyTutors(std::size_t most);
+/// One of another user.
+std::string StrangerRefused();
 
 // Why there is no door.
 std::string SocketTaken(std::string_view path);
@@ -46,6 +47,7 @@ std::string NoLessonRuns(std::string_view learner);
 std::string SeveralLessons(const std::vector<std::string>& learners);
 std::string LessonRefused(std::string_view path, std::string_view cause);
 std::string LessonEnded();
+std::string LessonSilent();
 std::string TutorGone();
 
 }  // namespace moontrace::say

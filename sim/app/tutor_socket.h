@@ -1,0 +1,68 @@
+#pragma once
+
+#include <sys/socket.h>
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace moontrace {
+
+/// A file descriptor that is closed with its owner.
+class OwnedFd {
+ public:
+  explicit OwnedFd(int fd = -1) : fd_(fd) {}
+  ~OwnedFd() { Close(); }
+  OwnedFd(OwnedFd&& other) noexcept : fd_(other.Release()) {}
+  OwnedFd& operator=(OwnedFd&& other) noexcept;
+  int get() const { return fd_; }
+  bool valid() const { return fd_ >= 0; }
+  int Release();
+  void Close();
+
+ private:
+  int fd_;
+};
+
+/// Where tutors' sockets are: `$XDG_RUNTIME_DIR/moontrace`, without that `/tmp/moontrace-UID`.
+std::string TutorFolder();
+/// Makes the folder with mode 0700. Throws LackError: another user's, a link, no folder, or open to
+/// others; then nothing of it is used.
+void RequireTutorFolder(const std::string& folder);
+
+/// `tutor-NAME.sock`; bytes that do not belong into a file's name as %XX, a name too long for a
+/// socket cut, with a checksum of the whole.
+std::string TutorSocketName(const std::string& learner);
+/// Who is meant by such a name: the learner, or what is left of it; empty for other names.
+std::string LearnerOfSocket(const std::string& file_name);
+
+/// Whether the program at the other end belongs to this user.
+inline bool IsOwner(const ucred& peer, uid_t self) noexcept { return peer.uid == self; }
+/// The same for a connected socket; false where the system does not tell.
+bool PeerIsOwner(int fd) noexcept;
+
+/// A listening socket with mode 0600 that is removed with its owner. Whose it is, a locked file
+/// beside it tells, so that what a dead program left is taken over without a race.
+class TutorSocket {
+ public:
+  /// Throws LackError: a live program has it, something else lies there, the system refuses.
+  explicit TutorSocket(const std::string& path);
+  ~TutorSocket();
+  TutorSocket(const TutorSocket&) = delete;
+  TutorSocket& operator=(const TutorSocket&) = delete;
+  int fd() const { return listening_.get(); }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_, lock_path_;
+  OwnedFd lock_, listening_;
+};
+
+/// Connects to a socket; not valid, and errno tells why, if nobody listens. Sockets do not block.
+OwnedFd ConnectTo(const std::string& path);
+
+/// Learners whose lessons can be spoken to now, sorted. Throws as RequireTutorFolder, but a folder
+/// that is not there holds none.
+std::vector<std::string> LearnersWithTutorSockets(const std::string& folder);
+
+}  // namespace moontrace
