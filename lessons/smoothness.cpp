@@ -1,6 +1,7 @@
 #include "lessons/smoothness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -49,16 +50,26 @@ double TimeOf(const std::vector<double>& speeds, double rate) {
   return static_cast<double>(speeds.size() - 1) / rate;
 }
 
-/// Magnitude of the speeds' Fourier sum at `turn` [rad per value], by Horner's rule.
-double Amplitude(const std::vector<double>& speeds, double turn) {
-  const double c = std::cos(turn), s = std::sin(turn);
-  double re = 0, im = 0;
-  for (auto value = speeds.rbegin(); value != speeds.rend(); ++value) {
-    const double turned = re * c - im * s + *value;
-    im = re * s + im * c;
-    re = turned;
+constexpr std::size_t kAtOnce = 8;  ///< bins: each value waits for the last, so several go abreast
+
+/// Magnitudes of the speeds' Fourier sum at `first` and the bins after it, `turn` [rad per value]
+/// for each bin, by Horner's rule.
+std::array<double, kAtOnce> Amplitudes(const std::vector<double>& speeds, std::size_t first,
+                                       double turn) {
+  std::array<double, kAtOnce> c{}, s{}, re{}, im{};
+  for (std::size_t k = 0; k < kAtOnce; ++k) {
+    c[k] = std::cos(turn * static_cast<double>(first + k));
+    s[k] = std::sin(turn * static_cast<double>(first + k));
   }
-  return std::hypot(re, im);
+  for (auto value = speeds.rbegin(); value != speeds.rend(); ++value) {
+    for (std::size_t k = 0; k < kAtOnce; ++k) {
+      const double turned = re[k] * c[k] - im[k] * s[k] + *value;
+      im[k] = re[k] * s[k] + im[k] * c[k];
+      re[k] = turned;
+    }
+  }
+  for (std::size_t k = 0; k < kAtOnce; ++k) re[k] = std::hypot(re[k], im[k]);
+  return re;
 }
 
 std::size_t PaddedSize(std::size_t size) {
@@ -88,13 +99,15 @@ double SpectralArc(const std::vector<double>& speeds, double rate) {
   const double end = std::min(kSpectrumEnd, rate / 2);
   const auto last_bin = static_cast<std::size_t>(end * size / rate);
   // Speeds are not negative, so the spectrum is greatest at 0 and the arc begins there.
-  const double greatest = Amplitude(speeds, 0);
-  std::vector<double> spectrum(last_bin + 1, 1);
-  std::size_t last = 0;
-  for (std::size_t k = 1; k <= last_bin; ++k) {
-    spectrum[k] = Amplitude(speeds, 2 * kPi * static_cast<double>(k) / size) / greatest;
-    if (spectrum[k] >= kSpectrumThreshold) last = k;
+  const double greatest = std::accumulate(speeds.begin(), speeds.end(), 0.0);
+  std::vector<double> spectrum;
+  for (std::size_t k = 0; k <= last_bin; k += kAtOnce) {
+    for (const double amplitude : Amplitudes(speeds, k, 2 * kPi / size)) {
+      spectrum.push_back(amplitude / greatest);
+    }
   }
+  std::size_t last = last_bin;
+  while (last > 0 && spectrum[last] < kSpectrumThreshold) --last;
   double arc = 0;
   for (std::size_t k = 1; k <= last; ++k) {
     arc += std::hypot(1 / static_cast<double>(last), spectrum[k] - spectrum[k - 1]);

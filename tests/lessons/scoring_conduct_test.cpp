@@ -225,10 +225,10 @@ TEST(TraceScorer, SamplesOneByOneGiveWhatTheWholeGivesAtOnce) {
   EXPECT_NE(a.smoothness.log_jerk, 0);
 }
 
-TEST(TraceScorer, HoldsNoMoreAfterAnHourThanAfterAMinute) {
+TEST(TraceScorer, HoldsNoMoreAfterHalfAnHourThanAfterAMinute) {
   TraceScorer scorer({Straight()}, 1);
   std::size_t held = 0;
-  for (int i = 0; i <= 360000; ++i) {  // 100 samples a second, to and fro, resting, leaving
+  for (int i = 0; i <= 180000; ++i) {  // 100 samples a second, to and fro, resting, leaving
     TraceSample sample;
     sample.time = 0.01 * i;
     sample.tip_P = {kLength * (0.5 + 0.5 * std::sin(0.01 * i)), 8e-4 * std::sin(0.07 * i), 0};
