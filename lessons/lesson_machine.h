@@ -140,6 +140,8 @@ struct LessonState {
   bool begun = false, ended = false;
   std::int64_t session_begin = 0, break_told = 0;  ///< Unix time [s]
   std::uint64_t random = 1;                        ///< seed; each choice advances it
+  bool announced = false;                          ///< the present step has been begun aloud
+  std::string lesson_told;                         ///< id of the lesson whose title was said last
   std::vector<std::string> reviews;                ///< items due, still to be asked
   std::vector<std::string> queue;      ///< items to be asked again soon, after a failure
   std::vector<std::string> skipped;    ///< items of this step that were left by "next"
