@@ -25,6 +25,8 @@
 #include "sim/app/script_command.h"
 #include "sim/app/script_messages.h"
 #include "sim/app/trace_command.h"
+#include "sim/app/tutor_client.h"
+#include "sim/app/tutor_messages.h"
 #include "sim/scene/mujoco_compat.h"
 #include "textures/error.h"
 #include "textures/nearest_word.h"
@@ -116,6 +118,7 @@ constexpr Command kCommands[] = {
     {"script", say::help::kScriptCommand, RunCommand<ScriptOptions>},
     {"gallery", say::help::kGallery, RunCommand<GalleryOptions>},
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
+    {"tutor", say::help::kTutor, RunCommand<TutorOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},
 };
