@@ -167,14 +167,19 @@ std::string LearnAmbiguous(std::string_view given, const std::vector<std::string
   return fmt::format("{} could be {}.", OneLine(given, 20), Joined(words, " or "));
 }
 
-std::string NotAsked(std::string_view given) {
-  return fmt::format("Nothing is asked now: {}.", OneLine(given, 16));
-}
-
 std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
 std::string NotStopped() { return "Not stopped: go on feeling."; }
 std::string Pausing() { return "Pause: no force. Say go to go on."; }
 std::string NotWhileAsked() { return "Not told while it is asked."; }
+std::string TipAt(std::string_view name, std::size_t line, bool touching) {
+  const std::string_view touch = touching ? "touching" : "in the air";
+  if (name.empty()) return fmt::format("On a sign, {}, line {}.", touch, line + 1);
+  return fmt::format("At {}, {}, line {}.", OneLine(name), touch, line + 1);
+}
+std::string TipBetween(bool touching) {
+  return fmt::format("Between signs, {}.", touching ? "touching" : "in the air");
+}
+std::string NoLessonNow() { return "No lesson has begun."; }
 std::string LetterHere(std::string_view name) { return fmt::format("At {}.", OneLine(name)); }
 std::string NoLetterHere() { return "No sign is near the tip."; }
 std::string WordHere(std::string_view word) { return fmt::format("Word: {}.", OneLine(word)); }
@@ -183,7 +188,6 @@ std::string Spelled(const std::vector<std::string>& names) {
 }
 std::string NothingTouched() { return "Nothing touched yet: the trace goes on."; }
 std::string StillAsked() { return "Still asked: an answer, or say next."; }
-std::string SaidAgain(std::string_view line) { return fmt::format("Again: {}", line); }
 
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
                           std::size_t step, std::size_t steps) {
@@ -210,8 +214,8 @@ std::string ConsentGiven(bool yes) {
 }
 std::string YesOrNo() { return "Type yes or no."; }
 std::string NoConsentAsked() { return "Raw tracks are not kept: nobody was asked."; }
-std::string NoRecords(std::string_view why) {
-  return fmt::format("Nothing will be remembered: {}.", OneLine(why, 300));
+std::string NoRecords() {
+  return "Nothing is remembered after this session: this build has no SQLite.";
 }
 std::string NotKept(std::string_view why) {
   return fmt::format("Not kept yet: {}. It is tried again.", OneLine(why, 300));
@@ -254,10 +258,10 @@ std::string NoRoomFor(double wanted, double got) {
 std::string CannotShow(std::string_view text, std::string_view why) {
   return fmt::format("Cannot be shown: {}: {}.", OneLine(text, 16), OneLine(why, 300));
 }
-std::string LiftsWhenDone() {
-  return "A trace ends when all is followed and you lift, or when you say done.";
-}
 
+std::string DeviceProblem(std::string_view name, std::string_view problem) {
+  return fmt::format("There, but not usable: {}: {}", OneLine(name), OneLine(problem, 300));
+}
 std::string NoForceDevice() { return "No force device is here: nothing can be felt."; }
 std::vector<std::string> WithoutDevice() {
   return {
@@ -285,7 +289,44 @@ std::string OnlyWithPrint(std::string_view option) {
   return fmt::format("{} is for printing: add --print FILE", option);
 }
 
-std::string Leading() { return "Let your hand be led."; }
-std::string NoLeading() { return "Nothing can lead your hand here; this is the way:"; }
+std::string KeysNeedTerminal() { return "--keys needs a terminal: leave it out in a pipe"; }
+std::string NoSuchKey(std::string_view key) {
+  return fmt::format("no key is called {}; a sign, or a name like Space, Tab, F5, PageUp",
+                     OneLine(key));
+}
+std::string EscapeStops() { return "Escape always stops: leave this line out"; }
+std::string TwoWordsOneKey(std::string_view key, std::string_view first, std::string_view second) {
+  return fmt::format("{} is {} and {}", key, first, second);
+}
+std::string KeyConflicts(const std::vector<std::string>& conflicts) {
+  return fmt::format("keys with two words: {}; give each its own", Joined(conflicts, ", "));
+}
+
+std::string NoLeading() { return "Nothing leads your hand here; the way is:"; }
+
+std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of) {
+  static constexpr const char* kHeights[] = {"bottom", "middle", "top"};
+  static constexpr const char* kSides[] = {"left", "middle", "right"};
+  static constexpr const char* kWays[] = {"right", "up and right",  "up",   "up and left",
+                                          "left",  "down and left", "down", "down and right"};
+  const auto place = [](ThirdPlace at) {
+    const std::string height = kHeights[at.y + 1], side = kSides[at.x + 1];
+    return height == side ? height : height + " " + side;
+  };
+  const std::string which = of == 1 ? "One stroke" : fmt::format("Stroke {} of {}", number, of);
+  if (way.dot) return fmt::format("{}: a dot, {}.", which, place(way.from));
+  std::string line = fmt::format("{}: from {}", which, place(way.from));
+  for (const WayPiece& piece : way.pieces) {
+    const char* turn = piece.clockwise ? "clockwise" : "anticlockwise";
+    if (piece.round) {
+      line += fmt::format(", a ring {}", turn);
+    } else if (piece.arc) {
+      line += fmt::format(", a bend {} {}", turn, kWays[piece.eighth]);
+    } else {
+      line += fmt::format(", {}", kWays[piece.eighth]);
+    }
+  }
+  return fmt::format("{}, to {}.", line, place(way.to));
+}
 
 }  // namespace moontrace::say

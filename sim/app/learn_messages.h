@@ -7,6 +7,7 @@
 
 #include "lessons/course.h"
 #include "lessons/lesson_machine.h"
+#include "sim/app/learn_way.h"
 #include "sim/app/learn_words.h"
 
 /// Sentences of `moontrace learn`; see messages.h.
@@ -31,6 +32,10 @@ inline constexpr const char* kPrintSize =
     "largest of the course.";
 inline constexpr const char* kKeys =
     "single keys without Enter, at a terminal; --keys=FILE changes them. Default off.";
+inline constexpr const char* kSpeak = "speak everything too, by speech-dispatcher. Default off.";
+inline constexpr const char* kSound = "sounds of the way and of what happens. Default off.";
+inline constexpr const char* kLetTutor =
+    "let a tutor speak to the lesson: moontrace tutor, on this machine only. Default off.";
 }  // namespace help
 
 /// A sentence of the lesson machine in words.
@@ -45,18 +50,20 @@ std::string Awaited(lesson_action::Await await, Question question, bool stopped)
 std::vector<std::string> LearnHelp(bool keys);
 std::string LearnUnknown(std::string_view given);
 std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words);
-std::string NotAsked(std::string_view given);
 std::string AlreadyStopped();
 std::string NotStopped();
 std::string Pausing();
 std::string NotWhileAsked();
+/// `name` empty: it is not told.
+std::string TipAt(std::string_view name, std::size_t line, bool touching);
+std::string TipBetween(bool touching);
+std::string NoLessonNow();
 std::string LetterHere(std::string_view name);
 std::string NoLetterHere();
 std::string WordHere(std::string_view word);
 std::string Spelled(const std::vector<std::string>& names);
 std::string NothingTouched();
 std::string StillAsked();
-std::string SaidAgain(std::string_view line);
 
 // Where we are in the course.
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
@@ -69,7 +76,7 @@ std::string AskConsent();
 std::string ConsentGiven(bool yes);
 std::string YesOrNo();
 std::string NoConsentAsked();
-std::string NoRecords(std::string_view why);
+std::string NoRecords();
 std::string NotKept(std::string_view why);
 std::string KeptNow(std::size_t trials);
 std::string NeverKept(std::size_t trials);
@@ -87,10 +94,10 @@ std::string EndOfInput();
 std::string LostTrial();
 std::string NoRoomFor(double wanted, double got);
 std::string CannotShow(std::string_view text, std::string_view why);
-std::string LiftsWhenDone();
 
 // Without a device.
 std::string NoForceDevice();
+std::string DeviceProblem(std::string_view name, std::string_view problem);
 std::vector<std::string> WithoutDevice();
 std::string NoDeviceGiven();
 
@@ -100,8 +107,15 @@ std::string NoSuchLesson(std::string_view given, std::string_view nearest);
 std::string NothingToPrint(std::string_view lesson);
 std::string OnlyWithPrint(std::string_view option);
 
-// The push.
-std::string Leading();
+// Single keys.
+std::string KeysNeedTerminal();
+std::string NoSuchKey(std::string_view key);
+std::string EscapeStops();
+std::string TwoWordsOneKey(std::string_view key, std::string_view first, std::string_view second);
+std::string KeyConflicts(const std::vector<std::string>& conflicts);
+
+// Where nothing can lead the hand.
 std::string NoLeading();
+std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of);
 
 }  // namespace moontrace::say

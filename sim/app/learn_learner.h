@@ -1,0 +1,24 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "lessons/course.h"
+#include "sim/app/console.h"
+#include "sim/app/learn_memory.h"
+#include "sim/app/learn_options.h"
+#include "sim/app/learn_teller.h"
+#include "sim/app/line_reader.h"
+
+namespace moontrace {
+
+/// Finds out who learns, and opens what is remembered: the learner that is named, else the only one
+/// in the records, else who answers the question. A new one is asked whether raw tracks may be
+/// kept; no is taken where nobody can be asked. `may_ask`: a person sits at a terminal.
+///
+/// Throws UsageError (nobody said who, or it is a simulated learner), InputError (a pseudonym or
+/// records that cannot be used), LackError (records taken by another program), Interrupted.
+LearnMemory OpenMemory(const LearnOptions& options, const Course& course, bool may_ask,
+                       LineReader& lines, LearnTeller& teller, const Console& console);
+
+}  // namespace moontrace

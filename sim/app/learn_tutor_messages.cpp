@@ -1,0 +1,82 @@
+#include "sim/app/learn_tutor_messages.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "lessons/guidance_mode.h"
+#include "sim/app/words.h"
+#include "textures/text_file.h"
+
+namespace moontrace::say {
+
+std::string TutorGreeting(std::string_view learner, std::string_view where) {
+  return fmt::format("Lesson of {}. {} Type ? for the words.", OneLine(learner), where);
+}
+
+std::string TutorDoes(const TutorCommand& command) {
+  const double value = command.value;
+  switch (command.word) {
+    case TutorWord::kSize:
+      return fmt::format("Tutor: letters of {} mm.", Short(kMillimetres * value, 1));
+    case TutorWord::kHelp:
+      return fmt::format("Tutor: help {} of 10.", Short(value, 0));
+    case TutorWord::kMode:
+      return fmt::format("Tutor: push {}.", NameOf(command.mode));
+    case TutorWord::kDepth:
+      return fmt::format("Tutor: depth {} of the usual.", Percent(value));
+    case TutorWord::kSpacing:
+      return fmt::format("Tutor: spaces {} of the usual.", Percent(value));
+    case TutorWord::kTilt:
+      return fmt::format("Tutor: page tilted by {} degrees.",
+                         Short(value * 180 / std::numbers::pi, 1));
+    case TutorWord::kPause:
+      return "Tutor: pause, no force.";
+    case TutorWord::kGo:
+      return "Tutor: going on.";
+    case TutorWord::kShow:
+      return "Tutor shows: let your hand be led.";
+    case TutorWord::kSay:
+      return fmt::format("Tutor says: {}", OneLine(command.text, 900));
+    case TutorWord::kAgain:
+      return "Tutor: once more.";
+    case TutorWord::kSkip:
+      return "Tutor: skipped.";
+    case TutorWord::kNext:
+      return "Tutor: the next lesson.";
+    case TutorWord::kLesson:
+      return fmt::format("Tutor: lesson {}.", OneLine(command.text, 20));
+    case TutorWord::kRecord:
+      return "Tutor takes the device for a stroke.";
+    case TutorWord::kPlayback:
+      return "Tutor's stroke: let your hand be led.";
+    case TutorWord::kWhere:
+    case TutorWord::kWho:
+    case TutorWord::kQuit:
+    case TutorWord::kQuestion:
+      break;  // between tutor and program
+  }
+  return {};
+}
+
+std::string TutorCannot(std::string_view why) {
+  return fmt::format("Stays as it was: {}.", OneLine(why, 300));
+}
+std::string LearnerStopped() { return "The learner has stopped: only the learner goes on."; }
+std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
+std::string LessonNotFound(std::string_view given) {
+  return fmt::format("No such lesson, or several: {}.", OneLine(given, 20));
+}
+std::string WhoIsHere(std::string_view learner, std::size_t tutors) {
+  return fmt::format("Learner: {}; {} here.", OneLine(learner), Counted(tutors, "tutor", "tutors"));
+}
+std::string Recording() { return "Recording: trace, then say record again."; }
+std::string RecordedStrokeIs(double seconds) {
+  return fmt::format("Recorded: {} s. Say playback to lead the learner along it.",
+                     Short(seconds, 1));
+}
+std::string NothingRecorded() { return "Nothing recorded: the page was not touched."; }
+std::string NoStrokeYet() { return "No stroke yet: say record first."; }
+std::string CannotLead() { return "Nothing can lead a hand here: the device has no motors."; }
+
+}  // namespace moontrace::say

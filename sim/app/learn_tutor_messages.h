@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sim/app/tutor_command.h"
+
+/// Sentences of a tutor's commands, for learner and tutor; see messages.h.
+namespace moontrace::say {
+
+std::string TutorGreeting(std::string_view learner, std::string_view where);
+/// What the learner is told before a command is done.
+std::string TutorDoes(const TutorCommand& command);
+std::string TutorCannot(std::string_view why);
+std::string LearnerStopped();
+std::string NothingRests();
+std::string LessonNotFound(std::string_view given);
+std::string WhoIsHere(std::string_view learner, std::size_t tutors);
+std::string Recording();
+std::string RecordedStrokeIs(double seconds);
+std::string NothingRecorded();
+std::string NoStrokeYet();
+std::string CannotLead();
+
+}  // namespace moontrace::say
