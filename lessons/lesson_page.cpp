@@ -111,15 +111,20 @@ Await AwaitOf(StepKind task) {
   return task == StepKind::kExplore || task == StepKind::kRead ? Await::kNext : Await::kTrace;
 }
 
-/// The lesson whose script sets the item: the present one if it asks for it, else its home.
-const Lesson* LessonOfItem(const Turn& turn) {
+/// Whether what is shown is asked for by the step, not a review or known from before.
+bool IsOfStep(const Turn& turn) {
   const Lesson* lesson = LessonNow(turn);
   const Step* step = StepNow(turn);
-  if (lesson != nullptr && step != nullptr && !turn.state.review) {
-    const std::vector<std::string> items = ItemsOf(*lesson, *step);
-    if (std::find(items.begin(), items.end(), turn.state.item) != items.end()) return lesson;
+  if (lesson == nullptr || step == nullptr || turn.state.review) return false;
+  for (const std::string& item : ItemsOf(*lesson, *step)) {
+    if (item == turn.state.item || item == turn.state.mate) return true;
   }
-  return HomeOf(turn.course, turn.state.item);
+  return false;
+}
+
+/// The lesson whose script sets the item: the present one if it asks for it, else its home.
+const Lesson* LessonOfItem(const Turn& turn) {
+  return IsOfStep(turn) ? LessonNow(turn) : HomeOf(turn.course, turn.state.item);
 }
 
 void AskPair(Turn& turn) {
@@ -138,7 +143,7 @@ std::string HintNow(const Turn& turn) {
 int HelpByRules(const Turn& turn) {
   const LessonState& state = turn.state;
   if (state.overrule.help) return *state.overrule.help;
-  if (state.task != StepKind::kTrace) {
+  if (state.task != StepKind::kTrace && state.task != StepKind::kDemonstrate) {
     return state.overrule.mode ? std::clamp(turn.course.fade.start, 0, kMostHelp) : 0;
   }
   const auto found = state.progress.items.find(state.item);
@@ -154,7 +159,7 @@ double SizeByRules(const Turn& turn) {
     const bool own = step != nullptr && step->size;
     return own ? *step->size : TextSize(turn, step != nullptr ? step->text : "");
   }
-  return AskedSize(turn.course, state.progress, state.review ? nullptr : step,
+  return AskedSize(turn.course, state.progress, IsOfStep(turn) ? step : nullptr,
                    {state.item, state.mate});
 }
 

@@ -59,26 +59,25 @@ void PushAnew(Turn& turn) {
   ChangePush(turn);
 }
 
+/// Help of the next trials by one more or less; of this one too, unless the hand is being led.
 void ChangeHelp(Turn& turn, bool more) {
   LessonState& state = turn.state;
-  if (IsAsked(turn) || state.task == StepKind::kDemonstrate) {
+  if (IsAsked(turn)) {
     Say(turn, Sentence::kNoHelpHere);
     return AwaitNow(turn, state.await);
   }
-  const int help = state.probe ? 0 : HelpByRules(turn);
-  const int next =
-      state.probe ? HelpByRules(turn) : std::clamp(help + (more ? 1 : -1), 0, kMostHelp);
-  if ((more && next <= help) || (!more && help <= 0)) {
+  const int planned = HelpByRules(turn);
+  const int help = state.probe ? 0 : planned;
+  if (more ? help >= kMostHelp : help <= 0) {
     Say(turn, more ? Sentence::kNoMoreHelp : Sentence::kNoLessHelp);
     return AwaitNow(turn, state.await);
   }
-  // A probe with help is none, and help is not to be kept back by a push that was put off.
+  // In a probe, more help is the help that the plan held back: then it is a probe no longer.
+  const int next = state.probe ? planned : help + (more ? 1 : -1);
   state.probe = false;
-  state.overrule.help = next;
   if (more && state.overrule.mode == GuidanceMode::kOff) state.overrule.mode.reset();
-  if (more && !state.overrule.mode && state.task != StepKind::kTrace) {
-    state.overrule.mode = GuidanceMode::kAttract;
-  }
+  state.overrule.help.reset();
+  if (HelpByRules(turn) != next) state.overrule.help = next;  // else the rules may choose again
   Say(turn, Sentence::kHelpNow, {}, {}, next);
   ChangePush(turn);
 }

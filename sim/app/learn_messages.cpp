@@ -113,7 +113,8 @@ std::string LessonSentence(const Course& course, const lesson_action::Say& sente
     case Sentence::kByRules:
       return "By the rules again: size, help and push.";
     case Sentence::kSkipped:
-      return fmt::format("Skipped, not sure yet: {}.", text);
+      return text.empty() ? "Skipped, not sure yet."
+                          : fmt::format("Skipped, not sure yet: {}.", text);
     case Sentence::kNoHelpHere:
       return "No push while it is to be recognised.";
     case Sentence::kTestAgain:
