@@ -19,4 +19,13 @@ SceneOptions HeldBy(const DeviceLimits& limits, SceneOptions options, double pro
   return options;
 }
 
+GuidanceGains HeldBy(const DeviceLimits& limits, GuidanceGains gains, double scale) {
+  // a force of the world is the device's, but the device's way is shorter by the scale
+  if (limits.stiffness > 0) {
+    gains.stiffness = std::min(gains.stiffness, limits.stiffness / std::max(scale, 1.0));
+  }
+  if (limits.peak_force > 0) gains.cap = std::min(gains.cap, limits.peak_force);
+  return gains;
+}
+
 }  // namespace moontrace

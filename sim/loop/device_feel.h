@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/device.h"
+#include "lessons/guidance_table.h"
 #include "sim/scene/scene_options.h"
 
 namespace moontrace {
@@ -10,5 +11,9 @@ namespace moontrace {
 /// the force (bound.h, a proxy of `proxy_mass` [kg]) stays within its peak. So the safety stage,
 /// which caps at the peak, acts seldom.
 SceneOptions HeldBy(const DeviceLimits& limits, SceneOptions options, double proxy_mass);
+
+/// What a device holds of a push: stiffness no more than it renders stably where a way of the tip
+/// is `scale` ways of the device, the force within its peak.
+GuidanceGains HeldBy(const DeviceLimits& limits, GuidanceGains gains, double scale);
 
 }  // namespace moontrace

@@ -6,6 +6,7 @@
 #include <future>
 #include <utility>
 
+#include "sim/loop/device_feel.h"
 #include "sim/loop/pacing.h"
 
 namespace moontrace {
@@ -29,6 +30,7 @@ Loop::Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_p
            DeviceSource source, const DevicePlace& place, const LoopOptions& options)
     : options_(options),
       mail_(options.rate),
+      scale_(place.scale),
       watchdog_(Silence(options.rate)),
       field_(std::move(field)),
       tick_(std::move(scene), *field_, std::move(device), place, options, mail_),
@@ -148,6 +150,7 @@ void Loop::ChangePage(PageChange change) {
   posted.substeps = tick_.scene().CheckField(posted.field);
   posted.page = change.page;
   posted.anchor = change.anchor;
+  posted.tilt = change.tilt;
   posted.device = std::move(change.device);
   mail_.wanted_page.store(&posted, std::memory_order_release);
   while (mail_.done_page.exchange(nullptr, std::memory_order_acquire) != &posted) {
@@ -155,6 +158,21 @@ void Loop::ChangePage(PageChange change) {
     std::this_thread::sleep_for(std::chrono::milliseconds(kPoll));
   }
   field_ = std::move(change.field);
+}
+
+void Loop::Guide(std::shared_ptr<const GuidancePlan> plan) {
+  if (plan != nullptr) {
+    GuidancePlan held = *plan;
+    held.gains = HeldBy(tick_.limits(), held.gains, scale_);
+    plan = std::make_shared<const GuidancePlan>(std::move(held));
+  }
+  const PostedPush posted{plan.get()};
+  mail_.wanted_push.store(&posted, std::memory_order_release);
+  while (mail_.done_push.exchange(nullptr, std::memory_order_acquire) != &posted) {
+    if (!ticking_) return;  // nothing is pushed any more
+    std::this_thread::sleep_for(std::chrono::milliseconds(kPoll));
+  }
+  plan_ = std::move(plan);
 }
 
 void Loop::End() {

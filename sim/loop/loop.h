@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "lessons/guidance.h"
 #include "sim/loop/clock.h"
 #include "sim/loop/device_place.h"
 #include "sim/loop/histogram.h"
@@ -57,6 +58,13 @@ class Loop {
   /// ended. One thread at a time. Throws as Scene::SetField; then all stays as it is.
   void ChangePage(PageChange change);
 
+  /// The guiding push from now on, on the page that is felt now: computed each tick from the tip,
+  /// added before the safety stage, beginning anew with a ramp-in; nullptr: none. Stiffness and cap
+  /// are held to what the device renders (device_feel.h). Nothing is pushed while the loop is
+  /// stopped, and none after a page change until the next call. Returns once the tick has let go of
+  /// the plan before (which is freed here) or the loop has ended. The thread of ChangePage.
+  void Guide(std::shared_ptr<const GuidancePlan> plan);
+
   /// The newest tick, if there was one since the last call. One thread at a time: a viewer's. The
   /// loop never waits for it.
   bool TakeSnapshot(LoopSnapshot& snapshot) noexcept { return mail_.snapshot.Take(snapshot); }
@@ -88,9 +96,11 @@ class Loop {
 
   LoopOptions options_;
   LoopMail mail_;
+  double scale_ = 1;  ///< DevicePlace::scale
   Watchdog watchdog_;
   MemoryLock memory_lock_;
   std::unique_ptr<const TextureField> field_;  ///< in use
+  std::shared_ptr<const GuidancePlan> plan_;   ///< in use
   LoopTick tick_;
   DeviceSource source_;
   SteadyClock clock_;

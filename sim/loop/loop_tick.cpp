@@ -41,6 +41,7 @@ LoopTick::LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Devic
       mail_(mail),
       home_(place),
       place_(place),
+      R_WD_(place.R_WD),
       field_(&field),
       pressing_{options.press},
       safety_(limits_, scene_.options().tick),
@@ -70,13 +71,11 @@ void LoopTick::Run(double time, bool late) noexcept {
   input.device = state_;
   input.physics_fault = felt.fault;
   if (posted_ != nullptr) fade_ = std::max(0.0, fade_ - tick_ / kFadeTime);
-  input.force = fade_ * ForceToDevice(place_, felt.force_W);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!limits_.pushes[axis]) input.force[axis] = 0;
-  }
   input.ramp = ramp_ || late;
   ramp_ = false;
   HandleButtons(time, input);
+  const Wanted wanted = Want(felt, !flowing_ || IsSilent(input));
+  input.force = wanted.force;
 
   const SafetyResult safe = safety_.Advance(input);
   Write(safe.force);
@@ -86,7 +85,35 @@ void LoopTick::Run(double time, bool late) noexcept {
   TellSafety(safe.events);
   if (was_stopped_ && !safe.stopped) Tell(LoopEventKind::kWentOn);
   was_stopped_ = safe.stopped;
-  Publish(felt, safe);
+  Publish(felt, safe, PushFelt(wanted, safe));
+}
+
+/// Page and push together, on the axes that push.
+LoopTick::Wanted LoopTick::Want(const TickResult& felt, bool silent) noexcept {
+  const GuidanceResult push = push_.Advance(!silent, felt.tip_P, v_P_, tick_);
+  target_P_ = push.target_P;
+  Wanted wanted;
+  wanted.push = fade_ * ForceToDevice(place_, TurnToWorld(scene_.X_WP(), push.force_P));
+  wanted.force = fade_ * ForceToDevice(place_, felt.force_W) + wanted.push;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!limits_.pushes[axis]) wanted.force[axis] = wanted.push[axis] = 0;
+  }
+  return wanted;
+}
+
+/// Whether someone has asked for no force.
+bool LoopTick::IsSilent(const SafetyInput& input) const noexcept {
+  return input.stop || input.hold || (was_stopped_ && !input.go_on);
+}
+
+/// The share of the push in what was commanded, frame P.
+glm::dvec3 LoopTick::PushFelt(const Wanted& wanted, const SafetyResult& safe) const noexcept {
+  glm::dvec3 push_D = wanted.push;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double whole = wanted.force[axis];
+    if (whole != 0) push_D[axis] *= std::clamp(safe.force[axis] / whole, 0.0, 1.0);
+  }
+  return TurnFromWorld(scene_.X_WP(), place_.R_WD * push_D);
 }
 
 void LoopTick::Release() noexcept {
@@ -95,6 +122,10 @@ void LoopTick::Release() noexcept {
 
 void LoopTick::TakeMail() noexcept {
   if (posted_ == nullptr) posted_ = mail_.wanted_page.exchange(nullptr, std::memory_order_acquire);
+  if (const PostedPush* push = mail_.wanted_push.exchange(nullptr, std::memory_order_acquire)) {
+    push_.Take(push->plan);
+    mail_.done_push.store(push, std::memory_order_release);
+  }
   if (device_ != nullptr) return;
   Device* fresh = mail_.fresh.exchange(nullptr, std::memory_order_acquire);
   if (fresh == nullptr) return;
@@ -106,19 +137,35 @@ void LoopTick::TakeMail() noexcept {
   Restart();
 }
 
+/// The page's far edge at another height: the device is turned against the page, about the middle
+/// of its workspace.
+void LoopTick::Tilt(double tilt) noexcept {
+  if (!limits_.measures.z || !std::isfinite(tilt)) return;
+  const double angle = scene_.options().tilt - tilt;
+  const double c = std::cos(angle), s = std::sin(angle);
+  const glm::dmat3 about_x(1, 0, 0, 0, c, s, 0, -s, c);  // column by column
+  const glm::dmat3 R_WP = scene_.X_WP().R;
+  home_.R_WD = R_WP * about_x * glm::transpose(R_WP) * R_WD_;
+}
+
 /// The swap itself, at zero force: the last command was zero and this tick begins a ramp-in.
 void LoopTick::TakePage() noexcept {
   PostedPage& posted = *posted_;
   const DevicePlace before = place_;
+  if (posted.tilt) Tilt(*posted.tilt);
   place_ = home_;
-  if (posted.anchor && begun_ && IsFinite(state_)) {
-    const PageAnchor& anchor = *posted.anchor;
+  if ((posted.anchor || posted.tilt) && begun_ && IsFinite(state_)) {
     const Pose X_WP = scene_.X_WP();
-    const glm::dvec2 tip_P(FromWorld(X_WP, ToWorld(before, state_).p_D));
-    const glm::dvec2 under = anchor.to_P + anchor.ratio * (tip_P - anchor.from_P);
-    const glm::dvec2 now(FromWorld(X_WP, ToWorld(place_, state_).p_D));
-    place_.origin_W += TurnToWorld(X_WP, glm::dvec3(under - now, 0));
+    const glm::dvec3 tip_P = FromWorld(X_WP, ToWorld(before, state_).p_D);
+    const glm::dvec3 now = FromWorld(X_WP, ToWorld(place_, state_).p_D);
+    glm::dvec3 under(now.x, now.y, tip_P.z);
+    if (posted.anchor) {
+      const PageAnchor& anchor = *posted.anchor;
+      under = glm::dvec3(anchor.to_P + anchor.ratio * (glm::dvec2(tip_P) - anchor.from_P), tip_P.z);
+    }
+    place_.origin_W += TurnToWorld(X_WP, under - now);
   }
+  push_.Take(nullptr);
   field_ = posted.field;
   page_ = posted.page;
   scene_.SwapField(posted.field, posted.substeps);
@@ -154,6 +201,7 @@ TickResult LoopTick::Feel() noexcept {
   if (!read.velocity_known) read.v_D = velocity_.v();
   read.velocity_known = true;
   DeviceState world = ToWorld(place_, read);
+  v_P_ = TurnFromWorld(scene_.X_WP(), world.v_D);
   if (!limits_.measures.z) {
     const SceneOptions& options = scene_.options();
     world = Pressed(world, scene_.X_WP(), flowing_ ? &last_ : nullptr,
@@ -200,15 +248,17 @@ void LoopTick::Lose() noexcept {
 void LoopTick::Restart() noexcept {
   scene_.Restart();
   velocity_.Restart();
+  push_.Pause();
   flowing_ = false;
 }
 
 /// Whether neither the page as it lies nor the page back in its place is felt: a tip in the air, or
 /// one that cannot be lifted (a stick without an axis for it) on plain paper here and there.
 bool LoopTick::FeelsNothing(const TickResult& felt) const noexcept {
-  if (limits_.measures.z) return felt.tip_P.z > kLiftedHeight;
+  const glm::dvec3 home_P = FromWorld(scene_.X_WP(), ToWorld(home_, state_).p_D);
+  if (limits_.measures.z) return std::min(felt.tip_P.z, home_P.z) > kLiftedHeight;
   if (state_.p_D.z > 0) return true;
-  const glm::dvec2 back_P(FromWorld(scene_.X_WP(), ToWorld(home_, state_).p_D));
+  const glm::dvec2 back_P(home_P);
   const auto is_plain = [this](glm::dvec2 p_P) {
     const Sample sample = field_->SampleAt(p_P);
     return std::abs(sample.displacement) <= kPlainHeight &&
@@ -254,7 +304,8 @@ void LoopTick::TellSafety(std::uint32_t events) noexcept {
   }
 }
 
-void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe) noexcept {
+void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe,
+                       glm::dvec3 push_P) noexcept {
   LoopSnapshot snapshot;
   snapshot.tick = ticks_;
   snapshot.time = time_;
@@ -269,6 +320,10 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe) noexcep
   snapshot.force_P = glm::any(limits_.pushes)
                          ? TurnFromWorld(scene_.X_WP(), place_.R_WD * safe.force)
                          : felt.force_P;
+  snapshot.guidance_P = push_P;
+  snapshot.target_P = target_P_;
+  snapshot.guided = push_.guided();
+  snapshot.guidance_done = push_.done();
   snapshot.depth = felt.depth;
   snapshot.heat = safe.heat;
   snapshot.safety_counts = safety_.counts();
@@ -279,6 +334,7 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe) noexcep
   sample.page = page_;
   sample.tip_P = felt.tip_P;
   sample.force_P = snapshot.force_P;
+  sample.guidance_P = push_P;
   sample.energy_out = felt.energy_out;
   sample.in_contact = felt.depth > 0;
   sample.fault = felt.fault;

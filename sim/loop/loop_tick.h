@@ -8,6 +8,7 @@
 #include "sim/loop/button.h"
 #include "sim/loop/device_place.h"
 #include "sim/loop/loop_mail.h"
+#include "sim/loop/loop_push.h"
 #include "sim/loop/loop_types.h"
 #include "sim/loop/pressing.h"
 #include "sim/loop/safety.h"
@@ -17,8 +18,8 @@
 namespace moontrace {
 
 /// One tick of the loop, without threads and without a clock of its own: read device, frame D to W,
-/// scene, safety, write device, publish. Run allocates nothing, locks nothing, throws nothing and
-/// makes no system call.
+/// scene, guiding push, safety, write device, publish. Run allocates nothing, locks nothing, throws
+/// nothing and makes no system call.
 class LoopTick {
  public:
   /// `field` and `mail` must outlive the ticks (the field until a page change is done). Throws as
@@ -34,12 +35,21 @@ class LoopTick {
 
   const Scene& scene() const { return scene_; }
   const Safety& safety() const { return safety_; }
+  const DeviceLimits& limits() const { return limits_; }
 
  private:
+  /// What is to be felt, frame D [N].
+  struct Wanted {
+    glm::dvec3 force{0, 0, 0};
+    glm::dvec3 push{0, 0, 0};  ///< within it
+  };
   void TakeMail() noexcept;
   void TakePage() noexcept;
+  void Tilt(double tilt) noexcept;
   DeviceStatus Read() noexcept;
   TickResult Feel() noexcept;
+  bool IsSilent(const SafetyInput& input) const noexcept;
+  Wanted Want(const TickResult& felt, bool silent) noexcept;
   void HandleButtons(double time, SafetyInput& input) noexcept;
   void Write(glm::dvec3 f_D) noexcept;
   void Lose() noexcept;
@@ -48,16 +58,21 @@ class LoopTick {
   void ReturnPage(const TickResult& felt) noexcept;
   void Tell(LoopEventKind kind) noexcept;
   void TellSafety(std::uint32_t events) noexcept;
-  void Publish(const TickResult& felt, const SafetyResult& safe) noexcept;
+  glm::dvec3 PushFelt(const Wanted& wanted, const SafetyResult& safe) const noexcept;
+  void Publish(const TickResult& felt, const SafetyResult& safe, glm::dvec3 push_P) noexcept;
 
   Scene scene_;
   std::unique_ptr<Device> device_;  ///< none while lost
   DeviceLimits limits_;
   LoopOptions options_;
   LoopMail& mail_;
-  DevicePlace home_;   ///< where the device stands to the first page
-  DevicePlace place_;  ///< and now
+  DevicePlace home_;      ///< where the device stands to the first page, tilted as the page is now
+  DevicePlace place_;     ///< and now
+  glm::dmat3 R_WD_{1.0};  ///< of the first page, before any tilt
   const TextureField* field_;
+  LoopPush push_;
+  glm::dvec2 target_P_{0, 0};  ///< of the push [m]
+  glm::dvec3 v_P_{0, 0, 0};    ///< of the tip [m/s]
   Pressing pressing_;
   Safety safety_;
   double tick_ = 0.001;  ///< [s]

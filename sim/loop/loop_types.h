@@ -44,6 +44,9 @@ struct LoopSample {
   glm::dvec3 tip_P{0, 0, 0};  ///< [m]
   /// As commanded, after safety; of a device without motors what would be felt [N].
   glm::dvec3 force_P{0, 0, 0};
+  /// The guiding push within `force_P`, after safety; zero on a device without motors, which cannot
+  /// be pushed [N].
+  glm::dvec3 guidance_P{0, 0, 0};
   double energy_out = 0;  ///< TickResult::energy_out [J]
   bool in_contact = false;
   bool fault = false;  ///< MuJoCo's
@@ -60,6 +63,10 @@ struct LoopSnapshot {
   glm::dvec3 tip_P{0, 0, 0}, proxy_P{0, 0, 0};  ///< [m]
   glm::dvec3 force_D{0, 0, 0};                  ///< commanded [N]
   glm::dvec3 force_P{0, 0, 0};                  ///< as LoopSample::force_P
+  glm::dvec3 guidance_P{0, 0, 0};               ///< as LoopSample::guidance_P
+  glm::dvec2 target_P{0, 0};                    ///< GuidanceResult::target_P, the tip without one
+  bool guided = false;                          ///< a plan of a push is in force
+  bool guidance_done = false;                   ///< it has been followed to its end
   double depth = 0;                             ///< > 0 in contact [m]
   glm::dvec3 heat{0, 0, 0};                     ///< SafetyResult::heat
   std::array<std::uint64_t, kSafetyEvents> safety_counts{};
@@ -79,6 +86,10 @@ struct PageChange {
   std::unique_ptr<const TextureField> field;
   std::uint32_t page = 0;            ///< any number; samples and events carry it
   std::optional<PageAnchor> anchor;  ///< without: the page lies where the first one lay
+  /// The page raised at its far edge from now on [rad], as SceneOptions::tilt; none: as it is. The
+  /// tip keeps its height over the paper. Of a device that does not measure z, which lies in the
+  /// page's plane, it changes nothing.
+  std::optional<double> tilt;
   /// A device that comes with the page (a simulated hand with other plans), or none.
   std::unique_ptr<Device> device;
 };
