@@ -99,8 +99,8 @@ void ReadWords(const TomlTable& table, const std::string& key,
   if (!table.Has(key)) return;
   const TomlTable inner = table.Table(key);
   const std::vector<std::string> items = inner.Keys();
-  if (items.size() > kMostItems) {
-    table.Fail(key, fmt::format("more than {}; give fewer", kMostItems));
+  if (items.size() > kMostEntries) {
+    table.Fail(key, fmt::format("more than {}; give fewer", kMostEntries));
   }
   for (const std::string& item : items) {
     faults.Try([&] { words[item] = ReadCourseLine(inner, item); });
@@ -110,7 +110,8 @@ void ReadWords(const TomlTable& table, const std::string& key,
 }
 
 std::vector<std::string> ReadLessonIds(const TomlTable& table, Course& course) {
-  std::vector<std::string> ids = ReadItems(table, "lessons");
+  std::vector<std::string> ids;
+  ReadItems(table, "lessons", kMostLessons, ids);
   if (ids.empty()) table.Fail("lessons", "empty; name one lesson at least");
   NotePlaces(table, "lessons", ids.size(), course);
   return ids;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "lessons/course_reader.h"
 #include "textures/error.h"
@@ -48,22 +49,21 @@ std::string ReadCourseLine(const TomlTable& table, const std::string& key) {
   return line;
 }
 
-std::vector<std::string> ReadItems(const TomlTable& table, const std::string& key) {
-  std::vector<std::string> items = table.Strings(key);
-  if (items.size() > kMostItems) {
-    table.Fail(key, fmt::format("more than {}; give fewer", kMostItems));
-  }
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const std::string& item = items[i];
-    const bool blank =
-        std::any_of(item.begin(), item.end(), [](char c) { return IsControl(c) || c == ' '; });
-    if (item.empty() || item.size() > kMostItem || blank) {
-      FailAt(table, key, i,
-             fmt::format("'{}' is not one word of 1 to {} bytes; correct it", OneLine(item, 24),
-                         kMostItem));
-    }
-  }
-  return items;
+void ReadItems(const TomlTable& table, const std::string& key, std::size_t most,
+               std::vector<std::string>& items) {
+  const std::vector<std::string> given = table.Strings(key);
+  if (given.size() > most) table.Fail(key, fmt::format("more than {}; give fewer", most));
+  const auto wrong = [](const std::string& item) {
+    return item.empty() || item.size() > kMostItem ||
+           std::any_of(item.begin(), item.end(), [](char c) { return IsControl(c) || c == ' '; });
+  };
+  std::copy_if(given.begin(), given.end(), std::back_inserter(items),
+               [&](const std::string& item) { return !wrong(item); });
+  const auto first = std::find_if(given.begin(), given.end(), wrong);
+  if (first == given.end()) return;
+  FailAt(table, key, static_cast<std::size_t>(first - given.begin()),
+         fmt::format("'{}' is not one word of 1 to {} bytes; correct it", OneLine(*first, 24),
+                     kMostItem));
 }
 
 }  // namespace moontrace

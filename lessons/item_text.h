@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,10 @@ std::string ReadCourseText(const TomlTable& table, const std::string& key, std::
 /// A title, a name: one line with something on it.
 std::string ReadCourseLine(const TomlTable& table, const std::string& key);
 
-/// Items: each without blanks, so that two can stand side by side.
-std::vector<std::string> ReadItems(const TomlTable& table, const std::string& key);
+/// At most so many items, each without blanks, so that two can stand side by side. Where one is
+/// wrong the others are in `items` all the same.
+void ReadItems(const TomlTable& table, const std::string& key, std::size_t most,
+               std::vector<std::string>& items);
 
 /// A size of letters in millimetres that stands at `key`, in metres.
 double ReadSize(const TomlTable& table, const std::string& key, double size_mm);

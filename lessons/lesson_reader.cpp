@@ -75,7 +75,7 @@ void ReadStepText(const TomlTable& table, Step& step) {
 
 void ReadStepItems(const TomlTable& table, const Lesson& lesson, Step& step) {
   if (ShowsText(step.kind)) return;
-  if (table.Has("items")) step.items = ReadItems(table, "items");
+  if (table.Has("items")) ReadItems(table, "items", kMostItems, step.items);
   if (step.items.empty() && lesson.items.empty()) {
     table.Fail("items", "none, and the lesson teaches none; give some");
   }
@@ -118,7 +118,7 @@ Step ReadStep(const TomlTable& table, std::size_t index, Lesson& lesson, FaultLi
 void ReadList(const TomlTable& table, const std::string& key, std::vector<std::string>& list,
               Lesson& lesson) {
   if (!table.Has(key)) return;
-  list = ReadItems(table, key);
+  ReadItems(table, key, kMostItems, list);
   lesson.places[key] = PlaceIn(table, key);
   for (std::size_t i = 0; i < list.size(); ++i) {
     lesson.places[fmt::format("{}[{}]", key, i)] = PlaceIn(table, key, i);
@@ -128,7 +128,11 @@ void ReadList(const TomlTable& table, const std::string& key, std::vector<std::s
 void ReadHints(const TomlTable& table, Lesson& lesson, FaultList& faults) {
   if (!table.Has("hints")) return;
   const TomlTable hints = table.Table("hints");
-  for (const std::string& item : hints.Keys()) {
+  const std::vector<std::string> items = hints.Keys();
+  if (items.size() > kMostItems) {
+    table.Fail("hints", fmt::format("more than {}; give fewer", kMostItems));
+  }
+  for (const std::string& item : items) {
     faults.Try([&] {
       lesson.hints[item] = ReadCourseText(hints, item, kMostLine);
       lesson.places["hints." + item] = PlaceIn(hints, item);
