@@ -1,0 +1,69 @@
+#include "sim/learner/felt_hand.h"
+
+#include <cmath>
+
+#include "devices/random.h"
+#include "devices/simulated_stylus.h"
+#include "sim/loop/tip_velocity.h"
+
+namespace moontrace {
+
+FeltHand::FeltHand(const HandModel& hand, const SceneOptions& options)
+    : hand_(hand), scene_(Scene::Load("", options)), tick_(options.tick) {}
+
+void FeltHand::Do(const Work& work, const std::function<void(const HandTick&)>& each) {
+  scene_.SetField(work.field);
+  const Pose X_WP = scene_.X_WP();
+  const auto stylus = MakeSimulatedStylus(hand_, work.path, tick_, work.seed);
+  scene_.Reset(FromWorld(X_WP, work.path.points.front().p_D));
+  const double duration = work.path.points.back().time - work.path.points.front().time;
+  const auto ticks = static_cast<std::size_t>(std::ceil(duration / tick_));
+  GuidanceState state;
+  TipVelocity velocity;
+  for (std::size_t n = 0; n < ticks; ++n) {
+    DeviceState input;
+    stylus->Read(input);
+    const TickResult output = scene_.Tick(input);
+    HandTick now;
+    now.time = input.time;
+    now.tip_P = output.tip_P;
+    now.in_contact = output.depth > 0;
+    if (work.push != nullptr) {
+      velocity.Advance(tick_, true, output.tip_P);
+      now.guidance_P = Guide(*work.push, state, output.tip_P, velocity.v(), tick_).force_P;
+    }
+    now.force_P = output.force_P + now.guidance_P;
+    stylus->Write(output.force_W + TurnToWorld(X_WP, now.guidance_P));
+    each(now);
+  }
+  seconds_ += static_cast<double>(ticks) * tick_;
+  scene_.SetField(nullptr);
+}
+
+FeltTrack::FeltTrack(const Proprioception& sense, double tick, std::uint64_t seed,
+                     std::size_t every)
+    : every_(every),
+      keep_(std::exp(-tick * static_cast<double>(every) / sense.wander)),
+      fresh_(std::sqrt(1 - keep_ * keep_)),
+      noise_(sense.noise),
+      height_noise_(sense.height_noise),
+      random_(seed) {
+  error_ = {Normal(), Normal()};
+}
+
+double FeltTrack::Normal() {  // Box and Muller 1958, one of the two
+  constexpr double kTurn = 6.283185307179586;
+  Random random(random_);
+  const double u = 1 - random.Uniform(), v = random.Uniform();
+  random_ = random.Bits();
+  return std::sqrt(-2 * std::log(u)) * std::cos(kTurn * v);
+}
+
+void FeltTrack::Add(const HandTick& tick) {
+  if (count_++ % every_ != 0) return;
+  error_ = keep_ * error_ + fresh_ * glm::dvec2(Normal(), Normal());
+  const glm::dvec3 error(noise_ * error_, height_noise_ * Normal());
+  samples_.push_back({tick.tip_P + error, tick.force_P - tick.guidance_P});
+}
+
+}  // namespace moontrace

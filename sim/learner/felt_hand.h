@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "devices/hand.h"
+#include "lessons/felt_shape.h"
+#include "lessons/guidance.h"
+#include "sim/learner/learner_model.h"
+#include "sim/scene/scene.h"
+
+namespace moontrace {
+
+/// One tick of a hand at work, as a meter or a score wants it.
+struct HandTick {
+  double time = 0;                 ///< since the work began [s]
+  glm::dvec3 tip_P{0, 0, 0};       ///< [m]
+  glm::dvec3 force_P{0, 0, 0};     ///< on the tip, the push included [N]
+  glm::dvec3 guidance_P{0, 0, 0};  ///< of the push alone [N]
+  bool in_contact = false;
+};
+
+/// A hand at a page for one piece of work after another: the simulated stylus in the real scene.
+/// The scene is loaded once. Same page, path, push and seed: same bytes, whatever came before.
+class FeltHand {
+ public:
+  /// Throws as Scene::Load.
+  FeltHand(const HandModel& hand, const SceneOptions& options);
+
+  struct Work {
+    const TextureField* field = nullptr;  ///< none: flat paper; must outlive the work
+    HandPath path;                        ///< in the world's frame
+    const GuidancePlan* push = nullptr;   ///< none: no push
+    std::uint64_t seed = 1;               ///< of tremor and drift
+  };
+  /// Follows the path to its end and `each` tick tells.
+  void Do(const Work& work, const std::function<void(const HandTick&)>& each);
+
+  Pose X_WP() const { return scene_.X_WP(); }
+  double tick() const { return tick_; }
+  double seconds() const { return seconds_; }  ///< simulated so far [s]
+
+ private:
+  HandModel hand_;
+  Scene scene_;
+  double tick_ = 1e-3;
+  double seconds_ = 0;
+};
+
+/// Where the hand believes it was, of each `every`th tick: what touch is told.
+class FeltTrack {
+ public:
+  FeltTrack(const Proprioception& sense, double tick, std::uint64_t seed, std::size_t every = 3);
+  void Add(const HandTick& tick);
+  const std::vector<FeltSample>& samples() const { return samples_; }
+
+ private:
+  double Normal();
+
+  std::size_t every_ = 1, count_ = 0;
+  double keep_ = 0, fresh_ = 0;  ///< of the error from sample to sample
+  double noise_ = 0, height_noise_ = 0;
+  std::uint64_t random_ = 0;
+  glm::dvec2 error_{0, 0};  ///< in standard deviations
+  std::vector<FeltSample> samples_;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lessons/intended_strokes.h"
+#include "textures/field.h"
+#include "textures/script.h"
+#include "textures/typeset.h"
+
+namespace moontrace {
+
+/// A page with one line of text for a learner's hand.
+struct ItemPage {
+  TypeStyle style;
+  TextPage page;
+  TextureField field;
+  std::vector<IntendedStroke> strokes;
+  /// What a hand feels about in: where any sign of the script could have strokes. The same for
+  /// every letter of a size.
+  Box box_P;
+};
+
+/// How deep the grooves of an item's page are.
+struct ItemRelief {
+  double grade = 1;  ///< of the script
+  /// Of the usual depth of the grooves: a shallow one can be felt but leads no hand. 0: blank.
+  double depth_share = 1;
+};
+
+/// Throws as SetText.
+ItemPage SetItem(const std::string& text, const Script& script, double size,
+                 const ItemRelief& relief = {});
+
+}  // namespace moontrace

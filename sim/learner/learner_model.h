@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lessons/felt_shape.h"
+#include "lessons/recogniser.h"
+#include "lessons/two_rate_memory.h"
+
+namespace moontrace {
+
+/// How a learner traces.
+struct TracingSkill {
+  double press = 0.3;            ///< [N]
+  double speed = 0.04;           ///< [m/s]
+  double deviation = 6e-3;       ///< of a beginner's aim from the stroke, greatest [m]
+  double deviation_share = 0.4;  ///< the same, of the letter's size, where that is less
+  double general_share = 0.6;    ///< of the deviation that is the same for all letters
+  double restless_share = 0.06;  ///< that differs from trial to trial, of a beginner's deviation
+  double dependence = 0;         ///< share of what was learnt that is gone when the push is
+  int lessons_a_trial = 3;       ///< updates of the motor memory by one trial
+};
+
+/// How a learner feels about for what is on the page.
+struct Exploration {
+  double press = 0.2;           ///< [N]
+  double spacing_share = 0.17;  ///< between sweeps, of the letter's size
+  double margin_share = 0.15;   ///< around the letters, of their size
+  double speed = 0.09;          ///< at size `at_size` [m/s]; goes with the root of the size
+  double at_size = 0.04;        ///< [m]
+  double acceleration = 1;      ///< at the ends of a sweep [m/s^2]
+  double height = 2e-3;         ///< from which the hand comes down [m]
+};
+
+/// The error in where a hand believes itself to be: wanders on each axis (Ornstein-Uhlenbeck).
+struct Proprioception {
+  double noise = 0.8e-3;          ///< standard deviation in the page's plane [m]
+  double wander = 0.3;            ///< time constant [s]
+  double height_noise = 0.03e-3;  ///< standard deviation of its height [m]
+};
+
+/// Everything that a simulated learner is, beside its hand (devices/hand.toml).
+struct LearnerModel {
+  TwoRates memory;
+  TracingSkill tracing;
+  Exploration exploration;
+  Proprioception proprioception;
+  FeelingRule feeling;
+  RecogniserRule recognition;
+};
+
+/// Reads a learner from TOML. Throws InputError: file:line:column, cause, nearest key.
+LearnerModel LoadLearner(const std::string& path);
+LearnerModel ParseLearner(std::string_view text, const std::string& name);
+/// The one that comes with the program, `lessons/learner.toml`.
+LearnerModel ShippedLearner();
+
+}  // namespace moontrace

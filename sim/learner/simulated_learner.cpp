@@ -1,0 +1,158 @@
+#include "sim/learner/simulated_learner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/trial_meter.h"
+#include "sim/learner/exploration.h"
+#include "sim/plan/plan.h"
+
+namespace moontrace {
+namespace {
+
+/// A plan at one moment after another.
+class PlanClock {
+ public:
+  explicit PlanClock(const Plan& plan) : plan_(plan) {}
+  void To(double time) {
+    const auto& points = plan_.path_W.points;
+    while (next_ + 1 < points.size() && points[next_].time <= time) ++next_;
+    while (span_ + 1 < plan_.spans.size() && time >= plan_.spans[span_].end) ++span_;
+    const HandPoint& a = points[next_ > 0 ? next_ - 1 : 0];
+    const HandPoint& b = points[next_];
+    const double share = b.time > a.time ? (time - a.time) / (b.time - a.time) : 1;
+    p_W_ = a.p_D + std::clamp(share, 0.0, 1.0) * (b.p_D - a.p_D);
+    way_W_ = b.p_D - a.p_D;
+  }
+  const Plan::Span& span() const { return plan_.spans[span_]; }
+  glm::dvec3 p_W() const { return p_W_; }
+  glm::dvec3 way_W() const { return way_W_; }  ///< direction of travel, zero at rest
+
+ private:
+  const Plan& plan_;
+  std::size_t next_ = 0, span_ = 0;
+  glm::dvec3 p_W_{0, 0, 0}, way_W_{0, 0, 0};
+};
+
+/// How far the tip went along with an error of aim: 1 where it had all of it. Only what lies across
+/// the way counts, since a hand lags along it.
+class FeltError {
+ public:
+  void Add(glm::dvec2 off, glm::dvec2 error, glm::dvec2 way) {
+    const double length = glm::length(way);
+    if (length > 1e-9) {
+      const glm::dvec2 across(-way.y / length, way.x / length);
+      along_ += glm::dot(off, across) * glm::dot(error, across);
+      whole_ += glm::dot(error, across) * glm::dot(error, across);
+    } else {
+      along_ += glm::dot(off, error);
+      whole_ += glm::dot(error, error);
+    }
+  }
+  double Share() const { return whole_ > 0 ? along_ / whole_ : 0; }
+
+ private:
+  double along_ = 0, whole_ = 0;
+};
+
+}  // namespace
+
+/// The error of aim over one page.
+struct SimulatedLearner::Aim {
+  AimError general, own, restless;
+  double general_share = 0;
+  glm::dvec2 middle_P{0, 0};
+  double reach = 1;      ///< of the box [m]
+  double amplitude = 0;  ///< of a beginner [m]
+
+  glm::dvec2 Beginner(glm::dvec2 p_P) const {
+    const glm::dvec2 u = (p_P - middle_P) / reach;
+    return amplitude * (general_share * general.At(u) + (1 - general_share) * own.At(u));
+  }
+  glm::dvec2 Restless(glm::dvec2 p_P) const {
+    return amplitude * restless.At((p_P - middle_P) / reach);
+  }
+};
+
+SimulatedLearner::SimulatedLearner(const LearnerModel& model, const HandModel& hand,
+                                   std::uint64_t seed)
+    : model_(model), hand_(hand, SceneOptions{}), shapes_(model.recognition), seed_(seed) {}
+
+const TwoRateMemory* SimulatedLearner::Find(const std::string& item) const {
+  const auto memory = by_item_.find(item);
+  return memory == by_item_.end() ? nullptr : &memory->second;
+}
+
+double SimulatedLearner::AimErrorShare(const std::string& item, bool guided) const {
+  const TwoRateMemory* own = Find(item);
+  const double general = general_.total(), special = own == nullptr ? 0 : own->total();
+  const double share = model_.tracing.general_share;
+  const double learnt = share * general + (1 - share) * special;
+  return 1 - (guided ? 1 : 1 - model_.tracing.dependence) * learnt;
+}
+
+TracedItem SimulatedLearner::Trace(const std::string& item, const ItemPage& page,
+                                   const GuidancePlan* push) {
+  const TracingSkill& skill = model_.tracing;
+  const std::uint64_t seed = SeedOf(seed_, "work" + std::to_string(++works_));
+  Aim aim{AimError(seed_, "general"), AimError(seed_, "item " + item), AimError(seed, "restless")};
+  aim.general_share = skill.general_share;
+  aim.middle_P = (page.box_P.min + page.box_P.max) / 2.0;
+  aim.reach = std::max(page.box_P.max.x - page.box_P.min.x, page.box_P.max.y - page.box_P.min.y);
+  aim.amplitude = std::min(skill.deviation, skill.deviation_share * page.style.size);
+
+  PlanOptions options;
+  options.speed = skill.speed;
+  options.press = skill.press;
+  const Pose X_WP = hand_.X_WP();
+  const Plan plan = MakeOraclePlan(page.strokes, options, X_WP);
+  const double share = AimErrorShare(item, push != nullptr);
+  FeltHand::Work work{&page.field, plan.path_W, push, seed};
+  for (HandPoint& point : work.path.points) {
+    const glm::dvec2 p_P(FromWorld(X_WP, point.p_D));
+    const glm::dvec2 off = share * aim.Beginner(p_P) + skill.restless_share * aim.Restless(p_P);
+    point.p_D += TurnToWorld(X_WP, {off, 0});
+  }
+
+  TrialMeter meter(page.strokes, page.page.glyphs.size(), hand_.tick());
+  PlanClock clock(plan);
+  FeltError felt;
+  hand_.Do(work, [&](const HandTick& now) {
+    clock.To(now.time);
+    const Plan::Span& span = clock.span();
+    meter.Add({now.time, now.tip_P, now.force_P, now.in_contact, span.phase, span.stroke},
+              now.guidance_P);
+    if (span.phase != TracePhase::kStroke) return;
+    const glm::dvec2 p_P(FromWorld(X_WP, clock.p_W()));
+    felt.Add(glm::dvec2(now.tip_P) - p_P, aim.Beginner(p_P),
+             glm::dvec2(TurnFromWorld(X_WP, clock.way_W())));
+  });
+  TracedItem result;
+  meter.Fill(result.measured);
+  const bool blank = !(page.field.greatest_displacement() > 0);
+  result.felt_error = blank ? 0 : felt.Share();
+  for (int i = 0; i < skill.lessons_a_trial; ++i) {
+    general_ = AfterTrial(model_.memory, general_, result.felt_error);
+    TwoRateMemory& own = by_item_[item];
+    own = AfterTrial(model_.memory, own, result.felt_error);
+  }
+  return result;
+}
+
+FeltShape SimulatedLearner::Feel(const ItemPage& page) {
+  const std::uint64_t seed = SeedOf(seed_, "work" + std::to_string(++works_));
+  FeltTrack track(model_.proprioception, hand_.tick(), SeedOf(seed, "felt"));
+  const double size = page.style.size;
+  const Box box_P = Grown(page.box_P, model_.exploration.margin_share * size);
+  const HandPath path = ExplorationPath(box_P, size, model_.exploration, hand_.X_WP());
+  hand_.Do({&page.field, path, nullptr, seed}, [&track](const HandTick& now) { track.Add(now); });
+  return ShapeOf(track.samples(), model_.feeling);
+}
+
+void SimulatedLearner::Wait(double days) {
+  day_ += days;
+  general_ = AfterDays(model_.memory, general_, days);
+  for (auto& item : by_item_) item.second = AfterDays(model_.memory, item.second, days);
+}
+
+}  // namespace moontrace

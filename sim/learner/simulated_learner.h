@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "lessons/recogniser.h"
+#include "lessons/trial.h"
+#include "lessons/two_rate_memory.h"
+#include "sim/learner/aim_error.h"
+#include "sim/learner/felt_hand.h"
+#include "sim/learner/item_page.h"
+#include "sim/learner/learner_model.h"
+
+namespace moontrace {
+
+/// What came of a trace.
+struct TracedItem {
+  Trial measured;  ///< what TrialMeter fills in
+  /// How much of a beginner's whole error of aim the tip was found to have, from below 0 to above
+  /// 1: this teaches the hand.
+  double felt_error = 0;
+};
+
+/// A learner of the program's own: a hand at the real scene, a motor memory for its aim and a
+/// recogniser for what it feels. Its aim lies beside the strokes by an error of its own, which
+/// becomes less by what it feels while it traces: under a push that corrects the tip it feels
+/// little and learns little, under one that amplifies much. Same model, hand, seed and calls: same
+/// bytes.
+class SimulatedLearner {
+ public:
+  SimulatedLearner(const LearnerModel& model, const HandModel& hand, std::uint64_t seed);
+
+  /// Follows the strokes of a told item once. `push`: none, or its plan. Nothing is learnt about
+  /// the aim on blank paper, where no error can be felt.
+  TracedItem Trace(const std::string& item, const ItemPage& page, const GuidancePlan* push);
+  /// Explores a page and tells what it felt.
+  FeltShape Feel(const ItemPage& page);
+  /// Time passes without practice.
+  void Wait(double days);
+
+  Recogniser& shapes() { return shapes_; }
+  double day() const { return day_; }  ///< since the learner began
+  /// Drawn anew each time: for guesses.
+  std::uint64_t Guess() { return SeedOf(seed_, "guess" + std::to_string(++guesses_)); }
+  /// Error of the aim at an item now, of a beginner's, before its restlessness.
+  double AimErrorShare(const std::string& item, bool guided) const;
+  double seconds() const { return hand_.seconds(); }  ///< of simulated work [s]
+  const LearnerModel& model() const { return model_; }
+
+ private:
+  struct Aim;
+  const TwoRateMemory* Find(const std::string& item) const;
+
+  LearnerModel model_;
+  FeltHand hand_;
+  Recogniser shapes_;
+  std::uint64_t seed_ = 1, works_ = 0, guesses_ = 0;
+  TwoRateMemory general_;
+  std::map<std::string, TwoRateMemory> by_item_;
+  double day_ = 0;
+};
+
+}  // namespace moontrace
