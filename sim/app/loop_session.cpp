@@ -238,6 +238,14 @@ void LoopSession::ChangeText(TextRequest request, bool blank) {
   mark_.reset();
 }
 
+void LoopSession::Tilt(double tilt) {
+  PageChange change;
+  change.field = FieldOf(page_);
+  change.page = number();
+  change.tilt = tilt;
+  loop_->ChangePage(std::move(change));
+}
+
 std::optional<NearLetter> LoopSession::Near(glm::dvec2 tip_P) const {
   const PlacedGlyph* glyph = NearestGlyph(text_, page_, tip_P);
   if (glyph == nullptr) return std::nullopt;

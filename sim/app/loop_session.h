@@ -62,6 +62,8 @@ class LoopSession {
   /// Another text for the same device and loop: its first page is felt from now on, and a simulated
   /// hand begins it. Throws InputError, and leaves all as it was.
   void ChangeText(TextRequest request, bool blank);
+  /// The page raised at its far edge [rad], see PageChange::tilt.
+  void Tilt(double tilt);
   /// Of LoopSample::page and LoopSnapshot::page while the present page of this text is felt; no
   /// page of another text has it.
   std::uint32_t number() const { return first_number_ + static_cast<std::uint32_t>(page_); }

@@ -1,0 +1,145 @@
+#include "sim/app/learn_command.h"
+
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "lessons/course.h"
+#include "sim/app/help.h"
+#include "sim/app/learn_device.h"
+#include "sim/app/learn_drive.h"
+#include "sim/app/learn_keys.h"
+#include "sim/app/learn_learner.h"
+#include "sim/app/learn_messages.h"
+#include "sim/app/learn_print.h"
+#include "sim/app/learn_session.h"
+#include "sim/app/learn_sound.h"
+#include "sim/app/learn_stage.h"
+#include "sim/app/learn_tutor.h"
+#include "sim/app/loop_messages.h"
+#include "sim/app/messages.h"
+#include "sim/view/picture_file.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+/// Lines that are typed with Enter.
+class TypedLines final : public LearnInput {
+ public:
+  explicit TypedLines(LineReader& lines) : lines_(lines) {}
+  std::optional<std::string> Next(int milliseconds, bool) override {
+    return lines_.Next(milliseconds);
+  }
+  bool ended() const override { return lines_.ended(); }
+
+ private:
+  LineReader& lines_;
+};
+
+/// A person sits at a terminal, and can be asked.
+bool AtTerminal(Console& console) {
+  return &console.in() == &std::cin && isatty(STDIN_FILENO) != 0;
+}
+
+void CheckTogether(const LearnOptions& options) {
+  if (options.print.empty()) {
+    if (!options.lesson.empty()) throw UsageError(say::OnlyWithPrint("--lesson"));
+    if (options.size) throw UsageError(say::OnlyWithPrint("--size-mm"));
+  } else if (!HasPictureEnding(options.print)) {
+    throw UsageError(say::NotAPicture(options.print));
+  }
+}
+
+void SayBeginning(LearnStage& stage, const LearnOptions& options, LearnTeller& teller) {
+  LoopSession& session = stage.session();
+  if (stage.simulated()) {
+    teller.Say(Priority::kText, say::Demonstration());
+    teller.Say(Priority::kText, say::DemonstrationCounts());
+  } else {
+    teller.Say(Priority::kText, say::WithDevice(options.live.device));
+    if (!stage.pushes()) teller.Say(Priority::kText, say::NotFelt());
+  }
+  if (session.scale() != 1) teller.Say(Priority::kText, say::LearnScaled());
+  if (!session.loop().not_realtime().empty()) {
+    teller.Remark(say::NotRealtime(session.loop().not_realtime()));
+  }
+  teller.Remark(say::LearnBegins());
+  teller.EndTurn();
+}
+
+int Learn(LearnOptions options, const Course& course, Console& console) {
+  const bool at_terminal = AtTerminal(console);
+  std::optional<KeyMap> keys;
+  if (!options.keys.empty()) {
+    if (!at_terminal) throw UsageError(say::KeysNeedTerminal());
+    keys = options.keys == "true" ? UsualKeys() : LoadKeys(options.keys);
+  }
+  options.live.device = DeviceForLearning(options.live.device, console);
+  std::unique_ptr<Speech> speech;
+  if (options.speak) {
+    SpeechOptions voice;
+    voice.language = course.language;
+    speech = std::make_unique<Speech>(voice);
+  }
+  std::unique_ptr<Sound> sound;
+  if (options.sound) sound = std::make_unique<Sound>(LoadSounds());
+  LearnTeller teller(console, speech.get(), sound.get());
+  LineReader lines(console.in());
+  LearnMemory memory = OpenMemory(options, course, at_terminal, lines, teller, console);
+  teller.EndTurn();
+
+  LearnStage stage({options.live, options.press, options.seed, memory.keeps_tracks()}, console);
+  SayBeginning(stage, options, teller);
+  LearnSession session(course, memory, stage, teller, options.seed, keys.has_value());
+  std::unique_ptr<TutorDesk> tutor;
+  if (options.tutor) tutor = std::make_unique<TutorDesk>(session);
+  std::unique_ptr<PathListener> path;
+  if (sound) path = std::make_unique<PathListener>(*sound);
+  std::unique_ptr<LearnInput> input;
+  if (keys) {
+    input = std::make_unique<KeyInput>(*keys, console);
+  } else {
+    input = std::make_unique<TypedLines>(lines);
+  }
+  session.Begin();
+  Drive(session, *input, {tutor.get(), path.get()}, options.live.seconds, console);
+  input.reset();
+  const std::size_t lost = session.End();
+  if (lost > 0) throw LackError(say::NeverKept(lost));
+  return exit_code::kGood;
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, LearnOptions& options) {
+  AddPath(app, "--learner", "NAME", options.learner, say::help::kLearner);
+  AddPath(app, "--course", "FILE", options.course, say::help::kCourse);
+  AddPath(app, "--records", "FILE", options.records, say::help::kRecords);
+  AddOptions(app, options.live);
+  app.get_option("--device")->description(say::help::kLearnDevice);
+  app.get_option("--seconds")->description(say::help::kLearnSeconds);
+  AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
+  app.add_flag("--speak", options.speak, say::help::kSpeak);
+  app.add_flag("--sound", options.sound, say::help::kSound);
+  app.add_flag("--tutor", options.tutor, say::help::kLetTutor);
+  app.add_flag("--keys", options.keys, say::help::kKeys);
+  AddSeed(app, options.seed);
+  app.get_option("--seed")->description(say::help::kLearnSeed);
+  AddPath(app, "--print", "FILE", options.print, say::help::kPrint);
+  AddPath(app, "--lesson", "ID", options.lesson, say::help::kPrintLesson);
+  AddNumber(app, "--size-mm", options.size, 1, 200, 1e-3, say::help::kPrintSize);
+  app.add_flag("--quiet", options.output.quiet, say::help::kQuiet);
+}
+
+int Run(const LearnOptions& options, Console& console) {
+  CheckTogether(options);
+  const Course course = LoadCourse(options.course);
+  if (!options.print.empty()) return PrintLesson(options, course, console);
+  return Learn(options, course, console);
+}
+
+}  // namespace moontrace

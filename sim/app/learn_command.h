@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "sim/app/learn_options.h"
+
+namespace moontrace {
+
+void AddOptions(CLI::App& app, LearnOptions& options);
+int Run(const LearnOptions& options, Console& console);
+
+}  // namespace moontrace

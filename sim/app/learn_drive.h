@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/app/console.h"
+#include "sim/app/learn_input.h"
+#include "sim/app/learn_session.h"
+
+namespace moontrace {
+
+class TutorDesk;
+class PathListener;
+
+/// Who takes part in a lesson beside the learner; null: nobody.
+struct LearnCompany {
+  TutorDesk* tutor = nullptr;
+  PathListener* sound = nullptr;
+};
+
+/// Leads a lesson until it is over, `seconds` have passed, or input has ended (which counts only
+/// where no `seconds` are given). Throws Interrupted.
+void Drive(LearnSession& session, LearnInput& input, const LearnCompany& company,
+           std::optional<double> seconds, const Console& console);
+
+}  // namespace moontrace

@@ -1,0 +1,409 @@
+#include "sim/app/learn_session.h"
+
+#include <algorithm>
+#include <ctime>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/app/learn_messages.h"
+#include "sim/app/learn_way.h"
+#include "sim/app/loop_messages.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+using lesson_action::Await;
+
+constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
+constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
+
+std::vector<std::string> CharactersOf(std::string_view utf8) {
+  std::vector<std::string> characters;
+  for (const char c : utf8) {
+    if ((static_cast<unsigned char>(c) & 0xc0) != 0x80 || characters.empty()) {
+      characters.emplace_back();
+    }
+    characters.back() += c;
+  }
+  return characters;
+}
+
+LoopEvent SafetyTold(SafetyEvent safety) {
+  LoopEvent event;
+  event.safety = safety;
+  return event;
+}
+
+}  // namespace
+
+LearnSession::LearnSession(const Course& course, LearnMemory& memory, LearnStage& stage,
+                           LearnTeller& teller, std::uint64_t seed, bool keys)
+    : course_(course),
+      memory_(memory),
+      stage_(stage),
+      teller_(teller),
+      keys_(keys),
+      state_(StartLesson(course, memory.Recall(course), seed)),
+      looked_(Clock::now()),
+      ordered_(looked_),
+      ticked_(looked_) {}
+
+std::int64_t LearnSession::Now() const { return static_cast<std::int64_t>(std::time(nullptr)); }
+
+Asked LearnSession::asked() const {
+  if (await_ != Await::kAnswer) return Asked::kNothing;
+  return state_.question == Question::kSame ? Asked::kSame : Asked::kName;
+}
+
+void LearnSession::Begin() {
+  Take(lesson_event::Begin{});
+  teller_.EndTurn();
+}
+
+/// What goes into a trial beside what was measured.
+Trial LearnSession::Flags(Trial measured) const {
+  measured.simulated = stage_.simulated();
+  measured.scaled = stage_.simulated() || !stage_.pushes() || stage_.shrunk() ||
+                    stage_.session().scale() != 1 || stage_.depth() != 1;
+  return measured;
+}
+
+void LearnSession::Take(decltype(Event::what) what) {
+  shown_ = false;
+  const Trial flags = Flags({});
+  state_.scaled = flags.scaled;
+  state_.simulated = flags.simulated;
+  LessonTurn turn = Advance(course_, std::move(state_), {Now(), std::move(what)});
+  state_ = std::move(turn.state);
+  // what is told as done must be on disk first
+  for (const Action& action : turn.actions) {
+    if (const auto* keep = std::get_if<lesson_action::Keep>(&action)) Do(*keep);
+  }
+  for (const Action& action : turn.actions) {
+    if (std::holds_alternative<lesson_action::Keep>(action)) continue;
+    std::visit([this](const auto& one) { Do(one); }, action);
+  }
+}
+
+void LearnSession::Do(const lesson_action::Keep& keep) {
+  const std::size_t before = memory_.held_back();
+  const std::string why = memory_.Keep(keep.trial, stage_.trace().track());
+  if (!keep.trial.item.empty()) ++kept_;
+  if (!why.empty()) {
+    teller_.Say(Priority::kMessage, say::NotKept(why));
+  } else if (before > 0) {
+    teller_.Say(Priority::kText, say::KeptNow(before));
+  }
+}
+
+void LearnSession::Do(const lesson_action::Say& sentence) {
+  teller_.Say(PriorityOf(sentence.sentence), say::LessonSentence(course_, sentence));
+  if (const auto earcon = EarconOf(sentence.sentence)) teller_.Play(*earcon);
+}
+
+void LearnSession::Do(const lesson_action::Show& show) {
+  teller_.Flush();
+  try {
+    stage_.Show(show);
+    if (stage_.shrunk()) {
+      teller_.Say(Priority::kText, say::NoRoomFor(show.size, stage_.size()));
+    }
+  } catch (const InputError& error) {
+    teller_.Say(Priority::kText, say::CannotShow(show.told ? show.text : "", error.what()));
+  }
+  shown_ = true;
+  leading_ = lent_ = false;
+  felt_ = 0;
+}
+
+void LearnSession::Do(const lesson_action::Push& push) {
+  stage_.Push(push);
+  lent_ = false;
+  leading_ = push.demonstrate;
+  if (leading_ && !stage_.pushes() && !stage_.simulated()) TellWay();
+}
+
+void LearnSession::Do(Await await) {
+  await_ = await;
+  if (await == Await::kEnd) over_ = true;
+}
+
+/// Where nothing can lead the hand, words do.
+void LearnSession::TellWay() {
+  teller_.Say(Priority::kText, say::NoLeading());
+  for (const std::string& line : WayInWords(stage_.trace().strokes())) {
+    teller_.Say(Priority::kText, line);
+  }
+}
+
+void LearnSession::Obey(const std::string& line) {
+  const int before = teller_.told();
+  // while all rests, "go" is no answer, whatever the course teaches
+  const bool goes = stopped_ && (line == "go" || line == "go ");
+  const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
+  switch (read.kind) {
+    case LearnLine::Kind::kWord:
+      Speak(read.word);
+      break;
+    case LearnLine::Kind::kAnswer:
+      Answer(read.answer);
+      break;
+    case LearnLine::Kind::kNothing:
+      break;  // what is waited for
+    case LearnLine::Kind::kUnknown:
+      teller_.Say(Priority::kText, say::LearnUnknown(line));
+      break;
+    case LearnLine::Kind::kAmbiguous:
+      teller_.Say(Priority::kText, say::LearnAmbiguous(line, LearnWordsFrom(line)));
+      break;
+  }
+  if (teller_.told() == before && !over_) {
+    teller_.Say(Priority::kText, say::Awaited(await_, state_.question, stopped_));
+  }
+  teller_.EndTurn();
+}
+
+void LearnSession::Answer(const std::string& text) {
+  lesson_event::Answered answered;
+  answered.text = text;
+  answered.latency = felt_;
+  answered.measured = Flags(stage_.trace().Measured());
+  Take(std::move(answered));
+}
+
+void LearnSession::Speak(LearnWord word) {
+  using Word = lesson_event::Word;
+  const auto pass = [this](Word said) { Take(lesson_event::Said{said, false}); };
+  switch (word) {
+    case LearnWord::kAgain:
+      return pass(Word::kAgain);
+    case LearnWord::kNext:
+      return Next();
+    case LearnWord::kBigger:
+      return pass(Word::kBigger);
+    case LearnWord::kSmaller:
+      return pass(Word::kSmaller);
+    case LearnWord::kMoreHelp:
+      return pass(Word::kMoreHelp);
+    case LearnWord::kLessHelp:
+      return pass(Word::kLessHelp);
+    case LearnWord::kSlower:
+      return pass(Word::kSlower);
+    case LearnWord::kFaster:
+      return pass(Word::kFaster);
+    case LearnWord::kHint:
+      return pass(Word::kHint);
+    case LearnWord::kDone:
+      return EndTrace();
+    case LearnWord::kWhere:
+      return Where();
+    case LearnWord::kLetter:
+    case LearnWord::kSpell:
+    case LearnWord::kWord:
+      return Letter(word);
+    case LearnWord::kStop:
+      return Stop();
+    case LearnWord::kPause:
+      if (stopped_) return teller_.Say(Priority::kText, say::AlreadyStopped());
+      Pause(false);
+      return teller_.Say(Priority::kText, say::Pausing());
+    case LearnWord::kGo:
+      if (!GoOn(false)) return teller_.Say(Priority::kText, say::NotStopped());
+      return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
+    case LearnWord::kQuit:
+      over_ = true;
+      return;
+    case LearnWord::kHelp:
+      for (const std::string& line : say::LearnHelp(keys_)) teller_.Say(Priority::kText, line);
+      return;
+  }
+}
+
+/// A long text's next page comes before the next step; a trace that was begun is done.
+void LearnSession::Next() {
+  if (await_ == Await::kTrace && stage_.trace().touched()) return EndTrace();
+  if (await_ == Await::kNext && stage_.Turn(true)) {
+    const LoopSession& session = stage_.session();
+    return teller_.Say(Priority::kText,
+                       say::NowPage(session.page(), session.text().set.pages.size()));
+  }
+  Take(lesson_event::Said{lesson_event::Word::kNext, false});
+}
+
+void LearnSession::EndTrace() {
+  if (await_ == Await::kAnswer) return teller_.Say(Priority::kText, say::StillAsked());
+  if (await_ != Await::kTrace) return Next();
+  const bool told = leading_ && !stage_.pushes();  // the way in words has been heard
+  if (!stage_.trace().touched() && !told) {
+    return teller_.Say(Priority::kText, say::NothingTouched());
+  }
+  Take(lesson_event::Traced{Flags(stage_.trace().Measured())});
+  if (!shown_) stage_.Restart();
+}
+
+void LearnSession::Where() {
+  const std::optional<NearLetter> letter = stage_.session().Near(newest_.tip_P);
+  const bool touching = newest_.depth > 0;
+  if (!letter || !letter->near) {
+    teller_.Say(Priority::kText, say::TipBetween(touching));
+  } else {
+    teller_.Say(Priority::kText,
+                say::TipAt(told() ? NameOf(course_, letter->name) : "", letter->line, touching));
+  }
+  teller_.Say(Priority::kText, Status());
+}
+
+std::string LearnSession::Status() const {
+  const auto& lessons = course_.lessons;
+  const Progress& progress = state_.progress;
+  const auto lesson = std::find_if(lessons.begin(), lessons.end(), [&progress](const Lesson& one) {
+    return one.id == progress.lesson;
+  });
+  if (lesson == lessons.end()) return say::NoLessonNow();
+  return say::WhereInCourse(lesson->title, static_cast<std::size_t>(lesson - lessons.begin()) + 1,
+                            lessons.size(), progress.step + 1, lesson->steps.size());
+}
+
+void LearnSession::Letter(LearnWord word) {
+  if (!told()) return teller_.Say(Priority::kText, say::NotWhileAsked());
+  const std::optional<NearLetter> letter = stage_.session().Near(newest_.tip_P);
+  const bool far = !letter || (word == LearnWord::kLetter && !letter->near);
+  if (far) return teller_.Say(Priority::kText, say::NoLetterHere());
+  if (word == LearnWord::kLetter) {
+    return teller_.Say(Priority::kText, say::LetterHere(NameOf(course_, letter->name)));
+  }
+  if (word == LearnWord::kWord) return teller_.Say(Priority::kText, say::WordHere(letter->word));
+  std::vector<std::string> names;
+  for (const std::string& sign : CharactersOf(letter->word)) {
+    names.emplace_back(NameOf(course_, sign));
+  }
+  teller_.Spell(say::Spelled(names), letter->word);
+}
+
+void LearnSession::Stop() {
+  if (stopped_ && !stopped_by_tutor_) return teller_.Say(Priority::kText, say::AlreadyStopped());
+  Pause(false);
+  teller_.Hush();
+  teller_.Say(Priority::kImportant, say::Event(SafetyTold(SafetyEvent::kStopped)));
+  teller_.Play(Earcon::kSafetyStop);
+  memory_.Note(Now(), "stop", "learner");
+}
+
+void LearnSession::Pause(bool by_tutor) {
+  stage_.session().loop().Stop();
+  ordered_ = Clock::now();
+  stopped_by_tutor_ = by_tutor && (!stopped_ || stopped_by_tutor_);
+  stopped_ = true;
+}
+
+bool LearnSession::GoOn(bool by_tutor) {
+  if (!stopped_ || (by_tutor && !stopped_by_tutor_)) return false;
+  stage_.session().loop().GoOn();
+  ordered_ = Clock::now();
+  stopped_ = false;
+  return true;
+}
+
+void LearnSession::Lead(std::shared_ptr<const GuidancePath> path) {
+  stage_.Lead(std::move(path), state_.speed);
+  lent_ = true;
+}
+
+void LearnSession::Look() {
+  const Clock::time_point now = Clock::now();
+  const double passed = std::chrono::duration<double>(now - looked_).count();
+  looked_ = now;
+  stage_.session().loop().TakeSnapshot(newest_);
+  LookAtEvents();
+  LookAtStop();
+  if (!stopped_ && newest_.present) felt_ += passed;
+  stage_.TakeSamples(!stopped_);
+  LookAtTrace();
+  if (std::chrono::duration<double>(now - ticked_).count() >= kTickEvery) {
+    ticked_ = now;
+    Take(lesson_event::Tick{});
+  }
+  teller_.EndTurn();
+}
+
+/// The state of the loop tells, not its events: a button's stop differs from a word's in nothing
+/// but that it has not been told yet.
+void LearnSession::LookAtStop() {
+  const double since = std::chrono::duration<double>(Clock::now() - ordered_).count();
+  if (newest_.stopped == stopped_ || since < kObeysWithin) return;
+  stopped_ = newest_.stopped;
+  stopped_by_tutor_ = false;
+  if (!stopped_) return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
+  teller_.Hush();
+  teller_.Say(Priority::kImportant, say::Event(SafetyTold(SafetyEvent::kStopped)));
+  teller_.Play(Earcon::kSafetyStop);
+  memory_.Note(Now(), "stop", "button");
+}
+
+void LearnSession::LookAtEvents() {
+  Loop& loop = stage_.session().loop();
+  LoopEvent event;
+  while (loop.TakeEvent(event)) {
+    const bool safety = event.kind == LoopEventKind::kSafety;
+    if (safety && event.safety == SafetyEvent::kStopped) continue;  // LookAtStop
+    if (event.kind == LoopEventKind::kWentOn) continue;
+    if (event.kind == LoopEventKind::kSay) {
+      Where();
+    } else if (event.kind == LoopEventKind::kBookmark) {
+      EndTrace();
+    } else if (safety && event.safety == SafetyEvent::kDeviceLost) {
+      teller_.Say(Priority::kImportant, say::DeviceLost(loop.WhyGone()));
+      if (stage_.trace().touched()) teller_.Say(Priority::kText, say::LostTrial());
+      stage_.Restart();
+      felt_ = 0;
+    } else if (safety && TakesForceAway(event.safety)) {
+      teller_.Say(Priority::kImportant, say::Event(event));
+    } else {
+      teller_.Happening(Priority::kText, say::Event(event));
+    }
+  }
+  for (const std::string& sentence : stage_.session().TakeSentences()) {
+    teller_.Say(Priority::kText, sentence);
+  }
+  if (loop.silent() && !silent_) teller_.Say(Priority::kImportant, say::LoopSilent());
+  silent_ = loop.silent();
+  const std::string why = loop.WhyLost();
+  if (why != why_lost_ && !why.empty()) teller_.Say(Priority::kText, say::StillLost(why));
+  why_lost_ = why;
+}
+
+/// A hand that is led has come to the end, a simulated one has been round the page, or one that
+/// follows has covered enough and is lifted.
+void LearnSession::LookAtTrace() {
+  const bool led = newest_.guided && newest_.guidance_done;
+  if (lent_) {
+    if (led) {
+      stage_.LetGo();
+      lent_ = false;
+    }
+    return;
+  }
+  if (await_ != Await::kTrace || stopped_ || !stage_.trace().touched()) return;
+  const LearnTrace& trace = stage_.trace();
+  const bool round = stage_.simulated() && trace.duration() >= stage_.session().round();
+  const bool was_led = leading_ && stage_.pushes() && led;
+  const bool traced = !(leading_ && stage_.pushes()) && trace.Ended(course_.mastery.coverage);
+  if (round || was_led || traced) EndTrace();
+}
+
+std::size_t LearnSession::End() {
+  stage_.session().loop().End();
+  const std::size_t lost = memory_.KeepRest();
+  const auto& items = state_.progress.items;
+  const auto sure =
+      std::count_if(items.begin(), items.end(), [](const auto& item) { return item.second.sure; });
+  teller_.Say(Priority::kMessage, say::SessionEnded(kept_, static_cast<std::size_t>(sure)));
+  teller_.EndTurn();
+  return lost;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "sim/app/learn_session.h"
+#include "sim/app/sound.h"
+
+namespace moontrace {
+
+/// Lets the tip's way be heard at the rate of polling: pan and pitch by its place on what is
+/// traced, a tone that grows off the line, and earcons for begin and end of touch. Silent while
+/// something is to be recognised, whose shape would be heard.
+class PathListener {
+ public:
+  explicit PathListener(Sound& sound) : sound_(sound) {}
+  void Hear(const LearnSession& session);
+
+ private:
+  Sound& sound_;
+  bool touching_ = false, off_ = false;
+};
+
+/// Where a tip is within the box of strokes, and how far off: 0 on a centre line, 1 a stroke's
+/// width and more beyond its edge.
+PathSound SoundOf(const std::vector<IntendedStroke>& strokes, glm::dvec2 tip_P, bool in_contact);
+
+}  // namespace moontrace

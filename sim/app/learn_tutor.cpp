@@ -1,0 +1,179 @@
+#include "sim/app/learn_tutor.h"
+
+#include <ctime>
+#include <utility>
+#include <variant>
+
+#include "lessons/guidance.h"
+#include "sim/app/learn_tutor_messages.h"
+#include "sim/app/tutor_messages.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+/// The lesson whose id it is, or the only one whose id begins so; empty: none, or several.
+std::string LessonOf(const Course& course, const std::string& given) {
+  std::string found;
+  for (const Lesson& lesson : course.lessons) {
+    if (lesson.id == given) return given;
+    if (lesson.id.compare(0, given.size(), given) != 0) continue;
+    if (!found.empty()) return {};
+    found = lesson.id;
+  }
+  return found;
+}
+
+}  // namespace
+
+TutorDesk::TutorDesk(LearnSession& session)
+    : session_(session),
+      server_(session.memory().name(),
+              say::TutorGreeting(session.memory().name(), session.Status())) {
+  session_.teller().SetListener([this](std::string_view line) { server_.Tell(line); });
+}
+
+TutorDesk::~TutorDesk() {
+  session_.teller().SetListener(nullptr);
+  session_.stage().SetTap(nullptr);
+}
+
+void TutorDesk::Serve() {
+  LearnTeller& teller = session_.teller();
+  for (const std::string& sentence : server_.TakeSentences()) {
+    teller.Say(Priority::kMessage, sentence);
+  }
+  while (const std::optional<TutorServer::Line> line = server_.Next()) {
+    const auto read = ReadTutorCommand(line->text);
+    if (const auto* refusal = std::get_if<TutorRefusal>(&read)) {
+      server_.Answer(line->tutor, refusal->line);
+    } else {
+      Do(*line, std::get<TutorCommand>(read));
+    }
+  }
+  if (recorder_ && recorder_->full()) Record(0);
+  teller.EndTurn();
+}
+
+void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
+  switch (command.word) {
+    case TutorWord::kQuestion:
+      return server_.Answer(line.tutor, say::TutorHelp(TutorWords()));
+    case TutorWord::kWhere:
+      return server_.Answer(line.tutor, session_.Status());
+    case TutorWord::kWho:
+      return server_.Answer(line.tutor, say::WhoIsHere(session_.memory().name(), server_.tutors()));
+    case TutorWord::kQuit:
+      return server_.Dismiss(line.tutor);
+    case TutorWord::kGo:
+      if (!session_.stopped()) return server_.Answer(line.tutor, say::NothingRests());
+      if (!session_.GoOn(true)) return server_.Answer(line.tutor, say::LearnerStopped());
+      break;
+    default:
+      break;
+  }
+  session_.teller().Say(Priority::kMessage, say::TutorDoes(command));
+  session_.teller().Flush();
+  session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
+  try {
+    if (!DoToPage(line.tutor, command)) DoToLesson(line.tutor, command);
+  } catch (const InputError& error) {
+    session_.teller().Say(Priority::kMessage, say::TutorCannot(error.what()));
+  }
+}
+
+/// What changes the page under the hand, or the hand's way on it.
+bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
+  LearnStage& stage = session_.stage();
+  switch (command.word) {
+    case TutorWord::kDepth:
+      stage.SetForm(command.value, stage.spacing());
+      return true;
+    case TutorWord::kSpacing:
+      stage.SetForm(stage.depth(), command.value);
+      return true;
+    case TutorWord::kTilt:
+      stage.SetTilt(command.value);
+      return true;
+    case TutorWord::kPause:
+      session_.Pause(true);
+      return true;
+    case TutorWord::kShow:
+      if (!stage.pushes()) {
+        server_.Answer(tutor, say::CannotLead());
+      } else {
+        session_.Lead(MakeGuidancePath(stage.trace().strokes()));
+      }
+      return true;
+    case TutorWord::kRecord:
+      Record(tutor);
+      return true;
+    case TutorWord::kPlayback:
+      PlayBack(tutor);
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What overrules the rules of the course.
+void TutorDesk::DoToLesson(std::size_t tutor, const TutorCommand& command) {
+  lesson_event::Overrule overrule;
+  switch (command.word) {
+    case TutorWord::kSize:
+      overrule.size = command.value;
+      break;
+    case TutorWord::kHelp:
+      overrule.help = static_cast<int>(command.value + 0.5);
+      break;
+    case TutorWord::kMode:
+      overrule.mode = command.mode;
+      break;
+    case TutorWord::kSkip:
+      overrule.skip = true;
+      break;
+    case TutorWord::kNext:
+      overrule.next_lesson = true;
+      break;
+    case TutorWord::kLesson: {
+      const std::string lesson = LessonOf(session_.course(), command.text);
+      if (lesson.empty()) return server_.Answer(tutor, say::LessonNotFound(command.text));
+      overrule.lesson = lesson;
+      break;
+    }
+    case TutorWord::kAgain:
+      return session_.TutorSays({lesson_event::Word::kAgain, true});
+    default:
+      return;  // told, and no more: "say"
+  }
+  session_.Overrule(overrule);
+}
+
+void TutorDesk::Record(std::size_t tutor) {
+  LearnStage& stage = session_.stage();
+  if (!recorder_) {
+    recorder_.emplace();
+    stage.SetTap([this](const LoopSample& sample) {
+      recorder_->Add(sample.time, sample.tip_P, sample.in_contact);
+    });
+    return server_.Answer(tutor, say::Recording());
+  }
+  stage.SetTap(nullptr);
+  std::optional<RecordedStroke> stroke = recorder_->Stroke();
+  recorder_.reset();
+  stage.Restart();  // what the tutor's hand did is not the learner's
+  if (!stroke) return server_.Answer(tutor, say::NothingRecorded());
+  stroke_ = std::move(stroke);
+  server_.Answer(tutor, say::RecordedStrokeIs(stroke_->times.back()));
+}
+
+void TutorDesk::PlayBack(std::size_t tutor) {
+  LearnStage& stage = session_.stage();
+  if (!stroke_) return server_.Answer(tutor, say::NoStrokeYet());
+  if (!stage.pushes()) return server_.Answer(tutor, say::CannotLead());
+  session_.Lead(
+      MakeRecordedPath(stroke_->times, stroke_->tips_P, stage.session().text().set.style.width));
+}
+
+}  // namespace moontrace
