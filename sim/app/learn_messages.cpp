@@ -41,7 +41,7 @@ std::string LessonSentence(const Course& course, const lesson_action::Say& sente
       return fmt::format("Lesson {} of {}: {}.", sentence.number, sentence.of,
                          OneLine(sentence.text));
     case Sentence::kCourseText:
-      return OneLine(sentence.text, 2000);
+      return sentence.text;  // its lines are told one by one
     case Sentence::kNewItem:
       return fmt::format("New: {}.", text);
     case Sentence::kHint:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "sim/app/learn_way.h"
 #include "sim/app/loop_messages.h"
 #include "textures/error.h"
+#include "textures/text_file.h"
 
 namespace moontrace {
 
@@ -20,6 +22,14 @@ using lesson_action::Await;
 
 constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
 constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
+
+/// Texts of lessons have several.
+std::vector<std::string> LinesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
 
 std::vector<std::string> CharactersOf(std::string_view utf8) {
   std::vector<std::string> characters;
@@ -101,7 +111,9 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
 }
 
 void LearnSession::Do(const lesson_action::Say& sentence) {
-  teller_.Say(PriorityOf(sentence.sentence), say::LessonSentence(course_, sentence));
+  for (const std::string& line : LinesOf(say::LessonSentence(course_, sentence))) {
+    teller_.Say(PriorityOf(sentence.sentence), OneLine(line, 1000));
+  }
   if (const auto earcon = EarconOf(sentence.sentence)) teller_.Play(*earcon);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "lessons/answer.h"
 #include "textures/text_file.h"
 
 namespace moontrace {
@@ -48,35 +49,13 @@ LearnLine Command(const std::string& given) {
   return {found.empty() ? Kind::kUnknown : Kind::kAmbiguous, LearnWord::kHelp, {}};
 }
 
-bool IsItem(const Course& course, const std::string& text) {
-  for (const Lesson& lesson : course.lessons) {
-    for (const std::string& item : lesson.items) {
-      if (LowerCase(item) == text) return true;
-    }
-  }
-  return course.names.count(text) > 0;
-}
-
-/// The item whose text or name is given.
-std::optional<std::string> ItemOf(const Course& course, const std::string& given) {
-  if (given != "?" && IsItem(course, given)) return given;
-  for (const auto& named : course.names) {
-    if (LowerCase(named.second) == given) return named.first;
-  }
-  return std::nullopt;
+bool Begins(std::string_view word, const std::string& given) {
+  return given.size() > 1 && word.compare(0, given.size(), given) == 0;
 }
 
 bool IsSign(const std::string& given) {
   const bool digits = given.find_first_not_of("0123456789") == std::string::npos;
   return digits || CountCharacters(given) == 1;
-}
-
-/// "same", "different" and their beginnings; empty: neither.
-std::string SameOrDifferent(const std::string& given) {
-  for (const std::string word : {"same", "different"}) {
-    if (word.compare(0, given.size(), given) == 0) return word;
-  }
-  return {};
 }
 
 }  // namespace
@@ -107,11 +86,13 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
   if (bare == "stop") return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);
   if (asked == Asked::kSame) {
-    std::string said = SameOrDifferent(given);
-    if (!said.empty()) return Answer(std::move(said));
+    if (SameSaid(given)) return Answer(given);
+    for (const char* word : {"same", "different"}) {
+      if (Begins(word, given)) return Answer(word);
+    }
     return Command(bare);
   }
-  if (std::optional<std::string> item = ItemOf(course, given)) return Answer(std::move(*item));
+  if (given != "?" && ItemSaid(course, given, {})) return Answer(given);
   if (const auto word = WholeWord(bare)) return Word(*word);
   if (IsSign(given)) return Answer(given);
   const LearnLine command = Command(bare);

@@ -53,7 +53,7 @@ struct LearnLine {
   };
   Kind kind = Kind::kNothing;
   LearnWord word = LearnWord::kHelp;  ///< of kWord
-  std::string answer;  ///< of kAnswer: the item whose text or name it is, else as typed
+  std::string answer;                 ///< of kAnswer, in small letters
 };
 
 /// A word, an unambiguous beginning of one, its number, or "?"; capitals and blanks around do not
