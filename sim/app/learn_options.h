@@ -21,6 +21,9 @@ struct LearnOptions {
   bool speak = false, sound = false, tutor = false;
   std::string keys;  ///< empty: off; "true": the usual keys; else a file
 
+  bool simulate = false;  ///< a simulated learner goes through the course, unattended
+  int days = 60;          ///< with `simulate`: a session a day, at most so many
+
   std::string print;           ///< picture to write instead of a lesson
   std::string lesson;          ///< with `print`: id; empty: the first
   std::optional<double> size;  ///< with `print` [m]
