@@ -108,8 +108,20 @@ class ConfiningDevice final : public Device {
   bool misbehaves_ = false;
 };
 
-/// Runs a loop for 2000 ticks under the filter, with two page changes and a stop. False: this
-/// system has no such filter.
+/// A push along the way of the device, of each mode in turn.
+std::shared_ptr<const GuidancePlan> PlanOf(GuidanceMode mode) {
+  IntendedStroke stroke;
+  stroke.spine_P = {Line{{0.095, 0.1}, {0.1, 0.1}}, Arc{{0.1, 0.102}, 0.002, -1.5, 3}};
+  stroke.width = 0.0014;
+  GuidancePlan plan;
+  plan.mode = mode;
+  plan.gains = GuidanceTable::Shipped().GainsOf(mode, 8);
+  plan.path = MakeGuidancePath({stroke, stroke});
+  return std::make_shared<const GuidancePlan>(plan);
+}
+
+/// Runs a loop for 2600 ticks under the filter, with a push of each mode, two page changes and a
+/// stop. False: this system has no such filter.
 bool RunConfined(bool misbehaves) {
   allocations = calls = 0;
   auto device = std::make_unique<ConfiningDevice>(misbehaves);
@@ -120,17 +132,24 @@ bool RunConfined(bool misbehaves) {
     while (watched_device.reads < reads) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   };
   await(300);
+  for (const GuidanceMode mode : {GuidanceMode::kAttract, GuidanceMode::kRail, GuidanceMode::kBead,
+                                  GuidanceMode::kAmplify, GuidanceMode::kCorridor}) {
+    loop.Guide(PlanOf(mode));
+    await(watched_device.reads + 60);
+  }
   for (std::uint32_t page = 1; page <= 2; ++page) {
     PageChange change;
     change.field = std::make_unique<TextureField>(GrooveAlongY());
     change.page = page;
     change.anchor = PageAnchor{{0.1, 0.1}, {0.1, 0.1}, 1.25};
+    change.tilt = 0.1 * page;
     loop.ChangePage(std::move(change));
+    loop.Guide(PlanOf(GuidanceMode::kBead));
   }
   loop.Stop();
-  await(1000);
+  await(1600);
   loop.GoOn();
-  await(2100);
+  await(2700);
   counting = false;
   const bool confined = watched_device.confined;
   free(watched_device.allocated);
