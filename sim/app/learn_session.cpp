@@ -154,6 +154,7 @@ void LearnSession::TellWay() {
 
 void LearnSession::Obey(const std::string& line) {
   const int before = teller_.told();
+  teller_.Interrupt();
   // while all rests, "go" is no answer, whatever the course teaches
   const bool goes = stopped_ && (line == "go" || line == "go ");
   const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
@@ -392,19 +393,21 @@ void LearnSession::LookAtEvents() {
 /// follows has covered enough and is lifted.
 void LearnSession::LookAtTrace() {
   const bool led = newest_.guided && newest_.guidance_done;
+  const LearnTrace& trace = stage_.trace();
   if (lent_) {
-    if (led) {
-      stage_.LetGo();
-      lent_ = false;
-    }
+    if (led) stage_.LetGo();
+    lent_ = !led;
     return;
   }
-  if (await_ != Await::kTrace || stopped_ || !stage_.trace().touched()) return;
-  const LearnTrace& trace = stage_.trace();
+  if (await_ != Await::kTrace || stopped_) return;
+  const bool leads = leading_ && stage_.pushes();
+  if (leads && led && !trace.touched()) {
+    teller_.Say(Priority::kText, say::NothingTouched());
+    return stage_.LetGo();  // once more
+  }
   const bool round = stage_.simulated() && trace.duration() >= stage_.session().round();
-  const bool was_led = leading_ && stage_.pushes() && led;
-  const bool traced = !(leading_ && stage_.pushes()) && trace.Ended(course_.mastery.coverage);
-  if (round || was_led || traced) EndTrace();
+  if (!trace.touched()) return;
+  if (round || (leads ? led : trace.Ended(course_.mastery.coverage))) EndTrace();
 }
 
 std::size_t LearnSession::End() {

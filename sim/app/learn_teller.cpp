@@ -53,6 +53,10 @@ void LearnTeller::Play(Earcon earcon) {
   if (sound_ != nullptr) sound_->Play(earcon);
 }
 
+void LearnTeller::Interrupt() {
+  if (speech_ != nullptr) speech_->Cancel();
+}
+
 void LearnTeller::Hush() {
   gathered_.clear();
   if (speech_ != nullptr) speech_->Cancel();

@@ -31,7 +31,9 @@ class LearnTeller {
   /// A word letter by letter; `line` is the text of it.
   void Spell(std::string_view line, std::string_view word);
   void Play(Earcon earcon);
-  /// Silence, for a key or a stop.
+  /// What is being spoken ends: the learner has typed.
+  void Interrupt();
+  /// Silence, for a stop.
   void Hush();
   /// Speaks what was gathered and writes all lines out. Also tells why speech or sound ended.
   void EndTurn();
