@@ -73,12 +73,11 @@ double ShareOfKnown(const MasteryRule& rule, const Progress& progress) {
   return hard ? std::min(1.0, 2 * share) : share;
 }
 
-/// What is done with an item at a step that asks for names.
-StepKind TaskOf(const Course& course, const Progress& progress, const Step& step,
+/// What is done with an item where names are asked; `by_ladder`: until it is sure at standard size.
+StepKind TaskOf(const Course& course, const Progress& progress, bool by_ladder,
                 const std::string& text) {
   const ItemProgress item = ProgressOf(progress, text);
   if (!item.introduced) return StepKind::kDemonstrate;
-  const bool by_ladder = !step.size && step.question == Question::kName;
   if (by_ladder && PracticeOf(course, text).traced && !TracedEnough(course.mastery, item)) {
     return StepKind::kTrace;
   }
@@ -87,9 +86,10 @@ StepKind TaskOf(const Course& course, const Progress& progress, const Step& step
 
 NextItem ChooseToRecognise(const Course& course, const Progress& progress, const Step& step,
                            const std::vector<std::string>& open, ItemChooser& chooser) {
-  const bool by_ladder = !step.size && step.question == Question::kName;
+  const bool practice = step.kind == StepKind::kTest;
+  const bool by_ladder = practice || (!step.size && step.question == Question::kName);
   if (by_ladder && chooser.last_traced && Contains(open, chooser.last)) {
-    const StepKind task = TaskOf(course, progress, step, chooser.last);
+    const StepKind task = TaskOf(course, progress, by_ladder, chooser.last);
     if (task != StepKind::kRecognise) return {chooser.last, task};
   }
   std::vector<std::string> known;
@@ -102,7 +102,7 @@ NextItem ChooseToRecognise(const Course& course, const Progress& progress, const
   if (!chooser.queue.empty() && chooser.queue.front() != chooser.last) {
     const std::string text = chooser.queue.front();
     chooser.queue.erase(chooser.queue.begin());
-    if (Contains(there, text)) return {text, TaskOf(course, progress, step, text)};
+    if (Contains(there, text)) return {text, TaskOf(course, progress, by_ladder, text)};
     if (Contains(known, text)) return {text, StepKind::kRecognise};
   }
   const bool only_last = there.size() == 1 && there.front() == chooser.last;
@@ -111,7 +111,7 @@ NextItem ChooseToRecognise(const Course& course, const Progress& progress, const
     return {Weighted(progress, known, chooser.last, chooser.random), StepKind::kRecognise};
   }
   const std::string text = Weighted(progress, there, chooser.last, chooser.random);
-  return {text, TaskOf(course, progress, step, text)};
+  return {text, TaskOf(course, progress, by_ladder, text)};
 }
 
 }  // namespace
@@ -132,10 +132,13 @@ std::optional<NextItem> ChooseItem(const Course& course, const Progress& progres
                                    ItemChooser& chooser) {
   const Step* step = StepAt(course, progress.lesson, progress.step);
   std::vector<std::string> open;
-  for (std::string& text : Unfinished(course, progress)) {
+  const bool practice = !progress.practise.empty();
+  for (std::string& text :
+       practice ? std::vector<std::string>(progress.practise) : Unfinished(course, progress)) {
     if (!Contains(chooser.skipped, text)) open.push_back(std::move(text));
   }
   if (step == nullptr || open.empty()) return std::nullopt;
+  if (practice) return ChooseToRecognise(course, progress, *step, open, chooser);
   switch (step->kind) {
     case StepKind::kTest:
       return NextItem{open[NextRandom(chooser.random) % open.size()], StepKind::kTest};

@@ -35,7 +35,7 @@ struct ItemChooser {
 ///
 /// - demonstrate, trace: in order, each until it is finished; an item that is new is demonstrated
 ///   first.
-/// - test: at random, each once.
+/// - test: at random, each once; practice before it comes again is as recognise.
 /// - recognise: an item enters when those before it are past the first size; two at least are there
 ///   to be told apart, else a name could be given without feeling. Of those that are there, weak
 ///   ones come more often (in proportion to the share of wrong answers they may expect), none twice

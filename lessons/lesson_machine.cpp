@@ -44,6 +44,7 @@ void Announce(Turn& turn, const Lesson& lesson, const Step& step) {
     SayCount(turn, Sentence::kLesson, lesson.title, static_cast<int>(index.value_or(0)) + 1,
              static_cast<int>(turn.course.lessons.size()));
   }
+  if (state.practising) return Say(turn, Sentence::kTestAgain);
   if (!step.say.empty()) Say(turn, Sentence::kCourseText, step.say);
   if (step.kind == StepKind::kTest) {
     const auto asked = Unfinished(turn.course, state.progress).size();
@@ -159,6 +160,9 @@ void GoOn(Turn& turn) {
     if (!FindPlace(turn)) break;
     const Lesson& lesson = *LessonNow(turn);
     const Step& step = *StepNow(turn);
+    const bool practising = !state.progress.practise.empty();
+    if (practising != state.practising) state.announced = false;
+    state.practising = practising;
     if (!state.announced) Announce(turn, lesson, step);
     if (step.kind == StepKind::kExplore || step.kind == StepKind::kRead) {
       return PresentText(turn, step);

@@ -91,7 +91,7 @@ enum class Sentence {
   kNoHelpHere,  ///< no push while something is to be recognised
   kTestBegins,  ///< number: items asked
   kTestResult,  ///< number right, of
-  kTestAgain,   ///< too few were right: they are practised first, then asked again
+  kTestAgain,   ///< too few were right: what was wrong is practised, then all asked again
   kReviewDue,   ///< number: items due
   kLessonDone,  ///< text: title
   kCourseDone,
@@ -141,6 +141,7 @@ struct LessonState {
   std::int64_t session_begin = 0, break_told = 0;  ///< Unix time [s]
   std::uint64_t random = 1;                        ///< seed; each choice advances it
   bool announced = false;                          ///< the present step has been begun aloud
+  bool practising = false;                         ///< for a test that was not passed
   std::string lesson_told;                         ///< id of the lesson whose title was said last
   std::vector<std::string> reviews;                ///< items due, still to be asked
   std::vector<std::string> queue;      ///< items to be asked again soon, after a failure

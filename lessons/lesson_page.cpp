@@ -59,7 +59,7 @@ void MakePair(Turn& turn) {
 /// `probe_every` is; while it is to be recognised all are, but for one after a bad one.
 bool IsProbe(const Turn& turn, const ItemProgress& item) {
   const Step* step = StepNow(turn);
-  if (step != nullptr && step->kind == StepKind::kRecognise) {
+  if (step != nullptr && step->kind != StepKind::kTrace) {
     const MasteryRule& rule = turn.course.mastery;
     const bool bad = !item.coverages.empty() && (item.coverages.back() < rule.coverage ||
                                                  item.errors.back() > rule.error_widths);
@@ -111,11 +111,13 @@ Await AwaitOf(StepKind task) {
   return task == StepKind::kExplore || task == StepKind::kRead ? Await::kNext : Await::kTrace;
 }
 
-/// Whether what is shown is asked for by the step, not a review or known from before.
+/// Whether what is shown is asked for by the step, not a review, practice for a test, or known from
+/// before.
 bool IsOfStep(const Turn& turn) {
   const Lesson* lesson = LessonNow(turn);
   const Step* step = StepNow(turn);
   if (lesson == nullptr || step == nullptr || turn.state.review) return false;
+  if (step->kind == StepKind::kTest && turn.state.task != StepKind::kTest) return false;
   for (const std::string& item : ItemsOf(*lesson, *step)) {
     if (item == turn.state.item || item == turn.state.mate) return true;
   }

@@ -49,16 +49,15 @@ bool RecogniseFinished(const Course& course, const Step& step, const StepItem& h
   return Mastered(course, item);
 }
 
-/// Of the lesson, before `step`: the last drill by names, else the last one.
-std::optional<std::size_t> DrillBefore(const Lesson& lesson, std::size_t step) {
-  std::optional<std::size_t> any;
-  for (std::size_t i = std::min(step, lesson.steps.size()); i-- > 0;) {
-    const Step& earlier = lesson.steps[i];
-    if (!IsDrill(earlier.kind) || ItemsOf(lesson, earlier).empty()) continue;
-    if (earlier.kind == StepKind::kRecognise && earlier.question == Question::kName) return i;
-    if (!any) any = i;
+/// The test once more, after practice of what was named wrong.
+void RepeatTest(const Step& step, Progress& progress) {
+  progress.practise.clear();
+  for (const auto& [text, item] : progress.here) {
+    const bool wrong = !item.named.empty() && !item.named.front();
+    if (wrong && step.question == Question::kName) progress.practise.push_back(text);
   }
-  return any;
+  progress.here.clear();
+  progress.trials_in_step = 0;
 }
 
 /// Goes on after the last step of a lesson.
@@ -150,6 +149,7 @@ void MoveTo(Progress& progress, std::string_view lesson, std::size_t step) {
   progress.step = step;
   progress.trials_in_step = 0;
   progress.here.clear();
+  progress.practise.clear();
 }
 
 void EndStep(const Course& course, Progress& progress) {
@@ -159,12 +159,7 @@ void EndStep(const Course& course, Progress& progress) {
   const Lesson& lesson = course.lessons[*index];
   const bool all = Unfinished(course, progress).empty();
   const bool failed = step->kind == StepKind::kTest && !TestPassed(course, progress);
-  if (failed && all) {
-    if (const auto drill = DrillBefore(lesson, progress.step)) {
-      MoveTo(progress, lesson.id, *drill);
-      return;
-    }
-  }
+  if (failed && all) return RepeatTest(*step, progress);
   if (failed || (IsDrill(step->kind) && !all)) progress.left_open = true;
   if (progress.step + 1 < lesson.steps.size()) {
     MoveTo(progress, lesson.id, progress.step + 1);

@@ -50,10 +50,10 @@ std::optional<std::size_t> LessonAfter(const Course& course, const Progress& pro
 /// To the beginning of a step; what was shown at the last one is forgotten.
 void MoveTo(Progress& progress, std::string_view lesson, std::size_t step);
 
-/// The present step has ended. A test whose items were all asked, too few of them named right, goes
-/// back to the drill before it in its lesson. Else the next step comes; after the last one the
-/// lesson is done, unless one of its steps was left unfinished, and the next lesson begins. At the
-/// end of the course the place is behind the last step.
+/// The present step has ended. A test whose items were all asked, too few of them named right,
+/// comes again once what was wrong is sure (Progress::practise). Else the next step comes; after
+/// the last one the lesson is done, unless one of its steps was left unfinished, and the next
+/// lesson begins. At the end of the course the place is behind the last step.
 void EndStep(const Course& course, Progress& progress);
 
 }  // namespace moontrace

@@ -180,6 +180,10 @@ Progress Learn(const Course& course, Progress progress, const Trial& trial) {
   if (trial.item.empty()) return progress;
   ++progress.trials_in_step;
   LearnItem(course, trial, progress);
+  const auto practised = std::find(progress.practise.begin(), progress.practise.end(), trial.item);
+  if (practised != progress.practise.end() && Mastered(course, progress.items[trial.item])) {
+    progress.practise.erase(practised);
+  }
   return progress;
 }
 

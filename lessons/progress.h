@@ -53,6 +53,8 @@ struct Progress {
   std::size_t step = 0;
   std::size_t trials_in_step = 0;
   std::map<std::string, StepItem> here;  ///< item -> what it has shown at this step
+  /// Of a test that was not passed: what was named wrong, and is not sure again yet.
+  std::vector<std::string> practise;
   bool left_open = false;    ///< a step of this lesson was left before its items were finished
   std::vector<bool> recent;  ///< last 20 unguided namings of all items, newest at the end
   std::int64_t last = 0;     ///< newest trial, Unix time [s]

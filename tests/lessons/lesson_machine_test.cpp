@@ -192,7 +192,7 @@ TEST(LessonMachine, ABadTraceAtANewSizeIsFollowedByOneWithHelp) {
   EXPECT_EQ(run.push.mode, GuidanceMode::kOff) << "and that by one without";
 }
 
-TEST(LessonMachine, ATestTellsNothingUntilItsEndAndSendsBackWhoFails) {
+TEST(LessonMachine, ATestTellsNothingUntilItsEndAndComesAgainAfterPractice) {
   LessonRun run(SmallCourse());
   run.Begin();
   ASSERT_NO_FATAL_FAILURE(GoToStep(run, 3));
@@ -206,9 +206,18 @@ TEST(LessonMachine, ATestTellsNothingUntilItsEndAndSendsBackWhoFails) {
   EXPECT_EQ(run.Find(Sentence::kTestResult)->number, 1);
   EXPECT_EQ(run.Find(Sentence::kTestResult)->of, 3);
   EXPECT_TRUE(run.Said(Sentence::kTestAgain));
-  EXPECT_EQ(run.state.progress.step, 2u);
+  EXPECT_EQ(run.state.progress.step, 3u);
+  EXPECT_EQ(run.state.progress.practise.size(), 2u) << "what was wrong";
   EXPECT_TRUE(run.state.progress.done.empty());
-  for (int i = 0; i < 100 && run.state.progress.done.empty(); ++i) run.Work();
+  int practice = 0;
+  for (; !run.Said(Sentence::kTestBegins) && practice < 50; ++practice) {
+    EXPECT_EQ(run.state.task, StepKind::kRecognise);
+    run.Work();
+    EXPECT_TRUE(run.Said(Sentence::kRight));
+  }
+  EXPECT_GE(practice, 10) << "each sure again: five times right";
+  for (int i = 0; i < 3; ++i) run.Work();
+  EXPECT_EQ(run.Find(Sentence::kTestResult)->number, 3);
   EXPECT_EQ(run.state.progress.done, std::vector<std::string>{"01"});
 }
 

@@ -101,6 +101,7 @@ void ExpectSound(const LessonRun& run) {
   ASSERT_LE(run.state.progress.items.size(), items);
   ASSERT_LE(run.state.progress.confusions.size(), items);
   ASSERT_LE(run.state.progress.here.size(), items);
+  ASSERT_LE(run.state.progress.practise.size(), items);
   ASSERT_LE(run.state.progress.recent.size(), 20u);
   for (const auto& [text, item] : run.state.progress.items) {
     ASSERT_LT(item.size_step, std::max<std::size_t>(1, run.course.sizes.size()));

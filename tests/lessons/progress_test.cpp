@@ -146,7 +146,7 @@ TEST(Progress, HelpFadesWithGuidedTraces) {
   EXPECT_EQ(progress.items["i"].guided_run, 0);
 }
 
-TEST(Progress, ATestThatFailsLeadsBackToTheDrill) {
+TEST(Progress, ATestThatFailsComesAgainOnceWhatWasWrongIsSure) {
   const Course course = SmallCourse();
   Progress progress = LearnAll(course, {Mark("01", 3, false)});
   for (const char* item : {"i", "t", "l"}) {
@@ -157,8 +157,22 @@ TEST(Progress, ATestThatFailsLeadsBackToTheDrill) {
   EXPECT_FALSE(TestPassed(course, progress)) << "2 of 3 are 0.67";
   progress = Learn(course, progress, Mark("01", 3, true));
   EXPECT_EQ(progress.lesson, "01");
-  EXPECT_EQ(progress.step, 2u) << "recognise";
+  EXPECT_EQ(progress.step, 3u);
+  EXPECT_EQ(progress.practise, std::vector<std::string>{"l"});
   EXPECT_TRUE(progress.done.empty());
+  ItemProgress& item = progress.items["l"];
+  item.size_step = 2;
+  item.coverages = {1, 1};
+  item.errors = {0, 0};
+  Trial name = Of("01", 3, StepKind::kRecognise, "l");
+  name.right = true;
+  name.size = 0.010;
+  for (int i = 0; i < 4; ++i) progress = Learn(course, progress, name);
+  EXPECT_EQ(progress.practise.size(), 1u);
+  EXPECT_FALSE(TestPassed(course, progress));
+  progress = Learn(course, progress, name);
+  EXPECT_TRUE(progress.practise.empty());
+  EXPECT_EQ(Unfinished(course, progress).size(), 3u) << "all are asked again";
 }
 
 TEST(LessonWay, GoesOnInOrderNeedsFirstAndThenToWhatWasLeft) {
