@@ -22,7 +22,7 @@ struct LearnOptions {
   std::string keys;  ///< empty: off; "true": the usual keys; else a file
 
   bool simulate = false;  ///< a simulated learner goes through the course, unattended
-  int days = 60;          ///< with `simulate`: a session a day, at most so many
+  int days = 0;           ///< with `simulate`: sessions, one a day; 0: until the course is done
 
   std::string print;           ///< picture to write instead of a lesson
   std::string lesson;          ///< with `print`: id; empty: the first
