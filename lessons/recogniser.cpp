@@ -91,37 +91,10 @@ std::string Recogniser::Guess(std::uint64_t guess) const {
   return std::next(memories_.begin(), static_cast<std::ptrdiff_t>(guess % memories_.size()))->first;
 }
 
-Naming Recogniser::SpellOut(const FeltShape& shape, double day, double& distance) const {
+Naming Recogniser::Nearest(const FeltShape& shape, double day, double& best) const {
+  double next = kNever;
   Naming naming;
-  naming.confidence = 1;
-  distance = 0;
-  for (const FeltSign& sign : shape) {
-    double best = kNever, next = kNever;
-    std::string label;
-    for (const auto& known : memories_) {
-      const double d = ShapeDistance({sign}, known.second, day);
-      if (d < best) {
-        next = best;
-        best = d;
-        label = known.first;
-      } else {
-        next = std::min(next, d);
-      }
-    }
-    if (label.empty()) {
-      distance = kNever;
-      return {};
-    }
-    naming.label += label;
-    naming.confidence = std::min(naming.confidence, Confidence(best, next));
-    distance += best / static_cast<double>(shape.size());
-  }
-  return naming;
-}
-
-Naming Recogniser::Name(const FeltShape& shape, double day, std::uint64_t guess) const {
-  double best = kNever, next = kNever;
-  Naming naming;
+  best = kNever;
   for (const auto& known : memories_) {
     const double d = ShapeDistance(shape, known.second, day);
     if (d < best) {
@@ -132,14 +105,43 @@ Naming Recogniser::Name(const FeltShape& shape, double day, std::uint64_t guess)
       next = std::min(next, d);
     }
   }
-  naming.confidence = Confidence(best, next);
+  naming.confidence = std::isfinite(best) ? Confidence(best, next) : 0;
+  return naming;
+}
+
+Naming Recogniser::SpellOut(const FeltShape& shape, double day, double& distance) const {
+  Naming naming;
+  naming.confidence = 1;
+  distance = 0;
+  for (const FeltSign& sign : shape) {
+    double best = kNever;
+    const Naming letter = Nearest({sign}, day, best);
+    if (!std::isfinite(best)) {
+      distance = kNever;
+      return {};
+    }
+    naming.label += letter.label;
+    naming.confidence = std::min(naming.confidence, letter.confidence);
+    distance += best / static_cast<double>(shape.size());
+  }
+  return naming;
+}
+
+Naming Recogniser::NameTold(const FeltShape& shape, double day, std::uint64_t guess) const {
+  double best = kNever;
+  const Naming naming = Nearest(shape, day, best);
+  return std::isfinite(best) ? naming : Naming{Guess(guess), 0};
+}
+
+Naming Recogniser::Name(const FeltShape& shape, double day, std::uint64_t guess) const {
+  double best = kNever;
+  const Naming told = Nearest(shape, day, best);
   if (shape.size() > 1) {
     double spelt = kNever;
     const Naming letters = SpellOut(shape, day, spelt);
     if (spelt + rule_.word_margin < best) return letters;
   }
-  if (!std::isfinite(best)) return {Guess(guess), 0};
-  return naming;
+  return std::isfinite(best) ? told : Naming{Guess(guess), 0};
 }
 
 Naming Recogniser::Pick(const FeltShape& shape, const std::string& a, const std::string& b,
@@ -152,17 +154,20 @@ Naming Recogniser::Pick(const FeltShape& shape, const std::string& a, const std:
   return {d_a <= d_b ? a : b, Confidence(std::min(d_a, d_b), std::max(d_a, d_b))};
 }
 
-bool Recogniser::AreSame(const FeltShape& shape, std::uint64_t guess) const {
+bool Recogniser::AreSame(const FeltShape& shape, double day, std::uint64_t guess) const {
   if (shape.empty()) return guess % 2 == 0;
   if (shape.size() % 2 != 0) return false;
-  const std::size_t half = shape.size() / 2;
-  for (std::size_t i = 0; i < half; ++i) {
-    const FeltSign& a = shape[i];
-    const FeltSign& b = shape[i + half];
-    const double place = a.height - b.height;
-    if (Likeness(a, b) - rule_.place_weight * place * place < rule_.same_at_least) return false;
+  const auto half = static_cast<std::ptrdiff_t>(shape.size() / 2);
+  const FeltShape first(shape.begin(), shape.begin() + half);
+  const FeltShape second(shape.begin() + half, shape.end());
+  double to_first = kNever, to_second = kNever;
+  const Naming a = Nearest(first, day, to_first), b = Nearest(second, day, to_second);
+  if (a.label != b.label) return false;
+  double likeness = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    likeness += Likeness(first[i], second[i]) / static_cast<double>(first.size());
   }
-  return true;
+  return likeness >= rule_.same_at_least;
 }
 
 }  // namespace moontrace

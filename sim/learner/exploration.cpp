@@ -63,7 +63,7 @@ class Sweeper {
 }  // namespace
 
 HandPath ExplorationPath(const Box& box_P, double size, const Exploration& how, const Pose& X_WP) {
-  const double speed = how.speed * std::sqrt(size / how.at_size);
+  const double speed = how.speed * std::pow(size / how.at_size, how.speed_power);
   const double spacing = how.spacing_share * size;
   const glm::dvec2 low = box_P.min, high = box_P.max;
   Sweeper sweeper(X_WP, speed, how, {low, how.height});

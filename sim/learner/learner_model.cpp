@@ -36,6 +36,7 @@ TracingSkill ReadTracing(const TomlTable& table) {
   skill.deviation_share = InRange(table, "deviation_share", 0, 1);
   skill.general_share = InRange(table, "general_share", 0, 1);
   skill.restless_share = InRange(table, "restless_share", 0, 1);
+  skill.flank_share = InRange(table, "flank_share", 0, 1);
   skill.dependence = InRange(table, "dependence_share", 0, 1);
   skill.lessons_a_trial = static_cast<int>(InRange(table, "lessons_a_trial", 0, 100));
   table.FailUnknown();
@@ -48,6 +49,7 @@ Exploration ReadExploration(const TomlTable& table) {
   plan.spacing_share = InRange(table, "spacing_share", 0.02, 1);
   plan.margin_share = InRange(table, "margin_share", 0, 1);
   plan.speed = 1e-3 * InRange(table, "speed_mm_s", 1, 500);
+  plan.speed_power = InRange(table, "speed_power", 0, 2);
   plan.at_size = 1e-3 * InRange(table, "at_size_mm", 1, 100);
   plan.acceleration = InRange(table, "acceleration_m_s2", 0.01, 100);
   plan.height = 1e-3 * InRange(table, "height_mm", 0.1, 20);

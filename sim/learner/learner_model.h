@@ -17,8 +17,9 @@ struct TracingSkill {
   double deviation_share = 0.4;  ///< the same, of the letter's size, where that is less
   double general_share = 0.6;    ///< of the deviation that is the same for all letters
   double restless_share = 0.06;  ///< that differs from trial to trial, of a beginner's deviation
-  double dependence = 0;         ///< share of what was learnt that is gone when the push is
-  int lessons_a_trial = 3;       ///< updates of the motor memory by one trial
+  double flank_share = 0.5;  ///< of the error that a flank keeps the tip from is felt by its force
+  double dependence = 0;     ///< share of what was learnt that is gone when the push is
+  int lessons_a_trial = 3;   ///< updates of the motor memory by one trial
 };
 
 /// How a learner feels about for what is on the page.
@@ -26,7 +27,8 @@ struct Exploration {
   double press = 0.2;           ///< [N]
   double spacing_share = 0.17;  ///< between sweeps, of the letter's size
   double margin_share = 0.15;   ///< around the letters, of their size
-  double speed = 0.09;          ///< at size `at_size` [m/s]; goes with the root of the size
+  double speed = 0.09;          ///< at size `at_size` [m/s]
+  double speed_power = 0.75;    ///< of the size, with which the speed goes
   double at_size = 0.04;        ///< [m]
   double acceleration = 1;      ///< at the ends of a sweep [m/s^2]
   double height = 2e-3;         ///< from which the hand comes down [m]

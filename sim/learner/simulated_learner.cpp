@@ -76,7 +76,11 @@ struct SimulatedLearner::Aim {
 
 SimulatedLearner::SimulatedLearner(const LearnerModel& model, const HandModel& hand,
                                    std::uint64_t seed)
-    : model_(model), hand_(hand, SceneOptions{}), shapes_(model.recognition), seed_(seed) {}
+    : model_(model),
+      hand_(hand, SceneOptions{}),
+      stiffness_(hand.stiffness),
+      shapes_(model.recognition),
+      seed_(seed) {}
 
 const TwoRateMemory* SimulatedLearner::Find(const std::string& item) const {
   const auto memory = by_item_.find(item);
@@ -124,8 +128,10 @@ TracedItem SimulatedLearner::Trace(const std::string& item, const ItemPage& page
               now.guidance_P);
     if (span.phase != TracePhase::kStroke) return;
     const glm::dvec2 p_P(FromWorld(X_WP, clock.p_W()));
-    felt.Add(glm::dvec2(now.tip_P) - p_P, aim.Beginner(p_P),
-             glm::dvec2(TurnFromWorld(X_WP, clock.way_W())));
+    // A flank that the tip leans on tells of the error as well; a push from elsewhere hides it.
+    const glm::dvec2 flank(now.force_P - now.guidance_P);
+    const glm::dvec2 off = glm::dvec2(now.tip_P) - p_P - skill.flank_share / stiffness_ * flank;
+    felt.Add(off, aim.Beginner(p_P), glm::dvec2(TurnFromWorld(X_WP, clock.way_W())));
   });
   TracedItem result;
   meter.Fill(result.measured);

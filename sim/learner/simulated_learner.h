@@ -54,6 +54,7 @@ class SimulatedLearner {
 
   LearnerModel model_;
   FeltHand hand_;
+  double stiffness_ = 1;  ///< of the hand [N/m]
   Recogniser shapes_;
   std::uint64_t seed_ = 1, works_ = 0, guesses_ = 0;
   TwoRateMemory general_;

@@ -103,8 +103,8 @@ TEST_F(TaughtRecogniser, TellsSameFromDifferent) {
   const auto pair = [](const Polyline& a, const Polyline& b) {
     return ShapeOf(Feel({a, Moved(b, {1.6, 0})}, 0.02, {0, 0}, 2.6), {});
   };
-  EXPECT_TRUE(recogniser_.AreSame(pair(kEll, kEll), 0));
-  EXPECT_FALSE(recogniser_.AreSame(pair(kEll, kYe), 0));
+  EXPECT_TRUE(recogniser_.AreSame(pair(kEll, kEll), 0, 0));
+  EXPECT_FALSE(recogniser_.AreSame(pair(kEll, kYe), 0, 0));
 }
 
 TEST(Recogniser, KnowsNothingAtFirst) {

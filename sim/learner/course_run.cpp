@@ -1,0 +1,240 @@
+#include "sim/learner/course_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <variant>
+
+#include "lessons/guidance.h"
+#include "lessons/guidance_table.h"
+#include "sim/app/trial.h"
+#include "sim/learner/simulated_learner.h"
+
+namespace moontrace {
+namespace {
+
+using lesson_action::Sentence;
+
+constexpr std::int64_t kDay = 24 * 60 * 60;
+constexpr double kBetweenTrials = 4;  // to listen and to come back to the page [s]
+constexpr double kAnswering = 1;      // to say what it was [s]
+constexpr int kGreatestDays = 400;    // a course that takes longer is not finished
+constexpr int kIdleLimit = 200;       // events without a trial after which it is stuck
+constexpr int kToldTimes = 1;         // times that a told item is felt about for at one size
+
+/// Pages made once.
+class PageShelf {
+ public:
+  const ItemPage& Page(const lesson_action::Show& show) {
+    auto& page = pages_[{show.text, show.script, show.grade, show.size}];
+    if (!page) {
+      auto script = scripts_.find(show.script);
+      if (script == scripts_.end()) {
+        script = scripts_.emplace(show.script, FindScript(show.script)).first;
+      }
+      page = std::make_unique<ItemPage>(
+          SetItem(show.text, script->second, show.size, {show.grade, 1}));
+    }
+    return *page;
+  }
+
+ private:
+  std::map<std::string, Script> scripts_;
+  std::map<std::tuple<std::string, std::string, double, double>, std::unique_ptr<ItemPage>> pages_;
+};
+
+class CourseRun {
+ public:
+  explicit CourseRun(const CourseRunSetup& setup)
+      : setup_(setup),
+        table_(GuidanceTable::Shipped()),
+        learner_(setup.learner, ShippedHand(), setup.seed),
+        time_(setup.begin) {
+    result_.progress = LearnAll(*setup.course, setup.history);
+    if (!setup.history.empty()) time_ = std::max(time_, setup.history.back().time + kDay);
+  }
+
+  CourseRunResult Run() {
+    const int most = setup_.days > 0 ? setup_.days : kGreatestDays;
+    while (!result_.done && !result_.stuck && result_.days < most) {
+      ++result_.days;
+      const std::int64_t began = time_;
+      Session();
+      time_ = std::max(time_ + 1, began + kDay);
+      learner_.Wait(static_cast<double>(time_ - began) / static_cast<double>(kDay));
+    }
+    result_.seconds = learner_.seconds();
+    return std::move(result_);
+  }
+
+ private:
+  /// From sitting down until a break is proposed or the course ends.
+  void Session() {
+    state_ = StartLesson(*setup_.course, std::move(result_.progress),
+                         SeedOf(setup_.seed, "day" + std::to_string(result_.days)));
+    state_.simulated = true;
+    rest_ = false;
+    idle_ = 0;
+    Tell(lesson_event::Begin{});
+    while (!rest_ && !result_.done && !result_.stuck) {
+      if (setup_.check) setup_.check();
+      Answer();
+      Tell(lesson_event::Tick{});
+    }
+    result_.progress = std::move(state_.progress);
+  }
+
+  template <typename What>
+  void Tell(const What& what) {
+    LessonTurn turn = Advance(*setup_.course, std::move(state_), Event{time_, what});
+    state_ = std::move(turn.state);
+    for (const Action& action : turn.actions) {
+      std::visit([this](const auto& told) { Hear(told); }, action);
+    }
+    if (++idle_ > kIdleLimit) result_.stuck = true;
+  }
+
+  void Hear(const lesson_action::Say& say) {
+    switch (say.sentence) {
+      case Sentence::kTraceIt:
+      case Sentence::kLedAlong:
+        told_ = say.text;
+        break;
+      case Sentence::kAskName:
+      case Sentence::kAskPick:
+      case Sentence::kAskSame:
+        asked_ = say;
+        break;
+      case Sentence::kRight:
+      case Sentence::kWrong:
+        if (asked_.sentence != Sentence::kAskSame) Remember(say.text);
+        break;
+      case Sentence::kNotAnAnswer:
+        not_understood_ = true;
+        break;
+      case Sentence::kBreak:
+        rest_ = true;
+        break;
+      case Sentence::kCourseDone:
+        result_.done = true;
+        break;
+      default:
+        break;
+    }
+    if (setup_.news) setup_.news(say, result_.days);
+  }
+  void Hear(const lesson_action::Show& show) { show_ = show; }
+  void Hear(const lesson_action::Push& push) { push_ = push; }
+  void Hear(const lesson_action::Keep& keep) {
+    ++result_.trials;
+    idle_ = 0;
+    result_.item = keep.trial.item;
+    const std::string where = keep.trial.lesson + "/" + std::to_string(keep.trial.step);
+    if (where != where_) step_trials_ = 0;
+    where_ = where;
+    if (++step_trials_ > setup_.step_limit) result_.stuck = true;
+    if (setup_.keep) setup_.keep(keep.trial);
+  }
+  void Hear(const lesson_action::Await& await) { await_ = await; }
+
+  void Answer() {
+    switch (await_) {
+      case lesson_action::Await::kTrace:
+        Trace();
+        break;
+      case lesson_action::Await::kAnswer:
+        Name();
+        break;
+      case lesson_action::Await::kNext:
+        Tell(lesson_event::Said{lesson_event::Word::kNext});
+        break;
+      case lesson_action::Await::kEnd:
+        if (!result_.done) result_.stuck = true;
+        break;
+    }
+  }
+
+  void Pass(double seconds) { time_ += std::max<std::int64_t>(1, std::llround(seconds)); }
+
+  void Trace() {
+    const ItemPage& page = shelf_.Page(show_);
+    GuidancePlan plan{push_.mode, table_.GainsOf(push_.mode, push_.help),
+                      MakeGuidancePath(page.strokes)};
+    plan.gains.bead_speed *= push_.speed;
+    const bool pushed = push_.mode != GuidanceMode::kOff && push_.help > 0;
+    const TracedItem traced = learner_.Trace(told_, page, pushed ? &plan : nullptr);
+    Pass(traced.measured.duration + kBetweenTrials);
+    // What has been named is also felt all over, to be known again.
+    int& times = felt_about_[{told_, show_.size}];
+    if (times < kToldTimes) {
+      ++times;
+      const double before = learner_.seconds();
+      felt_ = learner_.Feel(page);
+      Pass(learner_.seconds() - before);
+      Remember(told_);
+    }
+    Tell(lesson_event::Traced{traced.measured});
+  }
+
+  void Name() {
+    lesson_event::Answered answer;
+    if (not_understood_) {  // it says something that it was told
+      answer.text = learner_.shapes().NameTold(felt_, learner_.day(), learner_.Guess()).label;
+      answer.latency = kAnswering;
+    } else {
+      const double before = learner_.seconds();
+      felt_ = learner_.Feel(shelf_.Page(show_));
+      answer.latency = learner_.seconds() - before + kAnswering;
+      answer.text = WhatItWas();
+    }
+    not_understood_ = false;
+    answer.measured.duration = answer.latency;
+    Pass(answer.latency + kBetweenTrials);
+    Tell(answer);
+  }
+
+  std::string WhatItWas() {
+    Recogniser& shapes = learner_.shapes();
+    const std::uint64_t guess = learner_.Guess();
+    if (asked_.sentence == Sentence::kAskSame) {
+      return shapes.AreSame(felt_, learner_.day(), guess) ? "same" : "different";
+    }
+    if (asked_.sentence == Sentence::kAskPick) {
+      return shapes.Pick(felt_, asked_.text, asked_.other, learner_.day(), guess).label;
+    }
+    return shapes.Name(felt_, learner_.day(), guess).label;
+  }
+
+  void Remember(const std::string& item) {
+    learner_.shapes().Remember(item, felt_, learner_.day());
+    felt_.clear();
+  }
+
+  const CourseRunSetup& setup_;
+  GuidanceTable table_;
+  SimulatedLearner learner_;
+  PageShelf shelf_;
+  std::int64_t time_ = 0;
+  LessonState state_;
+  CourseRunResult result_;
+
+  lesson_action::Show show_;
+  lesson_action::Push push_;
+  lesson_action::Say asked_;
+  lesson_action::Await await_ = lesson_action::Await::kNext;
+  std::string told_;  ///< the item that was named last
+  FeltShape felt_;    ///< what was felt last and not yet named
+  std::map<std::pair<std::string, double>, int> felt_about_;
+  bool rest_ = false, not_understood_ = false;
+  int idle_ = 0;
+  std::size_t step_trials_ = 0;
+  std::string where_;  ///< lesson and step
+};
+
+}  // namespace
+
+CourseRunResult RunCourse(const CourseRunSetup& setup) { return CourseRun(setup).Run(); }
+
+}  // namespace moontrace
