@@ -24,6 +24,8 @@
 #include "sim/app/replay_command.h"
 #include "sim/app/script_command.h"
 #include "sim/app/script_messages.h"
+#include "sim/app/sound_messages.h"
+#include "sim/app/sounds_command.h"
 #include "sim/app/trace_command.h"
 #include "sim/app/tutor_client.h"
 #include "sim/app/tutor_messages.h"
@@ -119,6 +121,7 @@ constexpr Command kCommands[] = {
     {"gallery", say::help::kGallery, RunCommand<GalleryOptions>},
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
     {"tutor", say::help::kTutor, RunCommand<TutorOptions>},
+    {"sounds", say::help::kSounds, RunCommand<SoundsOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},
 };

@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "sim/app/earcon.h"
+#include "textures/toml_reader.h"
 
 namespace moontrace {
 
 /// Families of earcons are told apart by timbre: what a note is made of.
 enum class Timbre : std::uint8_t {
   kPure,   ///< a sine
-  kBell,   ///< sine and two high partials, dying away
+  kBell,   ///< a sine and two high partials out of tune, dying away
   kReed,   ///< odd harmonics
   kBrass,  ///< all harmonics
 };
@@ -34,9 +35,10 @@ struct EarconSound {
 /// How the way of the tip sounds.
 struct PathTone {
   bool on = true;
-  double low = 200, high = 400;   ///< pitch at y = 0 and y = 1 [Hz]
-  double volume = 0.35;           ///< 0-1
-  double off_line_volume = 0.35;  ///< of the rough tone at its greatest, 0-1
+  double low = 200, high = 400;  ///< pitch at y = 0 and y = 1 [Hz]
+  double volume = 0.5;           ///< 0-1
+  double off_line_pitch = 800;   ///< of the trembling tone off the line [Hz]
+  double off_line_volume = 0.5;  ///< of that at its greatest, 0-1; with `volume` at most 1
 };
 
 inline constexpr double kSoundRate = 48000;  ///< of all that is synthesised [Hz]
@@ -52,5 +54,9 @@ struct SoundTable {
 /// Empty: `$XDG_CONFIG_HOME/moontrace/sounds.toml` if it is there. Throws InputError (place, cause,
 /// nearest key), also for recordings that are no WAV, longer than 0.5 s or too large.
 SoundTable LoadSounds(const std::string& own = {});
+
+/// Changes `table` by the keys of a document; recordings' paths are from `folder`. For LoadSounds
+/// and tests. Throws InputError, and then `table` may be half changed.
+void ApplySounds(const TomlTable& document, const std::string& folder, SoundTable& table);
 
 }  // namespace moontrace
