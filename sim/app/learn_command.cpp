@@ -18,6 +18,7 @@
 #include "sim/app/learn_sound.h"
 #include "sim/app/learn_stage.h"
 #include "sim/app/learn_tutor.h"
+#include "sim/app/loop_drive.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
 #include "sim/view/picture_file.h"
@@ -106,10 +107,17 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
     input = std::make_unique<TypedLines>(lines);
   }
   session.Begin();
-  Drive(session, *input, {tutor.get(), path.get()}, options.live.seconds, console);
+  try {
+    Drive(session, *input, {tutor.get(), path.get()}, options.live.seconds, console);
+  } catch (const Interrupted&) {
+    input.reset();  // the terminal first
+    session.End();
+    throw;
+  }
   input.reset();
   const std::size_t lost = session.End();
   if (lost > 0) throw LackError(say::NeverKept(lost));
+  RequireDevice(session.stage().session());
   return exit_code::kGood;
 }
 
