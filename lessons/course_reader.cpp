@@ -65,11 +65,16 @@ void ReadMastery(const TomlTable& table, MasteryRule& rule, FaultList& faults) {
   if (!table.Has("mastery")) return;
   const TomlTable mastery = table.Table("mastery");
   faults.Try([&] { rule.attempts = Count(mastery, "attempts", rule.attempts, 1, 100); });
+  faults.Try([&] { rule.traces = Count(mastery, "traces", rule.traces, 1, 100); });
   faults.Try([&] { rule.recognised = From(mastery, "recognised", rule.recognised, 0, 1); });
   faults.Try([&] { rule.coverage = From(mastery, "coverage", rule.coverage, 0, 1); });
   faults.Try([&] { rule.error_widths = From(mastery, "error_widths", rule.error_widths, 0, 10); });
   faults.Try([&] { rule.failures = Count(mastery, "failures", rule.failures, 1, 100); });
   faults.Try([&] { rule.target = From(mastery, "target", rule.target, 0, 1); });
+  faults.Try([&] { rule.known = From(mastery, "known", rule.known, 0, 0.5); });
+  faults.Try([&] { rule.reviews = Count(mastery, "reviews", rule.reviews, 0, 1000); });
+  faults.Try([&] { rule.quick = From(mastery, "quick_s", rule.quick, 0, 3600); });
+  faults.Try([&] { rule.slow = From(mastery, "slow_s", rule.slow, 0, 3600); });
   faults.AddUnknown(mastery);
 }
 

@@ -48,6 +48,7 @@ std::vector<Exhibit> Scripts() {
   return {
       {"The signs of Moon", {"script", "picture", "moon"}},
       {"The signs of Braille", {"script", "picture", "braille", "--only", kCells}},
+      {"The shapes of the first lessons", {"script", "picture", "shapes"}},
       {"A line of Moon", PageArgs("Moon by touch", {"--letters"})},
       {"Moon without contractions", PageArgs("sun and moon", {"--grade", "0.5", "--letters"})},
       {"Moon of grade 1", PageArgs("sun and moon", {"--grade", "1", "--letters"})},
