@@ -1,0 +1,36 @@
+#include "sim/app/html_text.h"
+
+#include "textures/text_file.h"
+
+namespace moontrace {
+
+std::string HtmlText(std::string_view text) {
+  std::string html;
+  for (const char c : OneLine(text, text.size() + 1)) {
+    switch (c) {
+      case '&':
+        html += "&amp;";
+        break;
+      case '<':
+        html += "&lt;";
+        break;
+      case '>':
+        html += "&gt;";
+        break;
+      case '"':
+        html += "&quot;";
+        break;
+      default:
+        html += c;
+    }
+  }
+  // no characters in XML: U+FFFE and U+FFFF
+  for (const char* none : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) {
+    for (std::size_t at = html.find(none); at != std::string::npos; at = html.find(none, at)) {
+      html.replace(at, 3, "?");
+    }
+  }
+  return html;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,181 @@
+#include "sim/app/records_command.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+#include "sim/app/help.h"
+#include "sim/app/learn_messages.h"
+#include "sim/app/line_reader.h"
+#include "sim/app/messages.h"
+#include "sim/app/metrics_json.h"
+#include "sim/app/output_files.h"
+#include "sim/app/records_messages.h"
+#include "sim/app/typeset_report.h"
+#include "textures/error.h"
+#include "textures/nearest_word.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::size_t kGreatestImport = std::size_t{256} << 20U;
+constexpr const char* kConsent = "tracks-1";  // the version of say::AskConsent that is agreed to
+
+const std::vector<std::string> kActions{"list", "export", "import", "erase", "consent"};
+
+void CheckUse(const RecordsOptions& options) {
+  const std::string& action = options.action;
+  if (std::find(kActions.begin(), kActions.end(), action) == kActions.end()) {
+    throw UsageError(say::NotARecordsAction(action, NearestWord(action, kActions)));
+  }
+  if (action == "list" ? !options.subject.empty() : options.subject.empty()) {
+    throw UsageError(action == "list" ? say::SpareArgument(options.subject, "records list")
+                                      : say::NoSubject(action));
+  }
+  const bool consent = action == "consent";
+  if (consent && options.answer != "yes" && options.answer != "no") {
+    throw UsageError(say::NoConsentAnswer());
+  }
+  if (!consent && !options.answer.empty()) {
+    throw UsageError(say::SpareArgument(options.answer, "records " + action));
+  }
+  const auto only = [&](bool given, const char* option, const char* with) {
+    if (given && action != with) throw UsageError(say::OnlyWith(option, with));
+  };
+  only(!options.to.empty(), "--output", "export");
+  only(options.anonymous, "--anonymous", "export");
+  only(options.yes, "--yes", "erase");
+}
+
+int List(const Records& records, const RecordsOptions& options, Console& console) {
+  const std::vector<LearnerEntry> learners = records.Learners();
+  Json list = Json::array();
+  console.Result(say::LearnersOutcome(learners.size()));
+  for (const LearnerEntry& learner : learners) {
+    console.CheckStop();
+    std::size_t trials = 0;
+    for (const Trial& trial : records.Trials(learner.pseudonym)) {
+      if (!trial.item.empty()) ++trials;
+    }
+    console.Result(say::LearnerLine(learner, trials));
+    list.push_back({{"learner", learner.pseudonym},
+                    {"since_unix_s", learner.since},
+                    {"trials", trials},
+                    {"courses", records.Courses(learner.pseudonym)},
+                    {"keeps_tracks", learner.keeps_tracks},
+                    {"consent", learner.consent},
+                    {"simulated", learner.simulated}});
+  }
+  if (options.output.json) console.Json(Dump(Json{{"learners", std::move(list)}}));
+  return exit_code::kGood;
+}
+
+int Export(const Records& records, const RecordsOptions& options, Console& console) {
+  KnownLearner(records, options.subject);
+  const std::string text = options.anonymous ? records.ExportAnonymous(options.subject)
+                                             : records.Export(options.subject);
+  if (options.to.empty()) {
+    console.out() << text;
+    return exit_code::kGood;
+  }
+  WriteWhole(options.to, text);
+  console.Result(say::Exported(options.anonymous));
+  console.Path(options.to);
+  if (options.output.json) {
+    console.Json(Dump(Json{{"file", options.to}, {"anonymous", options.anonymous}}));
+  }
+  return exit_code::kGood;
+}
+
+int Import(Records records, const RecordsOptions& options, Console& console) {
+  const bool piped = options.subject == "-";
+  TextOptions from;
+  from.text = "-";
+  const std::string text =
+      piped ? ReadText(from, "records", console) : ReadTextFile(options.subject, kGreatestImport);
+  const std::string name = records.Import(text, piped ? "standard input" : options.subject);
+  const std::size_t trials = records.Trials(name).size();
+  console.Result(say::Imported(name, trials));
+  if (options.output.json) console.Json(Dump(Json{{"learner", name}, {"rows", trials}}));
+  return exit_code::kGood;
+}
+
+/// Whoever sits at a terminal types the name again; elsewhere `--yes` stands for that.
+bool Confirmed(const RecordsOptions& options, Console& console) {
+  if (options.yes) return true;
+  if (&console.in() != &std::cin || isatty(STDIN_FILENO) == 0) {
+    throw UsageError(say::EraseNeedsYes(options.subject));
+  }
+  console.Remark(say::AskErase(options.subject));
+  LineReader lines(console.in());
+  for (;;) {
+    console.CheckStop();
+    if (const std::optional<std::string> line = lines.Next(50)) return *line == options.subject;
+    if (lines.ended()) return false;
+  }
+}
+
+int Erase(Records records, const RecordsOptions& options, Console& console) {
+  KnownLearner(records, options.subject);
+  if (!Confirmed(options, console)) {
+    throw WorkFailed(say::NotErased(options.subject));
+  }
+  records.Erase(options.subject);
+  console.Result(say::Erased(options.subject));
+  if (options.output.json) console.Json(Dump(Json{{"erased", options.subject}}));
+  return exit_code::kGood;
+}
+
+int Consent(Records records, const RecordsOptions& options, Console& console) {
+  KnownLearner(records, options.subject);
+  const bool yes = options.answer == "yes";
+  records.SetConsent(options.subject, yes, yes ? kConsent : "");
+  console.Result(say::ConsentNow(options.subject, yes));
+  if (options.output.json) {
+    console.Json(Dump(Json{{"learner", options.subject}, {"keeps_tracks", yes}}));
+  }
+  return exit_code::kGood;
+}
+
+}  // namespace
+
+std::string RecordsPathOf(const std::string& given) {
+  return given.empty() ? Records::DefaultPath() : given;
+}
+
+LearnerEntry KnownLearner(const Records& records, const std::string& name) {
+  if (const std::optional<LearnerEntry> found = records.Find(name)) return *found;
+  std::vector<std::string> names;
+  for (const LearnerEntry& learner : records.Learners()) names.push_back(learner.pseudonym);
+  throw InputError(say::NoSuchLearner(name, NearestWord(name, names)));
+}
+
+void AddOptions(CLI::App& app, RecordsOptions& options) {
+  namespace help = say::help;
+  AddPath(app, "ACTION", "WORD", options.action, help::kRecordsAction);
+  AddPath(app, "NAME", "NAME", options.subject, help::kRecordsSubject);
+  AddPath(app, "ANSWER", "WORD", options.answer, help::kRecordsAnswer);
+  AddPath(app, "--records", "FILE", options.records, help::kRecords);
+  AddPath(app, "--output", "FILE", options.to, help::kRecordsOutput);
+  app.add_flag("--anonymous", options.anonymous, help::kAnonymous);
+  app.add_flag("--yes", options.yes, help::kEraseYes);
+  AddOptions(app, options.output);
+}
+
+int Run(const RecordsOptions& options, Console& console) {
+  CheckUse(options);
+  const std::string path = RecordsPathOf(options.records);
+  if (options.action == "import") return Import(Records::Open(path), options, console);
+  const Records reading = Records::OpenToRead(path);
+  if (options.action == "list") return List(reading, options, console);
+  if (options.action == "export") return Export(reading, options, console);
+  if (options.action == "erase") return Erase(Records::Open(path), options, console);
+  return Consent(Records::Open(path), options, console);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,164 @@
+#include "sim/app/report_command.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lessons/records.h"
+#include "lessons/report_facts.h"
+#include "lessons/trial_csv.h"
+#include "sim/app/help.h"
+#include "sim/app/learn_messages.h"
+#include "sim/app/messages.h"
+#include "sim/app/metrics_json.h"
+#include "sim/app/output_files.h"
+#include "sim/app/records_command.h"
+#include "sim/app/records_messages.h"
+#include "sim/app/report_messages.h"
+#include "sim/app/report_page.h"
+#include "sim/app/typeset_report.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::size_t kMostSaid = 10;  // confusions and days in words; a page has them all
+
+/// The course asked for, else that of the newest trial.
+Course CourseOf(const ReportOptions& options, const Records& records) {
+  std::string name = options.course;
+  if (name.empty()) {
+    std::int64_t newest = 0;
+    for (const std::string& course : records.Courses(options.learner)) {
+      const std::int64_t last = records.Trials(options.learner, course).back().time;
+      if (!name.empty() && last < newest) continue;
+      newest = last;
+      name = course;
+    }
+  }
+  if (name.empty()) throw InputError(say::NoTrialsYet(options.learner));
+  if (!options.course.empty()) return LoadCourse(name);
+  try {
+    return LoadCourse(name);
+  } catch (const InputError& error) {
+    throw InputError(say::CourseOfReport(name, error.what()));
+  }
+}
+
+Json SumsJson(const TrialSums& sums) {
+  return {{"trials", sums.trials},
+          {"answers", sums.answers},
+          {"named_right", sums.right},
+          {"letters_per_second", sums.LettersPerSecond()},
+          {"traces", sums.traces},
+          {"good_traces", sums.good},
+          {"mean_coverage", sums.MeanCoverage()},
+          {"mean_error_widths", sums.MeanErrorWidths()}};
+}
+
+Json ItemJson(const ItemFact& fact) {
+  return {{"item", fact.item},
+          {"size_mm", 1e3 * fact.size},
+          {"mastered", fact.mastered},
+          {"last_answers", fact.answers},
+          {"last_right", fact.right},
+          {"last_traces", fact.traces},
+          {"last_good", fact.good},
+          {"taken_for", fact.taken_for},
+          {"taken_for_times", fact.taken}};
+}
+
+Json FactsJson(const LearnerEntry& learner, const Course& course, const ReportFacts& facts) {
+  Json json{{"learner", learner.pseudonym},
+            {"simulated", learner.simulated || facts.simulated > 0},
+            {"course", course.id},
+            {"items", facts.items},
+            {"mastered", facts.mastered},
+            {"lessons", course.lessons.size()},
+            {"lessons_done", facts.lessons_done},
+            {"size_reached_mm", facts.size_reached > 0 ? Json(1e3 * facts.size_reached) : Json()},
+            {"unguided", SumsJson(facts.alone)},
+            {"guided", SumsJson(facts.guided)},
+            {"scaled_trials", facts.scaled}};
+  json["sure"] = Json::array();
+  for (const ItemFact& fact : facts.sure) json["sure"].push_back(ItemJson(fact));
+  json["practise"] = Json::array();
+  for (const ItemFact& fact : facts.practise) json["practise"].push_back(ItemJson(fact));
+  json["confusions"] = Json::array();
+  for (const ConfusionFact& fact : facts.confusions) {
+    json["confusions"].push_back(
+        {{"shown", fact.shown}, {"said", fact.said}, {"times", fact.times}});
+  }
+  json["days"] = Json::array();
+  for (const DayFact& day : facts.days) {
+    json["days"].push_back(
+        {{"day", day.day},
+         {"unguided", SumsJson(day.alone)},
+         {"guided", SumsJson(day.guided)},
+         {"smallest_named_right_mm", day.smallest > 0 ? Json(1e3 * day.smallest) : Json()}});
+  }
+  return json;
+}
+
+/// What stands above everything else.
+std::vector<std::string> Head(const LearnerEntry& learner, const Course& course,
+                              const ReportFacts& facts) {
+  std::vector<std::string> lines{say::ReportOutcome(learner.pseudonym, course, facts)};
+  if (learner.simulated) {
+    lines.push_back(say::NotThePedagogy());
+  } else if (facts.simulated > 0) {
+    lines.push_back(say::PartlySimulated(facts.simulated));
+  }
+  return lines;
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, ReportOptions& options) {
+  namespace help = say::help;
+  AddPath(app, "NAME", "NAME", options.learner, help::kReportLearner);
+  AddPath(app, "--course", "NAME", options.course, help::kReportCourse);
+  AddPath(app, "--html", "FILE", options.html, help::kReportHtml);
+  AddPath(app, "--csv", "FILE", options.csv, help::kReportCsv);
+  AddPath(app, "--records", "FILE", options.records, help::kRecords);
+  AddOptions(app, options.output);
+}
+
+int Run(const ReportOptions& options, Console& console) {
+  if (options.learner.empty()) throw UsageError(say::NoReportLearner());
+  if (!options.html.empty() && !options.csv.empty()) throw UsageError(say::TwoReportFiles());
+  const Records records = Records::OpenToRead(RecordsPathOf(options.records));
+  const LearnerEntry learner = KnownLearner(records, options.learner);
+  const Course course = CourseOf(options, records);
+  const std::vector<Trial> trials = records.Trials(learner.pseudonym, course.id);
+  if (trials.empty()) throw InputError(say::NoTrialsOf(learner.pseudonym, course.id));
+  const ReportFacts facts = FactsOf(course, trials);
+  const std::vector<std::string> head = Head(learner, course, facts);
+  const std::string file = options.html.empty() ? options.csv : options.html;
+  if (!options.csv.empty()) {
+    WriteWhole(options.csv, TrialsToCsv(learner.pseudonym, course.id, trials));
+  } else if (!options.html.empty()) {
+    WriteWhole(options.html, ReportPage({say::ReportTitle(learner.pseudonym, course), head},
+                                        say::ReportSections(course, facts, trials.size()),
+                                        say::ReportPlots(facts), facts.matrix));
+  }
+  if (options.output.json) {
+    Json json = FactsJson(learner, course, facts);
+    if (!file.empty()) json["file"] = file;
+    console.Json(Dump(json));
+    return exit_code::kGood;
+  }
+  for (const std::string& line : head) console.Result(line);
+  if (!file.empty()) {
+    console.Result(say::ReportIn());
+    console.Path(file);
+    return exit_code::kGood;
+  }
+  for (const ReportSection& section : say::ReportSections(course, facts, kMostSaid)) {
+    for (const std::string& line : section.lines) console.Result(line);
+  }
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace
