@@ -12,6 +12,8 @@
 
 #include "devices/device_error.h"
 #include "sim/app/bench_command.h"
+#include "sim/app/course_command.h"
+#include "sim/app/course_messages.h"
 #include "sim/app/demo_command.h"
 #include "sim/app/devices_command.h"
 #include "sim/app/gallery_command.h"
@@ -122,6 +124,7 @@ constexpr Command kCommands[] = {
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
     {"tutor", say::help::kTutor, RunCommand<TutorOptions>},
     {"sounds", say::help::kSounds, RunCommand<SoundsOptions>},
+    {"course", say::help::kCourseCommand, RunCommand<CourseOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},
 };

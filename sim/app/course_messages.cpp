@@ -1,0 +1,137 @@
+#include "sim/app/course_messages.h"
+
+#include <fmt/format.h>
+
+#include "sim/app/words.h"
+#include "textures/text_file.h"
+
+namespace moontrace::say {
+
+namespace {
+
+std::string Named(const Course& course, const std::vector<std::string>& items) {
+  std::vector<std::string> names;
+  for (const std::string& item : items) {
+    names.push_back(OneLine(std::string(NameOf(course, item)), 60));
+  }
+  return Joined(names, " and ");
+}
+
+std::string DidYouMean(std::string_view nearest) {
+  return nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
+}
+
+std::string Doing(const Step& step) {
+  switch (step.kind) {
+    case StepKind::kExplore:
+      return "explore";
+    case StepKind::kDemonstrate:
+      return "be led along";
+    case StepKind::kTrace:
+      return "follow";
+    case StepKind::kRead:
+      return "read";
+    case StepKind::kRecognise:
+    case StepKind::kTest:
+      break;
+  }
+  const char* asked = step.question == Question::kName   ? "name"
+                      : step.question == Question::kPick ? "tell from its mate"
+                                                         : "say whether it is the same as its mate";
+  return step.kind == StepKind::kTest ? fmt::format("test, {}", asked) : asked;
+}
+
+/// Line ends as blanks: a text of several lines within a sentence.
+std::string InOneLine(std::string_view text) {
+  std::string line(text);
+  for (char& c : line) {
+    if (c == '\n') c = ' ';
+  }
+  return line;
+}
+
+}  // namespace
+
+std::string NotACourseAction(std::string_view given, std::string_view nearest) {
+  if (given.empty()) return "course: say what to do: check or show";
+  return fmt::format("course: unknown action '{}'{}: give check or show", OneLine(given, 40),
+                     DidYouMean(nearest));
+}
+
+std::string NoCourseNamed() {
+  return "course check: name a course, as in: moontrace course check learn-moon";
+}
+std::string TooManyCourses() { return "course show: one course at a time; leave the others out"; }
+std::string DeviceOnlyForCheck() { return "course show: --device is not for this; leave it out"; }
+
+std::string UnknownProfile(std::string_view given, std::string_view nearest) {
+  return fmt::format(
+      "--device: no profile '{}'{}", OneLine(given, 40),
+      nearest.empty() ? "; moontrace devices lists what there is" : DidYouMean(nearest));
+}
+
+std::string CourseSound(std::string_view name, std::size_t lessons, std::size_t items,
+                        std::size_t steps) {
+  return fmt::format("Sound: {}, {}, {} taught, {}.", OneLine(name, 40),
+                     Counted(lessons, "lesson", "lessons"), Counted(items, "item", "items"),
+                     Counted(steps, "step", "steps"));
+}
+
+std::string LessonSound(std::string_view name, std::size_t items, std::size_t steps) {
+  return fmt::format("Sound: lesson {}, {} taught, {}.", OneLine(name, 40),
+                     Counted(items, "item", "items"), Counted(steps, "step", "steps"));
+}
+
+std::string CourseFaulty(std::string_view name, std::size_t faults) {
+  return fmt::format("{} in {}:", Counted(faults, "fault", "faults"), OneLine(name, 40));
+}
+
+std::string MendFirst() {
+  return "Mend these first: letters and order are looked at once every file can be read.";
+}
+
+std::string LessonUnlisted(std::string_view id) {
+  return fmt::format("unreachable: the course does not list '{}'; add it to its lessons",
+                     OneLine(id, 40));
+}
+
+std::string CourseOutcome(const Course& course, std::size_t items) {
+  return fmt::format("{}: {}, {} taught.", OneLine(course.title, 60),
+                     Counted(course.lessons.size(), "lesson", "lessons"),
+                     Counted(items, "item", "items"));
+}
+
+std::string CourseSizes(const Course& course) {
+  std::vector<std::string> sizes;
+  for (const double size : course.sizes) sizes.push_back(Short(kMillimetres * size, 2));
+  return fmt::format("Letters of {} mm, in script {}.", Joined(sizes, " and "),
+                     OneLine(course.script, 60));
+}
+
+std::string LessonLine(const Course& course, const Lesson& lesson) {
+  const std::string steps = Counted(lesson.steps.size(), "step", "steps");
+  const std::string id = OneLine(lesson.id, 40), title = OneLine(lesson.title, 80);
+  if (lesson.items.empty()) return fmt::format("{}: {}. {}.", id, title, steps);
+  return fmt::format("{}: {}. {}. Teaches {}.", id, title, steps, Named(course, lesson.items));
+}
+
+std::string LessonNeeds(const Lesson& lesson) {
+  return fmt::format("Comes after {}.", Joined(lesson.needs, " and "));
+}
+
+std::string HintLine(const Course& course, const std::string& item, std::string_view hint) {
+  return fmt::format("Hint for {}: {}", OneLine(std::string(NameOf(course, item)), 60),
+                     InOneLine(hint));
+}
+
+std::string StepLine(const Course& course, const Step& step, std::size_t number) {
+  std::string what = step.text.empty() ? Named(course, step.items) : InOneLine(step.text);
+  if (what.empty()) what = "what is new";
+  const std::string size =
+      step.size ? fmt::format(" At {} mm.", Short(kMillimetres * *step.size, 2)) : "";
+  return fmt::format("Step {}, {}: {}.{}", number, Doing(step), what, size);
+}
+
+std::string StepSays(std::string_view text) { return fmt::format("Says: {}", InOneLine(text)); }
+
+}  // namespace moontrace::say
