@@ -9,7 +9,7 @@
 
 #include "devices/mailbox.h"
 #include "sim/app/sound_messages.h"
-#include "sim/app/sound_synthesis.h"
+#include "sim/app/sound_mixer.h"
 #include "sim/loop/spsc_queue.h"
 #include "textures/error.h"
 

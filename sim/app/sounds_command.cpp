@@ -14,6 +14,7 @@
 #include "sim/app/output_files.h"
 #include "sim/app/sound.h"
 #include "sim/app/sound_messages.h"
+#include "sim/app/sound_mixer.h"
 #include "sim/app/sound_synthesis.h"
 #include "sim/app/sound_table.h"
 #include "sim/app/wav.h"

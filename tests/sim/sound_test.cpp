@@ -5,6 +5,7 @@
 #include <mutex>
 #include <vector>
 
+#include "tests/sim/sound_fixture.h"
 #include "tests/sim/tutor_fixture.h"
 #include "textures/error.h"
 
@@ -40,8 +41,6 @@ double Loudness(Hand& hand, double seconds) {
   for (const float value : frames) sum += value * value;
   return std::sqrt(sum / static_cast<double>(frames.size()));
 }
-
-SoundTable Shipped() { return LoadSounds(MOONTRACE_SOURCE_DIR "/sim/app/sounds.toml"); }
 
 std::string Sentence(Sound& sound) {
   std::optional<std::string> sentence;
