@@ -67,7 +67,8 @@ class Talk {
       while (const std::optional<std::string> line = in_.Next()) Show(*line);
       console_.out().flush();
     }
-    if (!leaving_) Show(say::LessonEnded());
+    Show(leaving_ ? say::TutorGone() : say::LessonEnded());
+    console_.out().flush();
   }
 
  private:

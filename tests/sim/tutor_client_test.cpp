@@ -56,14 +56,16 @@ TEST_F(TutorCommandLine, SpeaksThroughAPipeAndEndsWithItOnceAllIsAnswered) {
   const Lesson lesson("ada");
   const Outcome outcome = RunLine({"tutor"}, "size 20\nhelp 3");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_EQ(outcome.out, "Lesson of ada.\nHeard: size 20\nHeard: help 3\nHeard: quit\n");
+  EXPECT_EQ(outcome.out,
+            "Lesson of ada.\nHeard: size 20\nHeard: help 3\nHeard: quit\nYou have left; the lesson "
+            "goes on.\n");
   EXPECT_EQ(outcome.err, "");
 }
 
 TEST_F(TutorCommandLine, LeavesByQuitAndReadsNothingBehindIt) {
   const Lesson lesson("ada");
   EXPECT_EQ(RunLine({"tutor", "--learner", "ada"}, "quit\nsize 20\n").out,
-            "Lesson of ada.\nHeard: quit\n");
+            "Lesson of ada.\nHeard: quit\nYou have left; the lesson goes on.\n");
 }
 
 TEST_F(TutorCommandLine, EndsInOrderWhenTheLessonEnds) {
@@ -83,7 +85,8 @@ TEST_F(TutorCommandLine, WritesEachLineAsJson) {
   const Outcome outcome = RunLine({"tutor", "--json"}, "where\n");
   EXPECT_EQ(
       outcome.out,
-      "{\"line\":\"Lesson of ada.\"}\n{\"line\":\"Heard: where\"}\n{\"line\":\"Heard: quit\"}\n");
+      "{\"line\":\"Lesson of ada.\"}\n{\"line\":\"Heard: where\"}\n{\"line\":\"Heard: quit\"}\n"
+      "{\"line\":\"You have left; the lesson goes on.\"}\n");
 }
 
 TEST_F(TutorCommandLine, SaysInOneLineThatNoLessonRuns) {
@@ -102,7 +105,8 @@ TEST_F(TutorCommandLine, AsksWhichOfSeveralLessons) {
   const Outcome outcome = RunLine({"tutor"}, "where\n");
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(outcome.err, "several lessons run: choose with --learner: ada, bob\n");
-  EXPECT_EQ(RunLine({"tutor", "--learner", "bob"}, "").out, "Lesson of bob.\nHeard: quit\n");
+  EXPECT_EQ(RunLine({"tutor", "--learner", "bob"}, "").out,
+            "Lesson of bob.\nHeard: quit\nYou have left; the lesson goes on.\n");
 }
 
 TEST_F(TutorCommandLine, EntersNoFolderThatOthersMayWriteTo) {
