@@ -149,7 +149,7 @@ void LearnItem(const Course& course, const Trial& trial, Progress& progress) {
     if (!text.empty()) AddToStep(course, *step, trial, evidence, text, asked, progress);
   }
   if (trial.kind == StepKind::kDemonstrate || evidence.traced) item.introduced = true;
-  if (evidence.traced && !trial.scaled) NextHelp(course, trial, evidence.good, item);
+  if (evidence.traced) NextHelp(course, trial, evidence.good, item);
   if (!evidence.traced && trial.kind != StepKind::kDemonstrate) {
     CountConfusion(course, trial, pair, progress);
   }

@@ -221,6 +221,22 @@ TEST(LessonMachine, ATestTellsNothingUntilItsEndAndComesAgainAfterPractice) {
   EXPECT_EQ(run.state.progress.done, std::vector<std::string>{"01"});
 }
 
+TEST(LessonMachine, ATestThatWasCutGoesOnWithWhatIsLeft) {
+  LessonRun run(SmallCourse());
+  run.Begin();
+  ASSERT_NO_FATAL_FAILURE(GoToStep(run, 3));
+  run.Work();
+  LessonRun again(SmallCourse(), LearnAll(run.course, run.kept), 77);
+  again.time = run.time;
+  again.Begin();
+  EXPECT_EQ(again.Find(Sentence::kTestBegins)->number, 2);
+  again.Work();
+  EXPECT_FALSE(again.Said(Sentence::kTestResult));
+  again.Work();
+  ASSERT_TRUE(again.Said(Sentence::kTestResult));
+  EXPECT_EQ(again.Find(Sentence::kTestResult)->number, 3);
+}
+
 TEST(LessonMachine, ABreakIsProposedAfterEach25Minutes) {
   LessonRun run(SmallCourse());
   run.Begin();
