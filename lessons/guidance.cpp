@@ -259,9 +259,8 @@ glm::dvec2 ForceOf(const Tick& t, glm::dvec2 e) noexcept {
       break;
     case GuidanceMode::kAttract:
     case GuidanceMode::kRail:
-      return Attraction(gains, t.width(), e, t.v);
     case GuidanceMode::kBead:
-      return -gains.stiffness * e - gains.damping * t.v;
+      return Attraction(gains, t.width(), e, t.v);
     case GuidanceMode::kAmplify:
       return t.state.captured ? Amplification(gains, t.stroke(), t.p, e) : glm::dvec2(0, 0);
     case GuidanceMode::kCorridor:

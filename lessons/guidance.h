@@ -68,7 +68,7 @@ struct GuidanceResult {
 ///   jumps to a crossing stroke, and where the nearest point springs (the middle of a ring, the
 ///   inside of a hairpin) it slides round: force is continuous along any continuous way of the tip.
 /// - rail: the same with r0 = 0 and its own gains.
-/// - bead: -k e - b v, e from a bead that moves along at its speed, waits while the tip is farther
+/// - bead: the same, e from a bead that moves along at its speed, waits while the tip is farther
 ///   than the leash and not ahead, and keeps up with a tip that is ahead: it never holds a hand
 ///   back. On a recorded path it moves by the recorded times and only waits.
 /// - amplify: +k e, shrinking to zero over half a width at the letter's box (of its strokes, one

@@ -12,7 +12,7 @@ namespace moontrace {
 /// What a mode does at a help level. Lengths that scale with letters are in groove widths.
 struct GuidanceGains {
   double stiffness = 0;         ///< [N/m]
-  double damping = 0;           ///< across the stroke; of a bead on all the tip's motion [N s/m]
+  double damping = 0;           ///< towards and away from the target [N s/m]
   double dead_zone_widths = 0;  ///< of kCorridor, half its width [groove widths]
   double cap = 1.5;             ///< greatest force [N]
   double bead_speed = 0.02;     ///< along the stroke, and from one to the next [m/s]

@@ -83,10 +83,10 @@ class PageScore {
 };
 
 void RefuseOthers(const TraceOptions& options) {
-  const std::pair<bool, const char*> given[] = {{options.speed.has_value(), "--speed-mm-s"},
-                                                {options.seed_given, "--seed"},
-                                                {!options.record.empty(), "--record"},
-                                                {options.csv, "--csv"}};
+  const std::pair<bool, const char*> given[] = {
+      {options.speed.has_value(), "--speed-mm-s"}, {options.seed_given, "--seed"},
+      {options.guide.mode.has_value(), "--guide"}, {options.guide.help.has_value(), "--help-level"},
+      {!options.record.empty(), "--record"},       {options.csv, "--csv"}};
   for (const auto& option : given) {
     if (option.first) throw UsageError(say::NotWithDevice(option.second));
   }
@@ -109,7 +109,9 @@ void Tell(const TraceOptions& options, const Trace& trace, double scale, bool to
     Json json = TraceJson(trace, options.feel.scene, all);
     json["device"] = options.live.device;
     json["scale"] = scale;
-    for (const char* key : {"mean_error_mm", "rms_error_mm", "max_error_mm", "excursions"}) {
+    for (const char* key :
+         {"mean_error_mm", "rms_error_mm", "max_error_mm", "excursions", "bias_mm", "dtw_mm",
+          "frechet_mm", "hausdorff_mm", "direction", "order", "speed_accuracy_cost_mm_s"}) {
       if (!touched) json["total"][key] = nullptr;
     }
     console.Json(Dump(json));

@@ -1,6 +1,39 @@
 #include "sim/app/metrics_json.h"
 
+#include "lessons/movement_meter.h"
+
 namespace moontrace {
+
+namespace {
+
+/// How the hand went, beside how near it kept.
+void AddConduct(Json& json, const TraceMetrics& metrics) {
+  json["bias_mm"] = 1e3 * metrics.bias;
+  json["dtw_mm"] = 1e3 * metrics.shape.warped;
+  json["frechet_mm"] = 1e3 * metrics.shape.frechet;
+  json["hausdorff_mm"] = 1e3 * metrics.shape.hausdorff;
+  json["direction"] = metrics.direction;
+  json["order"] = metrics.order;
+  json["time_outside_s"] = metrics.time_outside;
+  json["contact_share"] = metrics.contact_share;
+  json["mean_speed_mm_s"] = 1e3 * metrics.mean_speed;
+  json["pauses"] = metrics.pauses;
+  json["pause_time_s"] = metrics.pause_time;
+  json["speed_accuracy_cost_mm_s"] = 1e3 * SpeedAccuracyCost(metrics);
+  json["mean_normal_force_n"] = metrics.mean_normal_force;
+  json["peak_normal_force_n"] = metrics.peak_normal_force;
+}
+
+/// Null where no movement was long enough.
+void AddSmoothness(Json& json, const Smoothness& smoothness) {
+  const bool known = smoothness.normalised_jerk > 0;
+  json["normalised_jerk"] = known ? Json(smoothness.normalised_jerk) : Json(nullptr);
+  json["log_jerk"] = known ? Json(smoothness.log_jerk) : Json(nullptr);
+  json["spectral_arc"] = known ? Json(smoothness.spectral_arc) : Json(nullptr);
+  json["speed_peaks"] = smoothness.peaks;
+}
+
+}  // namespace
 
 Json MetricsJson(const TraceMetrics& metrics) {
   Json json;
@@ -15,14 +48,21 @@ Json MetricsJson(const TraceMetrics& metrics) {
   json["entries"] = metrics.entries;
   json["lifts"] = metrics.lifts;
   json["entry_error_mm"] = 1e3 * metrics.entry_error;
+  AddConduct(json, metrics);
+  AddSmoothness(json, metrics.smoothness);
   return json;
 }
 
 Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   Json json = MetricsJson(result.score.total);
+  json["letters_per_second"] = result.score.letters_per_second;
+  json["smoothness_rate_hz"] = MovementMeter::kRate;
+  json["smoothness_low_pass_hz"] = MovementMeter::kCutoff;
   json["force_bound_n"] = result.force_bound;
   json["energy_out_uj"] = 1e6 * result.energy_out;
   json["faults"] = result.faults;
+  json["mean_guidance_n"] = result.mean_guidance;
+  json["guidance_work_mj"] = 1e3 * result.guidance_work;
   json["lifts_within_lines"] = result.lifts_within_lines;
   if (with_real_time_factor) json["real_time_factor"] = result.real_time_factor;
   return json;

@@ -1,5 +1,7 @@
 #include "sim/app/replay_command.h"
 
+#include <optional>
+
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
 #include "sim/app/trial.h"
@@ -14,8 +16,12 @@ namespace moontrace {
 
 namespace {
 
-/// The page of the record, built again.
-TextureField FieldOf(const TrialParameters& parameters, const std::string& folder) {
+/// The page of the record and its push, built again.
+struct Rebuilt {
+  TextureField field;
+  std::optional<GuidancePlan> push;
+};
+Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder) {
   const bool alone = parameters.fallback_script.empty();
   Script script = FindScript(parameters.script, alone ? parameters.text : "");
   if (!parameters.fallback_script.empty()) Borrow(script, parameters.fallback_script);
@@ -25,7 +31,12 @@ TextureField FieldOf(const TrialParameters& parameters, const std::string& folde
   if (parameters.page >= set.pages.size()) {
     throw InputError(say::BadParameters(folder, "page"));
   }
-  return PageField(set.pages[parameters.page], script, set.style, parameters.blank);
+  const TextPage& page = set.pages[parameters.page];
+  Rebuilt rebuilt{PageField(page, script, set.style, parameters.blank), std::nullopt};
+  if (parameters.guidance.on()) {
+    rebuilt.push = PlanOf(parameters.guidance, IntendedStrokes(page, script, set.style));
+  }
+  return rebuilt;
 }
 
 Json ResultOf(const Record& record) {
@@ -53,11 +64,11 @@ int Run(const ReplayOptions& options, Console& console) {
   if (options.folder.empty()) throw UsageError(say::NoFolder());
   const Record record = ReadRecord(options.folder, options.check);
   const TrialParameters parameters = ReadParameters(record.head.parameters_json, options.folder);
-  const TextureField field = FieldOf(parameters, options.folder);
-  if (field.Hash() != record.head.field_hash) {
+  const Rebuilt page = RebuiltFrom(parameters, options.folder);
+  if (page.field.Hash() != record.head.field_hash) {
     throw InputError(say::OtherField(options.folder));
   }
-  const ReplayResult replay = Replay(record, field);
+  const ReplayResult replay = Replay(record, page.field, page.push ? &*page.push : nullptr);
   // An altered record is bad input, whatever the replay gives: bit-equal to what was altered is no
   // success, and not every column decides what is computed.
   if (!record.altered.empty()) throw InputError(say::Altered(record.altered, replay));

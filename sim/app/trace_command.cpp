@@ -36,6 +36,7 @@ TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t 
   setup.plan.press = options.press.value_or(embossed ? setup.hand.light_press : setup.hand.press);
   setup.plan.ridge_press = options.press.value_or(setup.hand.light_press);
   setup.plan.speed = options.speed.value_or(setup.plan.speed);
+  setup.guidance = GuidanceOf(options.guide);
   setup.seed = options.seed;
   if (!options.picture.empty()) setup.path_spacing = trace.text.set.style.width / 20;
   setup.stop = console.stop();
@@ -96,6 +97,7 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
   AddOptions(app, options.feel);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kPress);
   AddNumber(app, "--speed-mm-s", options.speed, 0.1, 1000, 1e-3, say::help::kSpeed);
+  AddOptions(app, options.guide);
   AddSeed(app, options.seed);
   app.parse_complete_callback([&app, &options] { options.seed_given = app.count("--seed") > 0; });
   app.add_flag("--blank", options.blank, say::help::kBlank);
@@ -127,10 +129,12 @@ int Run(const TraceOptions& options, Console& console) {
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   if (!IsSimulated(options.live.device)) return TraceWithDevice(options, console);
   RefuseDeviceOptions(options);
+  const TrialGuidance guidance = GuidanceOf(options.guide);
   Trace trace;
   trace.text =
       SetUpText({options.text, options.style, options.layout, options.feel, "trace"}, console);
   trace.blank = options.blank;
+  trace.guidance = guidance;
   SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
   WarnOfDirect(options, trace, console);
   for (std::size_t page = 0; page < trace.text.set.pages.size(); ++page) {

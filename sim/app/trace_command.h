@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/app/device_choice.h"
+#include "sim/app/guide_options.h"
 #include "sim/app/options.h"
 
 namespace moontrace {
@@ -19,6 +20,7 @@ struct TraceOptions {
   FeelOptions feel;
   std::optional<double> press;  ///< [N]
   std::optional<double> speed;  ///< [m/s]
+  GuideOptions guide;
   std::uint64_t seed = 1;
   bool seed_given = false;
   bool blank = false;

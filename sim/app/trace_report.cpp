@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "sim/app/guide_messages.h"
 #include "sim/app/link_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/typeset_report.h"
@@ -15,6 +16,8 @@ Json TraceJson(const Trace& trace, const SceneOptions& scene, const TrialResult&
   json["rendering"] = scene.rendering == Rendering::kProxy ? "proxy" : "direct";
   json["law"] = scene.surface.law == ForceLaw::kPotential ? "potential" : "paper";
   json["blank"] = trace.blank;
+  json["guide"] = NameOf(trace.guidance.mode);
+  json["help_level"] = trace.guidance.help;
   json["pages"] = trace.pages.size();
   json["pictures"] = trace.pictures;
   json["records"] = trace.records;
@@ -73,6 +76,10 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
     console.Result(say::Lifts(all.lifts_within_lines, all.lines));
   }
   console.Result(say::Force(total));
+  if (trace.guidance.on()) {
+    console.Result(say::Guided(trace.guidance.mode, trace.guidance.help, all.mean_guidance,
+                               all.guidance_work));
+  }
   console.Result(say::ForceBound(all));
   console.Result(say::Energy(all));
   console.Result(time);

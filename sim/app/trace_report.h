@@ -16,6 +16,7 @@ struct Trace {
   std::vector<TrialResult> pages;
   std::vector<std::string> pictures, records;
   bool blank = false;
+  TrialGuidance guidance;
 };
 
 /// What `trace --json` gives, but for what only one kind of trace has.

@@ -8,10 +8,12 @@
 #include <optional>
 
 #include "devices/simulated_stylus.h"
+#include "lessons/merged_metrics.h"
 #include "sim/app/metrics_json.h"
 #include "sim/scene/bound.h"
 #include "sim/scene/record.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_push.h"
 #include "textures/resources.h"
 
 namespace moontrace {
@@ -87,9 +89,37 @@ class LiftCounter {
   std::size_t line_ = 0, lifts_ = 0;
 };
 
-/// The loop: device, scene, device, score. Everything it needs exists before it starts.
+/// The push of a trial, and how much it did.
+class TrialPush {
+ public:
+  TrialPush(const TrialSetup& setup, const std::vector<IntendedStroke>& strokes) {
+    if (setup.guidance.on()) push_.emplace(PlanOf(setup.guidance, strokes), setup.scene.tick);
+  }
+  void Add(const Scene& scene, TickResult& output) {
+    ++ticks_;
+    if (!push_) return;
+    // the force of the last tick stood while the tip came here
+    work_ += glm::dot(force_P_, output.tip_P - tip_P_);
+    force_P_ = push_->Add(scene.X_WP(), output).force_P;
+    tip_P_ = output.tip_P;
+    sum_ += glm::length(force_P_);
+  }
+  void Tell(TrialResult& result) const {
+    result.mean_guidance = ticks_ > 0 ? sum_ / static_cast<double>(ticks_) : 0;
+    result.guidance_work = work_;
+  }
+
+ private:
+  std::optional<ScenePush> push_;
+  glm::dvec3 force_P_{0, 0, 0}, tip_P_{0, 0, 0};
+  std::size_t ticks_ = 0;
+  double sum_ = 0, work_ = 0;  ///< [N], [J]
+};
+
+/// The loop: device, scene, push, device, score. Everything it needs exists before it starts.
 void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& stylus,
-              TraceScorer& scorer, LiftCounter lifts, Recorder* recorder, TrialResult& result) {
+              TraceScorer& scorer, LiftCounter lifts, TrialPush push, Recorder* recorder,
+              TrialResult& result) {
   PhaseClock clock(plan.spans);
   const auto ticks = static_cast<std::size_t>(std::ceil(plan.duration / setup.scene.tick));
   const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
@@ -97,7 +127,8 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
     if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
     DeviceState input;
     stylus.Read(input);
-    const TickResult output = scene.Tick(input);
+    TickResult output = scene.Tick(input);
+    push.Add(scene, output);
     stylus.Write(output.force_W);
 
     const Plan::Span& span = clock.At(input.time);
@@ -122,6 +153,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
       setup.alive(static_cast<double>(n) / static_cast<double>(ticks));
     }
   }
+  push.Tell(result);
   result.lifts_within_lines = lifts.lifts();
   result.ticks = ticks;
   result.duration = static_cast<double>(ticks) * setup.scene.tick;
@@ -159,8 +191,8 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   TraceScorer scorer(strokes, setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
   const auto start = std::chrono::steady_clock::now();
-  RunTicks(setup, plan, scene, *stylus, scorer, LiftCounter(strokes, *setup.page), recorder.get(),
-           result);
+  RunTicks(setup, plan, scene, *stylus, scorer, LiftCounter(strokes, *setup.page),
+           TrialPush(setup, strokes), recorder.get(), result);
   result.score = scorer.Finish();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.real_time_factor = result.duration / std::max(elapsed.count(), 1e-9);
@@ -176,38 +208,27 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
 
 TrialResult Merged(const std::vector<TrialResult>& pages) {
   TrialResult all;
-  TraceMetrics& total = all.score.total;
-  double elapsed = 0;
-  double squares = 0;
-  double coverage = 0;
+  std::vector<PageMetrics> metrics;
+  double elapsed = 0, guidance = 0;
+  double letters = 0;
   for (const TrialResult& page : pages) {
-    const TraceMetrics& m = page.score.total;
+    metrics.push_back({page.score.total, page.stroke_length});
     all.stroke_length += page.stroke_length;
     all.duration += page.duration;
     all.ticks += page.ticks;
     all.faults += page.faults;
     all.lifts_within_lines += page.lifts_within_lines;
     all.lines += page.lines;
+    guidance += page.mean_guidance * page.duration;
+    all.guidance_work += page.guidance_work;
     all.energy_out = std::max(all.energy_out, page.energy_out);
     all.force_bound = std::max(all.force_bound, page.force_bound);
     elapsed += page.duration / page.real_time_factor;
-    coverage += m.coverage * page.stroke_length;
-    total.mean_error += m.mean_error * page.stroke_length;
-    squares += m.rms_error * m.rms_error * page.stroke_length;
-    total.max_error = std::max(total.max_error, m.max_error);
-    total.excursions += m.excursions;
-    total.duration += m.duration;
-    total.mean_force += m.mean_force * m.duration;
-    total.peak_force = std::max(total.peak_force, m.peak_force);
-    total.entries += m.entries;
-    total.lifts += m.lifts;
-    total.entry_error = std::max(total.entry_error, m.entry_error);
+    letters += page.score.letters_per_second * page.score.total.duration;
   }
-  const double length = std::max(all.stroke_length, 1e-300);
-  total.coverage = coverage / length;
-  total.mean_error /= length;
-  total.rms_error = std::sqrt(squares / length);
-  total.mean_force /= std::max(total.duration, 1e-300);
+  all.score.total = MergedMetrics(metrics);
+  if (letters > 0) all.score.letters_per_second = letters / all.score.total.duration;
+  all.mean_guidance = guidance / std::max(all.duration, 1e-300);
   all.real_time_factor = all.duration / std::max(elapsed, 1e-9);
   return all;
 }

@@ -12,6 +12,7 @@
 #include "devices/hand.h"
 #include "lessons/scoring.h"
 #include "sim/app/console.h"
+#include "sim/app/guide_options.h"
 #include "sim/plan/plan.h"
 #include "sim/scene/scene_options.h"
 #include "textures/field.h"
@@ -29,7 +30,8 @@ struct TrialSetup {
   std::string model_path;  ///< MJCF; empty = the shipped page
   SceneOptions scene;
   HandModel hand;
-  PlanOptions plan;  ///< `plan.press` counts, not the hand's
+  PlanOptions plan;        ///< `plan.press` counts, not the hand's
+  TrialGuidance guidance;  ///< along the page's strokes; off: none
   std::uint64_t seed = 1;
   double path_spacing = 0;  ///< keep the tip's way at this spacing for a picture [m]; 0 = keep none
   const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
@@ -62,7 +64,9 @@ struct TrialResult {
   /// Times that the tip left the page, more than 0.1 mm above it, and came back within a line of
   /// text.
   std::size_t lifts_within_lines = 0;
-  std::size_t lines = 0;  ///< of text
+  std::size_t lines = 0;     ///< of text
+  double mean_guidance = 0;  ///< size of the push, over the whole time [N]
+  double guidance_work = 0;  ///< that it did on the tip; below 0 where it held it back [J]
   std::vector<PathPoint> path;
   std::vector<std::string> remarks;  ///< the scene's, one line each
 };
@@ -78,9 +82,8 @@ HandModel ShippedHand();
 TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
                        bool blank);
 
-/// Totals of several pages traced one after the other: errors and coverage weighted by stroke
-/// length, mean force by duration, greatest values and counts over all. `letters` and `left_at` are
-/// left empty. `real_time_factor` is of the whole.
+/// Totals of several pages traced one after the other (merged_metrics.h); greatest values and
+/// counts over all. `letters` and `left_at` are left empty. `real_time_factor` is of the whole.
 TrialResult Merged(const std::vector<TrialResult>& pages);
 
 /// Whether direct rendering stays quiet (design section 4, point 4): the sideways stiffness felt,

@@ -47,6 +47,33 @@ SheetTexture TextureFrom(const Json& json) {
   return texture;
 }
 
+Json GuidanceJson(const TrialGuidance& guidance) {
+  const GuidanceGains& gains = guidance.gains;
+  return {{"mode", NameOf(guidance.mode)},
+          {"help", guidance.help},
+          {"stiffness_n_m", gains.stiffness},
+          {"damping_n_s_m", gains.damping},
+          {"dead_zone_widths", gains.dead_zone_widths},
+          {"cap_n", gains.cap},
+          {"bead_speed_m_s", gains.bead_speed},
+          {"leash_widths", gains.leash_widths},
+          {"cue_amplitude_n", gains.cue_amplitude}};
+}
+
+TrialGuidance GuidanceFrom(const Json& json) {
+  TrialGuidance guidance;
+  guidance.mode = GuidanceModeOf(json.at("mode").get<std::string>()).value_or(GuidanceMode::kOff);
+  guidance.help = json.at("help");
+  guidance.gains.stiffness = json.at("stiffness_n_m");
+  guidance.gains.damping = json.at("damping_n_s_m");
+  guidance.gains.dead_zone_widths = json.at("dead_zone_widths");
+  guidance.gains.cap = json.at("cap_n");
+  guidance.gains.bead_speed = json.at("bead_speed_m_s");
+  guidance.gains.leash_widths = json.at("leash_widths");
+  guidance.gains.cue_amplitude = json.at("cue_amplitude_n");
+  return guidance;
+}
+
 // Metres as they are, not millimetres: a record must give back every bit.
 Json StyleJson(const TypeStyle& style) {
   Json json = {{"size_m", style.size},
@@ -132,6 +159,7 @@ std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& 
                    {"margin_m", parameters.paper.margin}};
   json["page"] = parameters.page;
   json["blank"] = parameters.blank;
+  if (setup.guidance.on()) json["guidance"] = GuidanceJson(setup.guidance);
   json["plan"] = {{"speed_m_s", setup.plan.speed},
                   {"air_speed_m_s", setup.plan.air_speed},
                   {"clearance_m", setup.plan.clearance},
@@ -164,6 +192,7 @@ TrialParameters ReadParameters(const std::string& json_text, const std::string& 
                         paper.at("margin_m")};
     parameters.page = json.at("page");
     parameters.blank = json.at("blank");
+    if (json.contains("guidance")) parameters.guidance = GuidanceFrom(json.at("guidance"));
     return parameters;
   } catch (const Json::exception& error) {
     throw InputError(say::BadParameters(folder, error.what()));

@@ -18,6 +18,7 @@ struct TrialParameters {
   PageSpec paper;
   std::size_t page = 0;  ///< of the set text, from 0
   bool blank = false;
+  TrialGuidance guidance{};       ///< read from the setup when written
   std::string fallback_script{};  ///< read from the script itself when written; empty = none
 };
 

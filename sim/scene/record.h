@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "devices/device.h"
+#include "lessons/guidance.h"
 #include "sim/scene/scene.h"
 
 namespace moontrace {
@@ -65,7 +66,8 @@ struct Record {
 /// Replay compares what Scene::Tick computed; only `altered` tells of other changes.
 Record ReadRecord(const std::string& folder, bool tolerant = false);
 
-/// Runs the recorded inputs through a scene again. `first_difference` is the first tick whose
+/// Runs the recorded inputs through a scene again, with the push that was recorded within the
+/// forces (nullptr: none). `first_difference` is the first tick whose
 /// outputs are not equal to the bit, or rows.size(). Throws InputError: `field` is not the recorded
 /// one (hash), the model does not load, the state is another program's.
 struct ReplayResult {
@@ -73,6 +75,7 @@ struct ReplayResult {
   std::size_t first_difference = 0;
   std::string column;  ///< first that differs, by its name in samples.f64
 };
-ReplayResult Replay(const Record& record, const TextureField& field);
+ReplayResult Replay(const Record& record, const TextureField& field,
+                    const GuidancePlan* push = nullptr);
 
 }  // namespace moontrace

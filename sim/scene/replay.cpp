@@ -2,10 +2,12 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 #include "sim/scene/digest.h"
 #include "sim/scene/record.h"
 #include "sim/scene/record_columns.h"
+#include "sim/scene/scene_push.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -22,7 +24,7 @@ std::size_t FirstDifference(const RecordColumns& a, const RecordColumns& b) noex
 
 }  // namespace
 
-ReplayResult Replay(const Record& record, const TextureField& field) {
+ReplayResult Replay(const Record& record, const TextureField& field, const GuidancePlan* push) {
   if (field.Hash() != record.head.field_hash) {
     throw InputError(fmt::format("record: page digest {} here, {} recorded: use the script of then",
                                  ToHex(field.Hash()), ToHex(record.head.field_hash)));
@@ -38,12 +40,15 @@ ReplayResult Replay(const Record& record, const TextureField& field) {
   }
   scene.SetState(record.state);
 
+  std::optional<ScenePush> pushing;
+  if (push != nullptr) pushing.emplace(*push, record.options.tick);
   ReplayResult result;
   result.ticks = record.rows.size();
   result.first_difference = record.rows.size();
   for (std::size_t tick = 0; tick < record.rows.size(); ++tick) {
     RecordRow again = record.rows[tick];
     again.output = scene.Tick(again.input);
+    if (pushing) pushing->Add(scene.X_WP(), again.output);
     const std::size_t column = FirstDifference(ToColumns(again), ToColumns(record.rows[tick]));
     if (column == kAfterOutputs) continue;
     result.first_difference = tick;

@@ -1,0 +1,44 @@
+#include "sim/app/guide_options.h"
+
+#include <string>
+
+#include "sim/app/guide_messages.h"
+#include "sim/app/messages.h"
+#include "sim/app/options.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+constexpr double kUsualHelp = 6;  ///< as FadeSettings::start
+}
+
+void AddOptions(CLI::App& app, GuideOptions& options) {
+  app.add_option_function<std::string>(
+         "--guide",
+         [&options](const std::string& given) {
+           options.mode = GuidanceModeOf(given);
+           if (!options.mode) throw UsageError(say::NotAChoice("--guide", given, kGuidanceModes));
+         },
+         say::help::kGuide)
+      ->type_name("MODE")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  AddNumber(app, "--help-level", options.help, 0, GuidanceTable::kMostHelp, 1,
+            say::help::kHelpLevel);
+}
+
+TrialGuidance GuidanceOf(const GuideOptions& options) {
+  if (options.help && !options.mode) throw UsageError(say::NeedsOther("--help-level", "--guide"));
+  TrialGuidance guidance;
+  guidance.mode = options.mode.value_or(GuidanceMode::kOff);
+  if (guidance.mode == GuidanceMode::kOff) return guidance;
+  guidance.help = options.help.value_or(kUsualHelp);
+  guidance.gains = GuidanceTable::Shipped().GainsOf(guidance.mode, guidance.help);
+  return guidance;
+}
+
+GuidancePlan PlanOf(const TrialGuidance& guidance, const std::vector<IntendedStroke>& strokes) {
+  return {guidance.mode, guidance.gains, MakeGuidancePath(strokes)};
+}
+
+}  // namespace moontrace

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <utility>
+
+#include "lessons/guidance.h"
+#include "sim/scene/pose.h"
+#include "sim/scene/scene_options.h"
+
+namespace moontrace {
+
+/// A guiding push on top of what a scene's ticks answer: for simulated trials and their replay,
+/// which must do the very same. The tip's velocity is the way of one tick over its time.
+class ScenePush {
+ public:
+  ScenePush(GuidancePlan plan, double tick) : plan_(std::move(plan)), tick_(tick) {}
+
+  /// Adds the push to the force of a tick's answer. After a fault there is none, and a ramp-in.
+  GuidanceResult Add(const Pose& X_WP, TickResult& output) noexcept {
+    if (output.fault) {
+      begun_ = false;
+      state_.ramp = 0;
+      state_.begun = false;
+      return {};
+    }
+    const glm::dvec3 v_P = begun_ ? (output.tip_P - tip_P_) / tick_ : glm::dvec3(0, 0, 0);
+    tip_P_ = output.tip_P;
+    begun_ = true;
+    const GuidanceResult push = Guide(plan_, state_, output.tip_P, v_P, tick_);
+    output.force_P += push.force_P;
+    output.force_W += TurnToWorld(X_WP, push.force_P);
+    return push;
+  }
+
+ private:
+  GuidancePlan plan_;
+  double tick_ = 0.001;  ///< [s]
+  GuidanceState state_;
+  glm::dvec3 tip_P_{0, 0, 0};  ///< in the last tick [m]
+  bool begun_ = false;
+};
+
+}  // namespace moontrace
