@@ -137,12 +137,21 @@ TracedItem SimulatedLearner::Trace(const std::string& item, const ItemPage& page
   meter.Fill(result.measured);
   const bool blank = !(page.field.greatest_displacement() > 0);
   result.felt_error = blank ? 0 : felt.Share();
-  for (int i = 0; i < skill.lessons_a_trial; ++i) {
-    general_ = AfterTrial(model_.memory, general_, result.felt_error);
-    TwoRateMemory& own = by_item_[item];
-    own = AfterTrial(model_.memory, own, result.felt_error);
-  }
+  Learn(item, result.felt_error);
   return result;
+}
+
+void SimulatedLearner::Learn(const std::string& item, double felt_error) {
+  for (int i = 0; i < model_.tracing.lessons_a_trial; ++i) {
+    general_ = AfterTrial(model_.memory, general_, felt_error);
+    TwoRateMemory& own = by_item_[item];
+    own = AfterTrial(model_.memory, own, felt_error);
+  }
+}
+
+void SimulatedLearner::Relive(const std::string& item, double felt_error) {
+  ++works_;
+  Learn(item, felt_error);
 }
 
 FeltShape SimulatedLearner::Feel(const ItemPage& page) {

@@ -34,6 +34,8 @@ class SimulatedLearner {
   /// Follows the strokes of a told item once. `push`: none, or its plan. Nothing is learnt about
   /// the aim on blank paper, where no error can be felt.
   TracedItem Trace(const std::string& item, const ItemPage& page, const GuidancePlan* push);
+  /// The same trial again as far as it taught, from the error that was felt in it.
+  void Relive(const std::string& item, double felt_error);
   /// Explores a page and tells what it felt.
   FeltShape Feel(const ItemPage& page);
   /// Time passes without practice.
@@ -50,6 +52,7 @@ class SimulatedLearner {
 
  private:
   struct Aim;
+  void Learn(const std::string& item, double felt_error);
   const TwoRateMemory* Find(const std::string& item) const;
 
   LearnerModel model_;

@@ -1,0 +1,136 @@
+#include "sim/learner/study_row.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "textures/error.h"
+#include "textures/text_file.h"
+
+namespace moontrace {
+namespace {
+
+constexpr const char* kColumns =
+    "study,condition,seed,trial,phase,day,letter,size_mm,mode,help,coverage,mean_error_mm,"
+    "rms_error_mm,wander_offs,duration_s,mean_force_n,mean_guidance_n,felt_error,excluded";
+constexpr std::size_t kColumnCount = 19;
+
+using Cells = std::array<std::string_view, kColumnCount>;
+
+[[noreturn]] void Fail(const std::string& where, std::size_t line, const std::string& problem) {
+  throw InputError(fmt::format("{}:{}: {}", where, line, problem));
+}
+
+/// Reads the cells of one row; every failure names file, line and column.
+class RowReader {
+ public:
+  RowReader(std::string_view line, const std::string& where, std::size_t number)
+      : where_(where), number_(number) {
+    std::size_t count = 0;
+    while (true) {
+      const std::size_t comma = line.find(',');
+      if (count == kColumnCount) count = kColumnCount + 1;
+      if (count > kColumnCount) break;
+      cells_[count++] = line.substr(0, comma);
+      if (comma == std::string_view::npos) break;
+      line.remove_prefix(comma + 1);
+    }
+    if (count != kColumnCount) {
+      Fail(where_, number_,
+           fmt::format("not {} cells as a study writes: take the file away and run the study again",
+                       kColumnCount));
+    }
+  }
+  std::string Text() { return std::string(cells_[next_++]); }
+  template <typename T>
+  T Number() {
+    const std::string_view cell = cells_[next_++];
+    T value{};
+    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (read.ec != std::errc() || read.ptr != cell.data() + cell.size()) Refuse(cell);
+    if constexpr (std::is_floating_point_v<T>) {
+      if (!std::isfinite(value)) Refuse(cell);
+    }
+    return value;
+  }
+  std::uint64_t Hexadecimal() {
+    const std::string_view cell = cells_[next_++];
+    std::uint64_t value = 0;
+    const auto read = std::from_chars(cell.data(), cell.data() + cell.size(), value, 16);
+    if (read.ec != std::errc() || read.ptr != cell.data() + cell.size()) Refuse(cell);
+    return value;
+  }
+  [[noreturn]] void Refuse(std::string_view cell) const {
+    Fail(where_, number_,
+         fmt::format("'{}' in column {} is not what a study writes: run the study again",
+                     OneLine(cell), next_));
+  }
+
+ private:
+  const std::string& where_;
+  std::size_t number_ = 0, next_ = 0;
+  Cells cells_{};
+};
+
+StudyRow ParseRow(std::string_view line, const std::string& where, std::size_t number) {
+  RowReader cells(line, where, number);
+  StudyRow row;
+  row.study = cells.Hexadecimal();
+  row.condition = cells.Text();
+  row.seed = cells.Number<std::uint64_t>();
+  row.trial = cells.Number<std::size_t>();
+  row.given.phase = cells.Text();
+  row.given.day = cells.Number<double>();
+  row.given.letter = cells.Text();
+  row.given.size = cells.Number<double>() / 1e3;
+  const std::string mode = cells.Text();
+  const auto known = GuidanceModeOf(mode);
+  if (!known) cells.Refuse(mode);
+  row.given.mode = *known;
+  row.given.help = cells.Number<double>();
+  row.coverage = cells.Number<double>();
+  row.mean_error = cells.Number<double>() / 1e3;
+  row.rms_error = cells.Number<double>() / 1e3;
+  row.wander_offs = cells.Number<std::int64_t>();
+  row.duration = cells.Number<double>();
+  row.mean_force = cells.Number<double>();
+  row.mean_guidance = cells.Number<double>();
+  row.felt_error = cells.Number<double>();
+  row.excluded = cells.Text();
+  row.line = std::string(line) + "\n";
+  return row;
+}
+
+}  // namespace
+
+std::string StudyHeader() { return std::string(kColumns) + "\n"; }
+
+std::string FormatRow(const StudyRow& row) {
+  const StudyTrial& given = row.given;
+  return fmt::format("{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.study,
+                     row.condition, row.seed, row.trial, given.phase, given.day, given.letter,
+                     1e3 * given.size, NameOf(given.mode), given.help, row.coverage,
+                     1e3 * row.mean_error, 1e3 * row.rms_error, row.wander_offs, row.duration,
+                     row.mean_force, row.mean_guidance, row.felt_error, row.excluded);
+}
+
+std::vector<StudyRow> ParseRows(std::string_view text, const std::string& where) {
+  std::vector<StudyRow> rows;
+  std::size_t number = 0;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) break;
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end + 1);
+    if (++number == 1) {
+      if (line != kColumns) Fail(where, 1, "no study's file: its first line is not the columns'");
+    } else {
+      rows.push_back(ParseRow(line, where, number));
+    }
+  }
+  return rows;
+}
+
+}  // namespace moontrace

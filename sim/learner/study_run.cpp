@@ -1,0 +1,157 @@
+#include "sim/learner/study_run.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "lessons/guidance.h"
+#include "lessons/guidance_table.h"
+#include "sim/app/trial.h"
+#include "sim/learner/simulated_learner.h"
+#include "sim/learner/size_threshold.h"
+#include "textures/error.h"
+
+namespace moontrace {
+namespace {
+
+LearnerModel ModelOf(const StudyProtocol& protocol) {
+  LearnerModel model = protocol.learner.empty() ? ShippedLearner() : LoadLearner(protocol.learner);
+  if (protocol.press) model.tracing.press = *protocol.press;
+  return model;
+}
+
+class StudyLearner {
+ public:
+  StudyLearner(const StudyProtocol& protocol, const StudyPlace& place)
+      : protocol_(protocol),
+        place_(place),
+        condition_(protocol.conditions.at(place.condition)),
+        trials_(TrialsOf(protocol, condition_, place.seed)),
+        script_(FindScript(protocol.script)),
+        table_(GuidanceTable::Shipped()),
+        // The seed alone: the same person in each condition.
+        learner_(ModelOf(protocol), ShippedHand(), place.seed) {}
+
+  void Run(const std::vector<StudyRow>& rows, const std::function<void(const StudyRow&)>& each) {
+    for (std::size_t i = 0; i < trials_.size(); ++i) {
+      const StudyTrial& trial = trials_[i];
+      if (trial.day > learner_.day()) learner_.Wait(trial.day - learner_.day());
+      if (i < rows.size()) {
+        learner_.Relive(trial.letter, rows[i].felt_error);
+      } else {
+        each(Trace(trial, i + 1));
+      }
+    }
+    if (protocol_.staircase && rows.size() <= trials_.size()) each(Threshold());
+  }
+
+ private:
+  StudyRow Begin(const StudyTrial& trial, std::size_t number) const {
+    StudyRow row;
+    row.study = protocol_.digest;
+    row.condition = condition_.name;
+    row.seed = place_.seed;
+    row.trial = number;
+    row.given = trial;
+    return row;
+  }
+
+  const ItemPage& Page(const std::string& letter, double size) {
+    auto& page = pages_[{letter, size}];
+    if (!page) {
+      page = std::make_unique<ItemPage>(
+          SetItem(letter, script_, size, {1, protocol_.groove_depth_share}));
+    }
+    return *page;
+  }
+
+  StudyRow Trace(const StudyTrial& trial, std::size_t number) {
+    StudyRow row = Begin(trial, number);
+    const ItemPage& page = Page(trial.letter, trial.size);
+    GuidancePlan plan{trial.mode, table_.GainsOf(trial.mode, trial.help), nullptr};
+    const bool pushed = trial.mode != GuidanceMode::kOff && trial.help > 0;
+    if (pushed) plan.path = MakeGuidancePath(page.strokes);
+    const TracedItem traced = learner_.Trace(trial.letter, page, pushed ? &plan : nullptr);
+    const Trial& m = traced.measured;
+    row.coverage = m.coverage;
+    row.mean_error = m.mean_error;
+    row.rms_error = m.rms_error;
+    row.wander_offs = m.wander_offs;
+    row.duration = m.duration;
+    row.mean_force = m.mean_force;
+    row.mean_guidance = m.mean_guidance;
+    row.felt_error = traced.felt_error;
+    if (!(m.duration > 0)) row.excluded = "the page was not touched";
+    return row;
+  }
+
+  StudyRow Threshold() {
+    const StudyStaircase& stairs = *protocol_.staircase;
+    std::vector<std::string> letters = protocol_.letters;
+    for (const std::string& letter : letters) {
+      const ItemPage page = SetItem(letter, script_, stairs.start);
+      for (int i = 0; i < stairs.lessons; ++i) {
+        learner_.shapes().Remember(letter, learner_.Feel(page), learner_.day());
+      }
+    }
+    StaircaseRule rule;
+    rule.start = stairs.start;
+    rule.least = stairs.least;
+    rule.most = stairs.start;
+    rule.down = stairs.down;
+    rule.stop_trials = stairs.trials;
+    const SizeThreshold found = FindSizeThreshold(
+        learner_, script_, letters, rule, static_cast<std::size_t>(stairs.staircases), place_.seed);
+    StudyRow row = Begin({"size-threshold", learner_.day(), "", 0}, trials_.size() + 1);
+    row.given.size = found.size.value_or(0);
+    if (!found.size) row.excluded = "no staircase turned often enough";
+    row.coverage =
+        found.trials > 0 ? static_cast<double>(found.right) / static_cast<double>(found.trials) : 0;
+    return row;
+  }
+
+  const StudyProtocol& protocol_;
+  StudyPlace place_;
+  const StudyCondition& condition_;
+  std::vector<StudyTrial> trials_;
+  Script script_;
+  GuidanceTable table_;
+  SimulatedLearner learner_;
+  std::map<std::pair<std::string, double>, std::unique_ptr<ItemPage>> pages_;
+};
+
+}  // namespace
+
+std::vector<StudyPlace> PlacesOf(const StudyProtocol& protocol, int shard, int shards) {
+  std::vector<StudyPlace> places;
+  std::size_t number = 0;
+  for (std::size_t c = 0; c < protocol.conditions.size(); ++c) {
+    for (int i = 0; i < protocol.learners; ++i) {
+      const auto turn = static_cast<int>(number++ % static_cast<std::size_t>(shards));
+      if (turn + 1 == shard) {
+        places.push_back({c, protocol.first_seed + static_cast<std::uint64_t>(i)});
+      }
+    }
+  }
+  return places;
+}
+
+std::size_t RowsOf(const StudyProtocol& protocol, const StudyPlace& place) {
+  const std::size_t trials =
+      TrialsOf(protocol, protocol.conditions.at(place.condition), place.seed).size();
+  return trials + (protocol.staircase ? 1 : 0);
+}
+
+void RunStudyLearner(const StudyProtocol& protocol, const StudyPlace& place,
+                     const std::vector<StudyRow>& rows,
+                     const std::function<void(const StudyRow&)>& each) {
+  for (const StudyRow& row : rows) {
+    if (row.study != protocol.digest) {
+      throw InputError("rows were made by another protocol: give another --output");
+    }
+  }
+  if (rows.size() >= RowsOf(protocol, place)) return;
+  StudyLearner(protocol, place).Run(rows, each);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lessons/study_protocol.h"
+#include "sim/learner/study_row.h"
+
+namespace moontrace {
+
+/// One learner of a study.
+struct StudyPlace {
+  std::size_t condition = 0;  ///< index into StudyProtocol::conditions
+  std::uint64_t seed = 0;
+};
+
+/// All learners of a protocol, condition by condition; of shard `shard` of `shards` (from 1) every
+/// `shards`th one.
+std::vector<StudyPlace> PlacesOf(const StudyProtocol& protocol, int shard, int shards);
+
+/// How many rows one learner has.
+std::size_t RowsOf(const StudyProtocol& protocol, const StudyPlace& place);
+
+/// Runs the trials of one learner that are not among `rows`, its first ones; `each` is given every
+/// new row as soon as it is finished, and may throw to stop. What the learner had learnt is told
+/// again from the rows' felt errors. Throws InputError: rows of another study.
+void RunStudyLearner(const StudyProtocol& protocol, const StudyPlace& place,
+                     const std::vector<StudyRow>& rows,
+                     const std::function<void(const StudyRow&)>& each);
+
+}  // namespace moontrace
