@@ -23,7 +23,11 @@
 #include "sim/app/messages.h"
 #include "sim/app/page_command.h"
 #include "sim/app/probe_command.h"
+#include "sim/app/records_command.h"
+#include "sim/app/records_messages.h"
 #include "sim/app/replay_command.h"
+#include "sim/app/report_command.h"
+#include "sim/app/report_messages.h"
 #include "sim/app/script_command.h"
 #include "sim/app/script_messages.h"
 #include "sim/app/sound_messages.h"
@@ -124,6 +128,8 @@ constexpr Command kCommands[] = {
     {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
     {"tutor", say::help::kTutor, RunCommand<TutorOptions>},
     {"sounds", say::help::kSounds, RunCommand<SoundsOptions>},
+    {"report", say::help::kReport, RunCommand<ReportOptions>},
+    {"records", say::help::kRecordsCommand, RunCommand<RecordsOptions>},
     {"course", say::help::kCourseCommand, RunCommand<CourseOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},
