@@ -181,7 +181,8 @@ class CourseRun {
   void Name() {
     lesson_event::Answered answer;
     if (not_understood_) {  // it says something that it was told
-      answer.text = learner_.shapes().NameTold(felt_, learner_.day(), learner_.Guess()).label;
+      answer.text =
+          learner_.shapes(show_.script).NameTold(felt_, learner_.day(), learner_.Guess()).label;
       answer.latency = kAnswering;
     } else {
       const double before = learner_.seconds();
@@ -196,7 +197,7 @@ class CourseRun {
   }
 
   std::string WhatItWas() {
-    Recogniser& shapes = learner_.shapes();
+    Recogniser& shapes = learner_.shapes(show_.script);
     const std::uint64_t guess = learner_.Guess();
     if (asked_.sentence == Sentence::kAskSame) {
       return shapes.AreSame(felt_, learner_.day(), guess) ? "same" : "different";
@@ -208,7 +209,7 @@ class CourseRun {
   }
 
   void Remember(const std::string& item) {
-    learner_.shapes().Remember(item, felt_, learner_.day());
+    learner_.shapes(show_.script).Remember(item, felt_, learner_.day());
     felt_.clear();
   }
 

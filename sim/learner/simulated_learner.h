@@ -41,7 +41,10 @@ class SimulatedLearner {
   /// Time passes without practice.
   void Wait(double days);
 
-  Recogniser& shapes() { return shapes_; }
+  /// What it remembers of a script's signs: whoever reads Moon does not answer with a bare corner.
+  Recogniser& shapes(const std::string& script = "") {
+    return shapes_.try_emplace(script, Recogniser(model_.recognition)).first->second;
+  }
   double day() const { return day_; }  ///< since the learner began
   /// Drawn anew each time: for guesses.
   std::uint64_t Guess() { return SeedOf(seed_, "guess" + std::to_string(++guesses_)); }
@@ -57,8 +60,8 @@ class SimulatedLearner {
 
   LearnerModel model_;
   FeltHand hand_;
-  double stiffness_ = 1;  ///< of the hand [N/m]
-  Recogniser shapes_;
+  double stiffness_ = 1;                      ///< of the hand [N/m]
+  std::map<std::string, Recogniser> shapes_;  ///< by script
   std::uint64_t seed_ = 1, works_ = 0, guesses_ = 0;
   TwoRateMemory general_;
   std::map<std::string, TwoRateMemory> by_item_;

@@ -178,6 +178,30 @@ std::vector<StudyRow> DoneRows(const StudyProtocol& protocol, const StudyOutput&
   return rows;
 }
 
+using Learner = std::pair<std::string, std::uint64_t>;  // condition, seed
+struct Turn {
+  std::size_t shard = 0;  // from 1, as given
+  std::vector<StudyRow> rows;
+};
+using Learners = std::map<Learner, Turn>;
+
+/// All conditions have the same learners, with seeds one after the other.
+void CheckNoneMissing(const Learners& learners) {
+  std::map<std::string, std::set<std::uint64_t>> seeds;
+  std::set<std::uint64_t> all;
+  for (const auto& learner : learners) {
+    seeds[learner.first.first].insert(learner.first.second);
+    all.insert(learner.first.second);
+  }
+  for (const auto& condition : seeds) {
+    if (!all.empty() && *all.rbegin() - *all.begin() + 1 != condition.second.size()) {
+      throw InputError(
+          fmt::format("{}: {} learners of {} are there: a shard is missing, name it too",
+                      condition.first, condition.second.size(), *all.rbegin() - *all.begin() + 1));
+    }
+  }
+}
+
 }  // namespace
 
 std::string StudyText(const std::vector<StudyRow>& rows) {
@@ -213,13 +237,7 @@ std::vector<StudyRow> RunStudy(const StudyProtocol& protocol, const StudyOutput&
 }
 
 std::vector<StudyRow> MergeStudies(const std::vector<std::string>& paths) {
-  using Learner = std::pair<std::string, std::uint64_t>;
-  struct Turn {
-    std::size_t line = 0;  // of the shard's first row of it: shards take learners by turns
-    std::size_t shard = 0;
-    std::vector<StudyRow> rows;
-  };
-  std::map<Learner, Turn> learners;
+  Learners learners;
   std::vector<Learner> order;
   std::vector<std::vector<Learner>> by_shard;
   std::uint64_t study = 0;
@@ -258,6 +276,7 @@ std::vector<StudyRow> MergeStudies(const std::vector<std::string>& paths) {
   }
   std::vector<StudyRow> rows;
   std::size_t expected = 0;
+  CheckNoneMissing(learners);
   for (const std::string& condition : conditions) {
     for (auto& learner : learners) {
       if (learner.first.first != condition) continue;
