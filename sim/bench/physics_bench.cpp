@@ -5,13 +5,16 @@
 #include <string>
 
 #include "devices/simulated_stylus.h"
+#include "sim/app/guide_options.h"
 #include "sim/app/trial.h"
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
+#include "sim/loop/safety.h"
 #include "sim/plan/plan.h"
 #include "sim/scene/mujoco_compat.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_push.h"
 
 namespace moontrace {
 
@@ -132,7 +135,7 @@ void AddHeightField(const BenchPage& page, const TextureField& field, BenchRows&
   add("leaning stylus", true, 400, 200);
 }
 
-/// The whole tick of a simulated trial: device, sample, step, device.
+/// The whole tick: device, sample, step, guiding push, safety, device.
 void AddTick(const BenchPage& page, const TextureField& field, BenchRows& rows) {
   TextPage sheet;
   for (const PlacedGlyph& glyph : page.sheet.glyphs) {
@@ -141,19 +144,24 @@ void AddTick(const BenchPage& page, const TextureField& field, BenchRows& rows) 
   Scene scene = Scene::Load("", SceneOptions{});
   scene.SetField(&field);
   const HandModel hand = ShippedHand();
-  const Plan plan =
-      MakeOraclePlan(IntendedStrokes(sheet, page.script, page.style), PlanOptions{}, scene.X_WP());
+  const std::vector<IntendedStroke> strokes = IntendedStrokes(sheet, page.script, page.style);
+  const Plan plan = MakeOraclePlan(strokes, PlanOptions{}, scene.X_WP());
   const auto stylus = MakeSimulatedStylus(hand, plan.path_W, 1e-3, 1);
+  ScenePush push(PlanOf(GuidanceOf({GuidanceMode::kBead, 6}), strokes), 1e-3);
+  Safety safety(stylus->Limits(), 1e-3);
   const auto ticks = static_cast<std::size_t>(std::min(plan.duration * 1e3, 100000.0));
   std::vector<double> times;
   times.reserve(ticks);
   double whole = 0;
   for (std::size_t i = 0; i < ticks; ++i) {
     const double begin = Now();
-    DeviceState input;
-    stylus->Read(input);
-    const TickResult result = scene.Tick(input);
-    stylus->Write(result.force_W);
+    SafetyInput input;
+    input.status = stylus->Read(input.device);
+    input.time = 1e-3 * static_cast<double>(i);
+    TickResult result = scene.Tick(input.device);
+    push.Add(scene.X_WP(), result);
+    input.force = result.force_W;
+    stylus->Write(safety.Advance(input).force);
     times.push_back(Now() - begin);
     whole += times.back();
   }
