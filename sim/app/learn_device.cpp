@@ -19,7 +19,7 @@ std::string DeviceForLearning(const std::string& named, Console& console) {
   }
   console.Result(say::NoForceDevice());
   if (!problem.empty()) console.Result(problem);
-  for (const std::string& line : say::WithoutDevice()) console.Result(line);
+  for (const std::string& line : say::LearningWithoutDevice()) console.Result(line);
   throw LackError(say::NoDeviceGiven());
 }
 

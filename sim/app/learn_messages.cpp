@@ -264,7 +264,7 @@ std::string DeviceProblem(std::string_view name, std::string_view problem) {
   return fmt::format("There, but not usable: {}: {}", OneLine(name), OneLine(problem, 300));
 }
 std::string NoForceDevice() { return "No force device is here: nothing can be felt."; }
-std::vector<std::string> WithoutDevice() {
+std::vector<std::string> LearningWithoutDevice() {
   return {
       "A demonstration works: moontrace learn --device simulated. The program's own hand traces "
       "the pages; nothing is felt and nothing counts.",

@@ -98,7 +98,7 @@ std::string CannotShow(std::string_view text, std::string_view why);
 // Without a device.
 std::string NoForceDevice();
 std::string DeviceProblem(std::string_view name, std::string_view problem);
-std::vector<std::string> WithoutDevice();
+std::vector<std::string> LearningWithoutDevice();
 std::string NoDeviceGiven();
 
 // Printing.
