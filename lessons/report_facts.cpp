@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kLast = 10;  ///< trials that tell how an item goes now
 constexpr std::size_t kToPractise = 3;
-constexpr double kWeak = 0.25;  ///< below it nothing needs practice more than the rest
 
 double Ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
@@ -100,7 +99,7 @@ void AddItems(const Course& course, const std::vector<Trial>& trials, const Prog
     if (known.mastered) ++facts.mastered;
     const bool below = known.size_step > 0 && !known.sure;  // the size above this one is behind it
     fact.size = SizeAt(course, known.size_step);
-    if (fact.Weakness() > kWeak) facts.practise.push_back(fact);
+    if (fact.Weakness() > 0) facts.practise.push_back(fact);
     if (!known.sure && !below) continue;
     fact.size = SizeAt(course, below ? known.size_step - 1 : known.size_step);
     facts.sure.push_back(fact);
