@@ -18,6 +18,8 @@
 #include "sim/app/devices_command.h"
 #include "sim/app/gallery_command.h"
 #include "sim/app/help.h"
+#include "sim/app/learn_command.h"
+#include "sim/app/learn_messages.h"
 #include "sim/app/loop_command.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
@@ -32,6 +34,8 @@
 #include "sim/app/script_messages.h"
 #include "sim/app/sound_messages.h"
 #include "sim/app/sounds_command.h"
+#include "sim/app/study_command.h"
+#include "sim/app/study_messages.h"
 #include "sim/app/trace_command.h"
 #include "sim/app/tutor_client.h"
 #include "sim/app/tutor_messages.h"
@@ -121,6 +125,7 @@ constexpr Command kCommands[] = {
     {"demo", say::help::kDemo, RunCommand<DemoOptions>},
     {"page", say::help::kPage, RunCommand<PageOptions>},
     {"trace", say::help::kTrace, RunCommand<TraceOptions>},
+    {"learn", say::help::kLearn, RunCommand<LearnOptions>},
     {"loop", say::help::kLoop, RunCommand<LoopCommandOptions>},
     {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
     {"script", say::help::kScriptCommand, RunCommand<ScriptOptions>},
@@ -132,6 +137,7 @@ constexpr Command kCommands[] = {
     {"records", say::help::kRecordsCommand, RunCommand<RecordsOptions>},
     {"course", say::help::kCourseCommand, RunCommand<CourseOptions>},
     {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
+    {"study", say::help::kStudyCommand, RunCommand<StudyOptions>},
     {"bench", say::help::kBench, RunCommand<BenchOptions>},
 };
 

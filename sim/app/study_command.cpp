@@ -1,0 +1,174 @@
+#include "sim/app/study_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include "lessons/study_protocol.h"
+#include "sim/app/help.h"
+#include "sim/app/metrics_json.h"
+#include "sim/app/output_files.h"
+#include "sim/app/study_messages.h"
+#include "sim/app/typeset_report.h"
+#include "sim/learner/study_files.h"
+#include "sim/learner/study_summary.h"
+#include "textures/resources.h"
+
+namespace moontrace {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostShards = 100000;
+constexpr int kMostThreads = 256;
+
+struct Shard {
+  int number = 1, of = 1;
+};
+
+Shard ShardOf(const std::string& given) {
+  Shard shard;
+  if (given.empty()) return shard;
+  const char* const end = given.data() + given.size();
+  const auto k = std::from_chars(given.data(), end, shard.number);
+  if (k.ec != std::errc() || k.ptr == end || *k.ptr != '/') throw UsageError(say::NotAShard(given));
+  const auto n = std::from_chars(k.ptr + 1, end, shard.of);
+  if (n.ec != std::errc() || n.ptr != end || shard.number < 1 || shard.of > kMostShards ||
+      shard.number > shard.of) {
+    throw UsageError(say::NotAShard(given));
+  }
+  return shard;
+}
+
+/// A shipped protocol by its name, else a path.
+std::string ProtocolPath(const std::string& given) {
+  const bool name = given.find('/') == std::string::npos && given.find('.') == std::string::npos;
+  return name && !fs::exists(given) ? ResourcePath("lessons/studies/" + given + ".toml") : given;
+}
+
+int ThreadsOf(const StudyOptions& options) {
+  if (options.threads) {
+    if (*options.threads != std::floor(*options.threads)) throw UsageError(say::WholeThreads());
+    return static_cast<int>(*options.threads);
+  }
+  const unsigned cores = std::thread::hardware_concurrency();
+  return static_cast<int>(std::clamp(cores, 1U, static_cast<unsigned>(kMostThreads)));
+}
+
+Json CellJson(const StudyCell& cell) {
+  return Json{{"phase", cell.phase},           {"condition", cell.condition},
+              {"learners", cell.learners},     {"mean_mm", 1e3 * cell.mean},
+              {"sd_mm", 1e3 * cell.deviation}, {"ci95_mm", {1e3 * cell.low, 1e3 * cell.high}}};
+}
+
+Json SummaryJson(const StudySummary& summary, const std::string& path) {
+  Json cells = Json::array(), exclusions = Json::array();
+  for (const StudyCell& cell : summary.cells) cells.push_back(CellJson(cell));
+  for (const StudyExclusion& excluded : summary.exclusions) {
+    exclusions.push_back({{"condition", excluded.condition},
+                          {"seed", excluded.seed},
+                          {"trial", excluded.trial},
+                          {"phase", excluded.phase},
+                          {"why", excluded.why}});
+  }
+  return Json{
+      {"rows", path},      {"trials", summary.trials},  {"learners", summary.learners},
+      {"simulated", true}, {"cells", std::move(cells)}, {"excluded", std::move(exclusions)}};
+}
+
+/// Phase by phase: the cells, then their order.
+void SayCells(const StudySummary& summary, Console& console) {
+  std::vector<StudyCell> phase;
+  const auto say_order = [&phase, &console] {
+    if (phase.size() > 1) {
+      std::stable_sort(phase.begin(), phase.end(),
+                       [](const StudyCell& a, const StudyCell& b) { return a.mean < b.mean; });
+      std::vector<std::string> order;
+      for (const StudyCell& cell : phase) order.push_back(cell.condition);
+      console.Result(say::StudyOrder(phase.front().phase, order));
+    }
+    phase.clear();
+  };
+  for (const StudyCell& cell : summary.cells) {
+    if (!phase.empty() && phase.front().phase != cell.phase) say_order();
+    console.Result(say::StudyCellLine(cell));
+    phase.push_back(cell);
+  }
+  say_order();
+}
+
+void Tell(const StudyOptions& options, const StudySummary& summary, const std::string& outcome,
+          const std::string& path, Console& console) {
+  if (options.output.json) {
+    console.Json(Dump(SummaryJson(summary, path)));
+    return;
+  }
+  console.Result(outcome);
+  SayCells(summary, console);
+  console.Result(say::StudyExclusions(summary.exclusions.size()));
+  for (const StudyExclusion& excluded : summary.exclusions) {
+    console.Result(say::StudyExclusionLine(excluded));
+  }
+  console.Result(say::StudyProves());
+  console.Result(say::StudyRowsIn());
+  console.Path(path);
+}
+
+int Merge(const StudyOptions& options, Console& console) {
+  if (options.words.size() < 2) throw UsageError(say::NothingToMerge());
+  if (options.path.empty()) throw UsageError(say::MergeNeedsOutput());
+  if (options.threads) throw UsageError(say::OnlyForStudies("--threads"));
+  if (!options.shard.empty()) throw UsageError(say::OnlyForStudies("--shard"));
+  const std::vector<std::string> files(options.words.begin() + 1, options.words.end());
+  const std::vector<StudyRow> rows = MergeStudies(files);
+  WriteWhole(options.path, StudyText(rows));
+  const StudySummary summary = Summarise(rows);
+  Tell(options, summary, say::StudyMerged(summary, files.size()), options.path, console);
+  return exit_code::kGood;
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, StudyOptions& options) {
+  app.add_option("WORDS", options.words, say::help::kStudyWords);
+  AddPath(app, "--output", "FILE", options.path, say::help::kStudyOutput);
+  AddNumber(app, "--threads", options.threads, 1, kMostThreads, 1, say::help::kStudyThreads);
+  app.add_option("--shard", options.shard, say::help::kStudyShard)->type_name("K/N");
+  AddOptions(app, options.output);
+}
+
+int Run(const StudyOptions& options, Console& console) {
+  if (options.words.empty()) throw UsageError(say::NoStudyNamed());
+  if (options.words.front() == "merge") return Merge(options, console);
+  if (options.words.size() > 1) throw UsageError(say::TooManyStudies());
+  const Shard shard = ShardOf(options.shard);
+  const std::string file = ProtocolPath(options.words.front());
+  const StudyProtocol protocol = LoadStudy(file);
+  StudyOutput output;
+  output.path = options.path;
+  if (output.path.empty()) {
+    output.path = fs::path(file).stem().string();
+    if (shard.of > 1) output.path += fmt::format("-{}-of-{}", shard.number, shard.of);
+    output.path += ".csv";
+  }
+  output.shard = shard.number;
+  output.shards = shard.of;
+  output.threads = ThreadsOf(options);
+  output.check = [&console] { console.CheckStop(); };
+  output.progress = [&console](std::size_t done, std::size_t of) {
+    console.Alive(static_cast<double>(done) / static_cast<double>(of));
+  };
+  console.Remark(say::StudyBegins(protocol.title, PlacesOf(protocol, shard.number, shard.of).size(),
+                                  output.threads));
+  const StudySummary summary = Summarise(RunStudy(protocol, output));
+  Tell(options, summary, say::StudyDone(summary), output.path, console);
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,68 @@
+#include "sim/app/study_messages.h"
+
+#include <fmt/format.h>
+
+namespace moontrace::say {
+
+std::string NoStudyNamed() {
+  return "no protocol was named: moontrace study guidance, or a TOML file";
+}
+
+std::string TooManyStudies() { return "one protocol at a time: run study again for the next"; }
+
+std::string NothingToMerge() { return "no files to merge: name those that the shards wrote"; }
+
+std::string MergeNeedsOutput() { return "merge needs --output FILE for the rows of all shards"; }
+
+std::string OnlyForStudies(std::string_view option) {
+  return fmt::format("{} is for running a study, not for merge", option);
+}
+
+std::string WholeThreads() { return "--threads: give a whole number, 1 to 256"; }
+
+std::string NotAShard(std::string_view given) {
+  return fmt::format("--shard '{}': give K/N, as 2/4, K from 1 to N, N at most 100000", given);
+}
+
+std::string StudyBegins(std::string_view title, std::size_t learners, int threads) {
+  return fmt::format("Study {}: {} simulated learners, {} at a time.", title, learners, threads);
+}
+
+std::string StudyDone(const StudySummary& summary) {
+  return fmt::format("Study done: {} trials of {} learners.", summary.trials, summary.learners);
+}
+
+std::string StudyMerged(const StudySummary& summary, std::size_t files) {
+  return fmt::format("Merged {} files: {} trials of {} learners.", files, summary.trials,
+                     summary.learners);
+}
+
+std::string StudyCellLine(const StudyCell& cell) {
+  return fmt::format("{}, {}: {:.3f} mm, CI {:.3f} to {:.3f}, SD {:.3f}, n {}", cell.phase,
+                     cell.condition, 1e3 * cell.mean, 1e3 * cell.low, 1e3 * cell.high,
+                     1e3 * cell.deviation, cell.learners);
+}
+
+std::string StudyOrder(std::string_view phase, const std::vector<std::string>& conditions) {
+  std::string list;
+  for (const std::string& condition : conditions) list += (list.empty() ? "" : ", ") + condition;
+  return fmt::format("{}, least first: {}.", phase, list);
+}
+
+std::string StudyExclusions(std::size_t count) {
+  return count == 0 ? "Excluded: nothing." : fmt::format("Excluded: {} trials.", count);
+}
+
+std::string StudyExclusionLine(const StudyExclusion& exclusion) {
+  return fmt::format("Trial {} of {}, seed {}, {}: {}.", exclusion.trial, exclusion.condition,
+                     exclusion.seed, exclusion.phase, exclusion.why);
+}
+
+std::string StudyProves() {
+  return "Mean tracing error of each learner; CI: 95 percent. A simulated learner proves the "
+         "software, not the pedagogy.";
+}
+
+std::string StudyRowsIn() { return "Rows are in"; }
+
+}  // namespace moontrace::say

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/learner/study_summary.h"
+
+/// Sentences of `moontrace study`; see messages.h. What is wrong with a protocol or a study's file
+/// is said by the code that reads it.
+namespace moontrace::say {
+
+std::string NoStudyNamed();
+std::string TooManyStudies();
+std::string NothingToMerge();
+std::string MergeNeedsOutput();
+std::string OnlyForStudies(std::string_view option);
+std::string WholeThreads();
+std::string NotAShard(std::string_view given);
+std::string StudyBegins(std::string_view title, std::size_t learners, int threads);
+std::string StudyDone(const StudySummary& summary);
+std::string StudyMerged(const StudySummary& summary, std::size_t files);
+std::string StudyCellLine(const StudyCell& cell);
+/// Conditions of a phase, the least error first.
+std::string StudyOrder(std::string_view phase, const std::vector<std::string>& conditions);
+std::string StudyExclusions(std::size_t count);
+std::string StudyExclusionLine(const StudyExclusion& exclusion);
+std::string StudyProves();
+std::string StudyRowsIn();
+
+namespace help {
+inline constexpr const char* kStudyCommand =
+    "runs a study of simulated learners from a protocol file";
+inline constexpr const char* kStudyWords =
+    "A protocol (TOML), by path or by the name of a shipped one: guidance. Or merge, then files of "
+    "shards.";
+inline constexpr const char* kStudyOutput =
+    "Rows as CSV, one a trial; a run that was ended goes on where it was. Default: the protocol's "
+    "name with .csv, of a shard with -K-of-N.csv, in this folder. Of merge it must be given.";
+inline constexpr const char* kStudyThreads =
+    "Learners at the same time, 1 to 256; the bytes do not depend on it. Default: one a core.";
+inline constexpr const char* kStudyShard =
+    "K/N: only every Nth learner, beginning with the Kth, for one of N machines. Default 1/1.";
+}  // namespace help
+
+}  // namespace moontrace::say
