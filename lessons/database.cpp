@@ -241,10 +241,14 @@ std::vector<std::string> Database::Columns(const std::string& table) const {
   return names;
 }
 
-void Database::Check() const {
-  Statement statement = Prepare("PRAGMA quick_check(1)");
+void Database::Check(const std::string& table) const {
+  Statement statement = Prepare("PRAGMA quick_check(" + (table.empty() ? "1" : table) + ")");
   if (statement.Step() && statement.Text(0) == "ok") return;
   throw InputError(*path_ + kDamaged);
+}
+
+std::int64_t Database::Bytes() const {
+  return Number("PRAGMA page_count") * Number("PRAGMA page_size");
 }
 
 Transaction::Transaction(const Database& database) : database_(database) {

@@ -62,8 +62,10 @@ class Database {
   std::int64_t LastRow() const;
   /// Names of a table's columns.
   std::vector<std::string> Columns(const std::string& table) const;
-  /// Throws InputError where the file's structure is damaged.
-  void Check() const;
+  /// Throws InputError where the structure of the file is damaged, or only of a table and its
+  /// indices if one is named.
+  void Check(const std::string& table = {}) const;
+  std::int64_t Bytes() const;  ///< of the file
 
  private:
   struct Close {

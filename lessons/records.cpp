@@ -21,6 +21,8 @@ namespace moontrace {
 
 namespace {
 
+constexpr std::int64_t kQuicklyRead = std::int64_t{64} << 20U;  // [bytes]
+
 /// Text as it can be exported: bytes that are no UTF-8 become "?".
 std::string Clean(std::string text) {
   while (const std::optional<std::size_t> bad = FirstBadUtf8(text)) text[*bad] = '?';
@@ -86,7 +88,11 @@ struct Records::Impl {
                       "update this program",
                       path, Version(), RecordsVersion()));
     }
-    file.Check();
+    if (file.Bytes() <= kQuicklyRead) {
+      file.Check();
+    } else {  // raw tracks: these are found damaged when they are read
+      for (const char* table : {"learner", "trial", "event"}) file.Check(table);
+    }
   }
 
   /// All steps that are missing, or none.

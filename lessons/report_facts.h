@@ -59,7 +59,7 @@ struct DayFact {
 /// nowhere; scaled ones count in `scaled` only.
 struct ReportFacts {
   std::vector<ItemFact> sure;      ///< at any size; small sizes first, then in the course's order
-  std::vector<ItemFact> practise;  ///< at most three, the weakest first
+  std::vector<ItemFact> practise;  ///< with a fault, at most three, the weakest first
   std::size_t items = 0;           ///< that the course teaches
   std::size_t mastered = 0;
   double size_reached = 0;  ///< smallest at which anything is sure [m]; 0: none
