@@ -131,8 +131,8 @@ void SayChecked(const Checked& checked, Console& console) {
   } else if (lesson != nullptr) {
     console.Result(say::LessonSound(lesson->id, lesson->items.size(), lesson->steps.size()));
   } else {
-    console.Result(say::CourseSound(name, checked.course.lessons.size(), ItemCount(checked.course),
-                                    StepCount(checked.course)));
+    console.Result(say::CourseSound(checked.course.id, checked.course.lessons.size(),
+                                    ItemCount(checked.course), StepCount(checked.course)));
   }
 }
 

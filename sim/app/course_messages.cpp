@@ -14,7 +14,7 @@ std::string Named(const Course& course, const std::vector<std::string>& items) {
   for (const std::string& item : items) {
     names.push_back(OneLine(std::string(NameOf(course, item)), 60));
   }
-  return Joined(names, " and ");
+  return Joined(names, ", ");
 }
 
 std::string DidYouMean(std::string_view nearest) {
