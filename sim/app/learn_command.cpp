@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,6 +17,7 @@
 #include "sim/app/learn_messages.h"
 #include "sim/app/learn_print.h"
 #include "sim/app/learn_session.h"
+#include "sim/app/learn_simulated.h"
 #include "sim/app/learn_sound.h"
 #include "sim/app/learn_stage.h"
 #include "sim/app/learn_tutor.h"
@@ -47,6 +50,9 @@ bool AtTerminal(Console& console) {
 }
 
 void CheckTogether(const LearnOptions& options) {
+  if (options.days > 0 && !options.simulate) {
+    throw UsageError(say::NeedsOther("--days", "--simulate"));
+  }
   if (options.print.empty()) {
     if (!options.lesson.empty()) throw UsageError(say::OnlyWithPrint("--lesson"));
     if (options.size) throw UsageError(say::OnlyWithPrint("--size-mm"));
@@ -135,6 +141,13 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
   app.add_flag("--sound", options.sound, say::help::kSound);
   app.add_flag("--tutor", options.tutor, say::help::kLetTutor);
   app.add_flag("--keys", options.keys, say::help::kKeys);
+  app.add_flag("--simulate", options.simulate, say::help::kSimulate);
+  std::function<void(const std::string&)> read_days = [&options](const std::string& given) {
+    const double days = ReadNumber("--days", given, 1, 3650);
+    if (days != std::floor(days)) throw UsageError(say::NotAWholeNumber("--days", given));
+    options.days = static_cast<int>(days);
+  };
+  app.add_option_function("--days", read_days, say::help::kDays)->type_name("NUMBER");
   AddSeed(app, options.seed);
   app.get_option("--seed")->description(say::help::kLearnSeed);
   AddPath(app, "--print", "FILE", options.print, say::help::kPrint);
@@ -146,6 +159,14 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
 int Run(const LearnOptions& options, Console& console) {
   CheckTogether(options);
   const Course course = LoadCourse(options.course);
+  if (options.simulate) {
+    LearnSimulatedOptions simulated;
+    simulated.seed = options.seed;
+    simulated.days = options.days;
+    simulated.records = options.records;
+    simulated.learner = options.learner;
+    return LearnSimulated(simulated, course, console);
+  }
   if (!options.print.empty()) return PrintLesson(options, course, console);
   return Learn(options, course, console);
 }

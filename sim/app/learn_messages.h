@@ -30,6 +30,10 @@ inline constexpr const char* kPrintLesson = "with --print, the lesson. Default t
 inline constexpr const char* kPrintSize =
     "with --print, height of the letters in mm. Default the "
     "largest of the course.";
+inline constexpr const char* kSimulate =
+    "instead: a simulated learner goes through the course, unattended.";
+inline constexpr const char* kDays =
+    "with --simulate, sessions, one a day. Default: until the course is done.";
 inline constexpr const char* kKeys =
     "single keys without Enter, at a terminal; --keys=FILE changes them. Default off.";
 inline constexpr const char* kSpeak = "speak everything too, by speech-dispatcher. Default off.";
