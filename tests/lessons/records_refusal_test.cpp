@@ -257,5 +257,21 @@ TEST_F(RecordsRefusal, TakesAnEmptyFileForANewOne) {
   EXPECT_EQ(Records::OpenToRead(path_).Learners().size(), 1U);
 }
 
+class SlowRecordsRefusal : public RecordsRefusal {};
+
+// Beyond 64 MB tracks are left out of the check at opening; the rest is not.
+TEST_F(SlowRecordsRefusal, OfALargeFileWithADamagedPage) {
+  Fill();
+  const std::string good = BytesOf(path_);
+  Database(path_, true).Run("INSERT INTO track VALUES (1, zeroblob(70000000))");
+  EXPECT_EQ(Records::Open(path_).Trials("bat").size(), 20U);
+  std::fstream file(path_, std::ios::in | std::ios::out | std::ios::binary);
+  // the first page that holds trials
+  file.seekp(static_cast<std::streamoff>(good.find("04-jnz") / 4096 * 4096));
+  file << std::string(512, '\xa5') << std::flush;
+  const std::string line = RefusalOf<InputError>([&] { Records::Open(path_); });
+  EXPECT_NE(line.find("the records are damaged"), std::string::npos) << line;
+}
+
 }  // namespace
 }  // namespace moontrace
