@@ -99,6 +99,23 @@ TEST(LearnMoon, AsksMirrorMatesAgainstEachOther) {
   }
 }
 
+TEST(LearnMoon, NamesEveryShapeAndMarkThatIsAskedInWords) {
+  const Course course = LoadCourse("learn-moon");
+  const auto can_be_typed = [](const std::string& item) {
+    return std::all_of(item.begin(), item.end(),
+                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); });
+  };
+  for (const Lesson& lesson : course.lessons) {
+    std::vector<std::string> items = lesson.items;
+    for (const Step& step : lesson.steps) {
+      items.insert(items.end(), step.items.begin(), step.items.end());
+    }
+    for (const std::string& item : items) {
+      EXPECT_TRUE(can_be_typed(item) || course.names.count(item) > 0) << item;
+    }
+  }
+}
+
 TEST(LearnMoon, IsWalkedInTheOrderOfItsFile) {
   const Course course = LoadCourse("learn-moon");
   const LessonOrder order = OrderOf(course);
