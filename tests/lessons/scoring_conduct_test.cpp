@@ -99,7 +99,7 @@ TEST(Order, IsNotDecidedByATouchInPassing) {
   Tracer tracer(ThreeRungs());
   tracer.stroke = 2;
   tracer.FollowLine({0, 0.02}, {kWidth / 2, 0.02});
-  for (const std::size_t stroke : {0, 1, 2}) {
+  for (const std::size_t stroke : {0U, 1U, 2U}) {
     tracer.stroke = stroke;
     const double y = 0.01 * static_cast<double>(stroke);
     tracer.FollowLine({0, y}, {kLength, y});
