@@ -65,6 +65,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
     case TutorWord::kWho:
       return server_.Answer(line.tutor, say::WhoIsHere(session_.memory().name(), server_.tutors()));
     case TutorWord::kQuit:
+      server_.Answer(line.tutor, say::TutorGone());
       return server_.Dismiss(line.tutor);
     case TutorWord::kGo:
       if (!session_.stopped()) return server_.Answer(line.tutor, say::NothingRests());

@@ -67,7 +67,7 @@ class Talk {
       while (const std::optional<std::string> line = in_.Next()) Show(*line);
       console_.out().flush();
     }
-    Show(leaving_ ? say::TutorGone() : say::LessonEnded());
+    if (!leaving_) Show(say::LessonEnded());
     console_.out().flush();
   }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "sim/app/tutor_messages.h"
 #include "sim/app/tutor_server.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/sim/tutor_fixture.h"
@@ -29,8 +30,9 @@ class Lesson {
 
  private:
   void Obey(const TutorServer::Line& line) {
-    server_->Answer(line.tutor, "Heard: " + line.text);
-    if (line.text == "quit") server_->Dismiss(line.tutor);
+    const bool leaves = line.text == "quit";
+    server_->Answer(line.tutor, leaves ? say::TutorGone() : "Heard: " + line.text);
+    if (leaves) server_->Dismiss(line.tutor);
     if (++heard_ == kLongest) end_ = true;
   }
   static constexpr int kLongest = 20;  ///< lines of a lesson
@@ -57,15 +59,14 @@ TEST_F(TutorCommandLine, SpeaksThroughAPipeAndEndsWithItOnceAllIsAnswered) {
   const Outcome outcome = RunLine({"tutor"}, "size 20\nhelp 3");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out,
-            "Lesson of ada.\nHeard: size 20\nHeard: help 3\nHeard: quit\nYou have left; the lesson "
-            "goes on.\n");
+            "Lesson of ada.\nHeard: size 20\nHeard: help 3\nYou have left; the lesson goes on.\n");
   EXPECT_EQ(outcome.err, "");
 }
 
 TEST_F(TutorCommandLine, LeavesByQuitAndReadsNothingBehindIt) {
   const Lesson lesson("ada");
   EXPECT_EQ(RunLine({"tutor", "--learner", "ada"}, "quit\nsize 20\n").out,
-            "Lesson of ada.\nHeard: quit\nYou have left; the lesson goes on.\n");
+            "Lesson of ada.\nYou have left; the lesson goes on.\n");
 }
 
 TEST_F(TutorCommandLine, EndsInOrderWhenTheLessonEnds) {
@@ -83,10 +84,9 @@ TEST_F(TutorCommandLine, EndsInOrderWhenTheLessonEnds) {
 TEST_F(TutorCommandLine, WritesEachLineAsJson) {
   const Lesson lesson("ada");
   const Outcome outcome = RunLine({"tutor", "--json"}, "where\n");
-  EXPECT_EQ(
-      outcome.out,
-      "{\"line\":\"Lesson of ada.\"}\n{\"line\":\"Heard: where\"}\n{\"line\":\"Heard: quit\"}\n"
-      "{\"line\":\"You have left; the lesson goes on.\"}\n");
+  EXPECT_EQ(outcome.out,
+            "{\"line\":\"Lesson of ada.\"}\n{\"line\":\"Heard: where\"}\n{\"line\":\"You have "
+            "left; the lesson goes on.\"}\n");
 }
 
 TEST_F(TutorCommandLine, SaysInOneLineThatNoLessonRuns) {
@@ -106,7 +106,7 @@ TEST_F(TutorCommandLine, AsksWhichOfSeveralLessons) {
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(outcome.err, "several lessons run: choose with --learner: ada, bob\n");
   EXPECT_EQ(RunLine({"tutor", "--learner", "bob"}, "").out,
-            "Lesson of bob.\nHeard: quit\nYou have left; the lesson goes on.\n");
+            "Lesson of bob.\nYou have left; the lesson goes on.\n");
 }
 
 TEST_F(TutorCommandLine, EntersNoFolderThatOthersMayWriteTo) {
