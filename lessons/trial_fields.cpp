@@ -18,9 +18,7 @@ template <auto kMember>
 Value Get(const Trial& trial) {
   const auto& member = trial.*kMember;
   using Type = std::decay_t<decltype(member)>;
-  if constexpr (std::is_same_v<Type, StepKind>) {
-    return std::string(NameOf(member));
-  } else if constexpr (std::is_same_v<Type, GuidanceMode>) {
+  if constexpr (std::is_enum_v<Type>) {
     return std::string(NameOf(member));
   } else if constexpr (std::is_integral_v<Type>) {
     return static_cast<std::int64_t>(member);
