@@ -155,7 +155,10 @@ void LessonCheck::CheckText(const Lesson& lesson, const Script& script, const st
   }
   for (const std::string& character : use.untaught) {
     const SignUse alone = SignsOf(character, script, lesson.grade, nullptr);
-    const auto teacher = alone.signs.empty() ? teachers_.end() : teachers_.find(alone.signs.back());
+    const auto sign =
+        std::find_if(alone.signs.begin(), alone.signs.end(),
+                     [this](const std::string& name) { return taught_.count(name) == 0; });
+    const auto teacher = sign == alone.signs.end() ? teachers_.end() : teachers_.find(*sign);
     faults_.Add(lesson, key,
                 teacher == teachers_.end()
                     ? fmt::format("{} is used, and no lesson teaches it; add it to the new of one",

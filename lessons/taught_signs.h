@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/course.h"
 #include "textures/script.h"
 
 namespace moontrace {
@@ -14,23 +13,17 @@ namespace moontrace {
 struct SignUse {
   std::vector<std::string> signs;     ///< names, in order, each as often as it stands
   std::vector<std::string> missing;   ///< characters without a form in the script, each once
-  std::vector<std::string> untaught;  ///< characters whose sign is not taught, each once
+  std::vector<std::string> untaught;  ///< characters and groups whose sign is not taught, each once
 };
 
-/// Signs of a text in a script at a grade. Contractions with a sign that is not among `taught` are
-/// spelled out; null: all signs are taught. Throws InputError: a grade that the script does not
-/// know.
+/// Signs of a text in a script at a grade, as a lesson's page is set: with all contractions of the
+/// grade, whether taught or not. `taught`: signs by name; null: all. Throws InputError: a grade
+/// that the script does not know.
 SignUse SignsOf(std::string_view text, const Script& script, double grade,
                 const std::set<std::string>* taught);
 
 /// Whether an item teaches the signs that it is written with: a letter, a digit with its numeral
 /// sign, a word with a sign of its own. Any other word is made of signs taught before.
 bool TeachesSigns(std::string_view item, const SignUse& use);
-
-/// Signs that a learner knows at a lesson of the course's script: those of all lessons before it on
-/// the way (lesson_order.h) and its own, for TypeStyle::only. Empty (all) for a lesson of another
-/// script and while none is taught.
-std::vector<std::string> SignsKnown(const Course& course, std::string_view lesson,
-                                    const Script& script);
 
 }  // namespace moontrace

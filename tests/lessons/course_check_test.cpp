@@ -26,10 +26,22 @@ TEST_F(CourseCheck, RefusesAnUntaughtLetterWithinAWord) {
             "two.toml:11:15: 'n' is used, and no lesson teaches it; add it to the new of one\n");
 }
 
-TEST_F(CourseCheck, TakesAnUntaughtContractionAsSpelledOut) {
-  Write("two", Replaced(Replaced(kTwo, "[\"a\"]", "[\"a\", \"n\", \"d\"]"), "[\"a\", \"tait\"]",
-                        "[\"a\", \"n\", \"d\", \"and\"]"));
-  EXPECT_EQ(Faults(), "");
+TEST_F(CourseCheck, RefusesAContractionWhoseSignIsNotTaught) {
+  // All letters of "and" are, but a page of grade 1 writes the word as one sign.
+  const std::string three =
+      Replaced(Replaced(kTwo, "[\"a\"]", "[\"a\", \"n\", \"d\"]"), "[\"a\", \"tait\"]",
+               "[\"a\", \"n\", \"d\", \"and\", \"tait\"]");
+  Write("two", three);
+  EXPECT_EQ(Faults(),
+            "two.toml:11:25: 'and' is used, and no lesson teaches it; add it to the new of one\n");
+  Write("two", Replaced(three, "needs =", "grade = 0.5\nneeds ="));
+  EXPECT_EQ(Faults(), "") << "spelled out";
+}
+
+TEST_F(CourseCheck, RefusesANumberWhoseNumeralSignIsNotTaught) {
+  Write("two", Replaced(kTwo, "\"tait\"", "\"1\""));
+  EXPECT_EQ(Faults(),
+            "two.toml:11:15: '1' is used, and no lesson teaches it; add it to the new of one\n");
 }
 
 TEST_F(CourseCheck, FindsWhatIsTaughtTwice) {
