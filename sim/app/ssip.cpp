@@ -40,8 +40,8 @@ std::string SsipText(std::string_view text) {
     if (static_cast<unsigned char>(c) < 0x20U || c == '\x7f') c = ' ';
   }
   line = OneLine(line, kLongestText);
-  if (!line.empty() && line.front() == '.') line.insert(0, ".");
-  return line + "\r\n.\r\n";
+  const bool doubled = !line.empty() && line.front() == '.';
+  return fmt::format("{}{}\r\n.\r\n", doubled ? "." : "", line);
 }
 
 Ssip::Ssip(Hurry hurry) : hurry_(std::move(hurry)) {}
