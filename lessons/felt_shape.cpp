@@ -11,6 +11,7 @@ constexpr int kMostColumns = 800;
 constexpr double kPictureReach = 2.2;  // from its middle, in spreads
 constexpr double kFlatShare = 0.75;    // of the samples in contact lie deeper than the flat paper
 constexpr double kDeepShare = 0.02;    // of them lie deeper than what counts as the deepest
+constexpr double kLeastColumn = 1.2;   // rows of groove in a column that is not a gap
 constexpr double kLongestStep = 0.1;   // of the height: farther apart lay no way [share]
 
 /// How much of the way through a cell of the page lay in a groove.
@@ -91,7 +92,7 @@ std::vector<std::pair<int, int>> Parts(const Map& map, double gap) {
   for (int column = 0; column < map.columns; ++column) {
     double sum = 0;
     for (int row = 0; row < kRows; ++row) sum += map.At(column, row);
-    if (sum < 0.6) continue;
+    if (sum < kLeastColumn) continue;
     if (!parts.empty() && column - parts.back().second <= gap * kRows) {
       parts.back().second = column;
     } else {

@@ -43,12 +43,8 @@ double Confidence(double best, double next) {
 
 void Recogniser::Remember(const std::string& label, const FeltShape& shape, double day) {
   if (shape.empty()) return;
-  Memory& memory = memories_[label];
-  if (memory.shape.size() != shape.size()) {  // a first time, or one that felt quite different
-    if (memory.times > 1) {
-      --memory.times;
-      return;
-    }
+  Memory& memory = memories_[label][shape.size()];
+  if (memory.times == 0) {
     memory = {shape, 1, day};
     return;
   }
@@ -67,8 +63,10 @@ double Recogniser::SignDistance(const FeltSign& felt, const FeltSign& known,
   return strength * distance + (1 - strength) * 0.5;
 }
 
-double Recogniser::ShapeDistance(const FeltShape& felt, const Memory& memory, double day) const {
-  if (felt.empty() || felt.size() != memory.shape.size()) return kNever;
+double Recogniser::ShapeDistance(const FeltShape& felt, const Ways& ways, double day) const {
+  const auto way = ways.find(felt.size());
+  if (way == ways.end()) return kNever;
+  const Memory& memory = way->second;
   const double strength =
       std::exp(-std::max(0.0, day - memory.day) / (rule_.memory_days * memory.times));
   double sum = 0;

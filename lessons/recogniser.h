@@ -59,14 +59,16 @@ class Recogniser {
     int times = 0;
     double day = 0;
   };
+  /// How one thing felt, by the number of signs that it was felt as: a hand may take two for one.
+  using Ways = std::map<std::size_t, Memory>;
   double SignDistance(const FeltSign& felt, const FeltSign& known, double strength) const;
-  double ShapeDistance(const FeltShape& felt, const Memory& memory, double day) const;
+  double ShapeDistance(const FeltShape& felt, const Ways& ways, double day) const;
   std::string Guess(std::uint64_t guess) const;
   Naming Nearest(const FeltShape& shape, double day, double& best) const;
   Naming SpellOut(const FeltShape& shape, double day, double& distance) const;
 
   RecogniserRule rule_;
-  std::map<std::string, Memory> memories_;
+  std::map<std::string, Ways> memories_;
 };
 
 }  // namespace moontrace
