@@ -98,6 +98,7 @@ void SayCells(const StudySummary& summary, Console& console) {
   for (const StudyCell& cell : summary.cells) {
     if (!phase.empty() && phase.front().phase != cell.phase) say_order();
     console.Result(say::StudyCellLine(cell));
+    if (cell.pairs > 1) console.Result(say::StudyDifferenceLine(cell, summary.reference));
     phase.push_back(cell);
   }
   say_order();

@@ -43,6 +43,12 @@ std::string StudyCellLine(const StudyCell& cell) {
                      1e3 * cell.deviation, cell.learners);
 }
 
+std::string StudyDifferenceLine(const StudyCell& cell, std::string_view reference) {
+  return fmt::format("{}, {} less {}: {:+.3f} mm, CI {:+.3f} to {:+.3f}, pairs {}", cell.phase,
+                     cell.condition, reference, 1e3 * cell.more, 1e3 * cell.more_low,
+                     1e3 * cell.more_high, cell.pairs);
+}
+
 std::string StudyOrder(std::string_view phase, const std::vector<std::string>& conditions) {
   std::string list;
   for (const std::string& condition : conditions) list += (list.empty() ? "" : ", ") + condition;

@@ -22,6 +22,8 @@ std::string StudyBegins(std::string_view title, std::size_t learners, int thread
 std::string StudyDone(const StudySummary& summary);
 std::string StudyMerged(const StudySummary& summary, std::size_t files);
 std::string StudyCellLine(const StudyCell& cell);
+/// The same learners against the reference.
+std::string StudyDifferenceLine(const StudyCell& cell, std::string_view reference);
 /// Conditions of a phase, the least error first.
 std::string StudyOrder(std::string_view phase, const std::vector<std::string>& conditions);
 std::string StudyExclusions(std::size_t count);

@@ -42,6 +42,26 @@ StudyCell CellOf(const std::map<std::uint64_t, Sum>& learners) {
   return cell;
 }
 
+double MeanOf(const Sum& sum) { return sum.sum / static_cast<double>(sum.count); }
+
+/// The same persons under both conditions: their differences have no share of what sets one person
+/// apart from another.
+void Compare(StudyCell& cell, const std::map<std::uint64_t, Sum>& learners,
+             const std::map<std::uint64_t, Sum>& reference) {
+  std::map<std::uint64_t, Sum> differences;
+  for (const auto& learner : learners) {
+    const auto other = reference.find(learner.first);
+    if (other == reference.end()) continue;
+    differences[learner.first] = {MeanOf(learner.second) - MeanOf(other->second), 1};
+  }
+  if (differences.empty()) return;
+  const StudyCell difference = CellOf(differences);
+  cell.pairs = difference.learners;
+  cell.more = difference.mean;
+  cell.more_low = difference.low;
+  cell.more_high = difference.high;
+}
+
 }  // namespace
 
 double StudentT95(std::size_t freedom) {
@@ -61,9 +81,11 @@ StudySummary Summarise(const std::vector<StudyRow>& rows) {
   std::vector<std::string> phases, conditions;
   std::map<std::pair<std::size_t, std::size_t>, std::map<std::uint64_t, Sum>> cells;
   std::set<std::pair<std::string, std::uint64_t>> learners;
+  std::set<std::string> guided;
   for (const StudyRow& row : rows) {
     ++summary.trials;
     learners.insert({row.condition, row.seed});
+    if (row.given.mode != GuidanceMode::kOff) guided.insert(row.condition);
     const std::size_t phase = PlaceOf(phases, row.given.phase);
     const std::size_t condition = PlaceOf(conditions, row.condition);
     if (!row.excluded.empty()) {
@@ -76,10 +98,17 @@ StudySummary Summarise(const std::vector<StudyRow>& rows) {
     ++sum.count;
   }
   summary.learners = learners.size();
+  std::size_t reference = 0;
+  while (reference < conditions.size() && guided.count(conditions[reference]) > 0) ++reference;
+  if (reference < conditions.size()) summary.reference = conditions[reference];
   for (const auto& cell : cells) {
     StudyCell made = CellOf(cell.second);
     made.phase = phases[cell.first.first];
     made.condition = conditions[cell.first.second];
+    const auto other = cells.find({cell.first.first, reference});
+    if (cell.first.second != reference && other != cells.end()) {
+      Compare(made, cell.second, other->second);
+    }
     summary.cells.push_back(made);
   }
   return summary;
