@@ -16,7 +16,7 @@ struct GuidanceGains {
   double dead_zone_widths = 0;  ///< of kCorridor, half its width [groove widths]
   double cap = 1.5;             ///< greatest force [N]
   double bead_speed = 0.02;     ///< along the stroke, and from one to the next [m/s]
-  double leash_widths = 2;      ///< the bead waits for a tip farther away [groove widths]
+  double leash_widths = 1;      ///< the bead waits for a tip farther away [groove widths]
   double cue_amplitude = 0;     ///< of kCorridor's vibration [N]
 };
 

@@ -29,6 +29,7 @@ inline GuidancePlan GuidePlan(GuidanceMode mode, const std::vector<IntendedStrok
   plan.mode = mode;
   plan.gains.stiffness = 200;
   plan.gains.cap = 1.5;
+  plan.gains.leash_widths = 2;
   plan.path = MakeGuidancePath(strokes);
   return plan;
 }
