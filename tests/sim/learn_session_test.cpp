@@ -1,0 +1,184 @@
+#include "sim/app/learn_session.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "lessons/records.h"
+#include "sim/app/learn_words.h"
+#include "tests/sim/learn_fixture.h"
+#include "tests/sim/pty_fixture.h"
+
+namespace moontrace {
+namespace {
+
+class LearnSessionTest : public LearnTest {};
+class SlowLearnSession : public LearnTest {};
+
+bool Holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Trials that a session said were done: each ends in one of these.
+std::size_t Announced(const std::string& all) {
+  std::size_t count = 0;
+  for (const char* begin : {"\nRight: ", "\nWrong: ", "\nGood: ", "\nNot yet: "}) {
+    for (std::size_t at = all.find(begin); at != std::string::npos; at = all.find(begin, at + 1)) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+std::size_t TrialsIn(const std::string& records) {
+  std::size_t count = 0;
+  for (const Trial& trial : Records::OpenToRead(records).Trials("ann")) {
+    if (!trial.item.empty()) ++count;
+  }
+  return count;
+}
+
+/// Every word but those that end a step or the session.
+std::vector<std::string> WordsThatStay() {
+  std::vector<std::string> words;
+  for (const std::string& word : LearnWords()) {
+    if (word != "next" && word != "quit" && word != "done") words.push_back(word);
+  }
+  return words;
+}
+
+TEST_F(LearnSessionTest, SaysFirstThatNothingIsFeltAndEndsWithItsInput) {
+  const Outcome outcome = RunLine(Learn(), "where\nnext\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  ExpectTextFace(outcome.out);
+  ExpectTextFace(outcome.err);
+  const std::vector<std::string> lines = Lines(outcome.out);
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "New learner: ann.");
+  EXPECT_EQ(lines[1].rfind("Demonstration: nothing is felt.", 0), 0U);
+  EXPECT_TRUE(Holds(outcome.out, "Welcome to Small course.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2: First lesson.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "\nFeel the line.\nIt is upright.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2, step 1 of 8: First lesson.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "End of input: the session ends.")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, GoesOnWhereItWas) {
+  ASSERT_EQ(RunLine(Learn(), "next\n").code, 0);
+  const Outcome outcome = RunLine(Learn(), "where\n");
+  EXPECT_TRUE(Holds(outcome.out, "Welcome back, to: First lesson.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2, step 2 of 8: First lesson.")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, TakesTheOnlyLearnerAndAsksNobodyInAPipe) {
+  const std::vector<std::string> nobody = {"learn",        "--course", In("course"), "--records",
+                                           In("r.sqlite"), "--device", "simulated"};
+  const Outcome none = RunLine(nobody, "quit\n");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_EQ(Lines(none.err).size(), 1U) << none.err;
+  ASSERT_EQ(RunLine(With(nobody, {"--learner", "ann"}), "quit\n").code, 0);
+  const Outcome one = RunLine(nobody, "quit\n");
+  EXPECT_EQ(one.code, 0) << one.err;
+  EXPECT_TRUE(Holds(one.out, "Learner: ann, 0 trials so far.")) << one.out;
+}
+
+TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
+  const Outcome outcome = RunLine(Learn({"--seconds", "9"}), "next\n");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<Trial> trials = Records::OpenToRead(In("records.sqlite")).Trials("ann");
+  std::size_t done = 0;
+  for (const Trial& trial : trials) {
+    EXPECT_TRUE(trial.simulated && trial.scaled) << trial.item;
+    if (!trial.item.empty()) ++done;
+  }
+  EXPECT_GE(done, 1U) << outcome.out;  // the program's own hand went round a letter
+  EXPECT_TRUE(Holds(outcome.out, ", 0 signs sure.")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
+  session.Send("\n");
+  ASSERT_TRUE(session.WaitFor("Raw tracks will not be kept.")) << session.all();
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  for (const char* line : {"stop", "", "where", "letter", "fly", "le", "?", "go", "12", "/hint"}) {
+    EXPECT_TRUE(session.Ask(line)) << line << session.all();
+  }
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_TRUE(session.terminal_is_usual());
+  ExpectStream(session.all());
+}
+
+TEST_F(SlowLearnSession, AnswersEveryWordAtEveryStep) {
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
+  session.Send("no\n");
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  for (std::size_t step = 1; step <= kStepsOfFirst; ++step) {
+    const std::string place = "step " + std::to_string(step) + " of 8";
+    // skips what is left of the step before; a stopped hand does not go on by itself
+    for (int i = 0; i < 12; ++i) {
+      ASSERT_TRUE(session.Ask("/stop")) << session.all();
+      ASSERT_TRUE(session.Ask("/where")) << session.all();
+      if (session.WaitFor(" of 2, ")) {
+        session.ReadFor(100);
+        const std::size_t at = session.all().rfind("Lesson 1 of 2, step ");
+        ASSERT_NE(at, std::string::npos) << session.all();
+        if (session.all().compare(at + 15, place.size(), place) == 0) break;
+      }
+      ASSERT_TRUE(session.Ask("/next")) << session.all();
+    }
+    for (const std::string& word : WordsThatStay()) {
+      EXPECT_TRUE(session.Ask("/" + word)) << word << " at " << place << session.all();
+    }
+    for (const char* line : {"", "elephant", "i", "/18000", "s"}) {
+      EXPECT_TRUE(session.Ask(line)) << line << " at " << place << session.all();
+    }
+  }
+  session.Send("/quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  ExpectStream(session.all());
+}
+
+/// Kills a session at random instants, again and again, and looks what is left.
+void KillAgainAndAgain(const std::vector<std::string>& args, const std::string& records,
+                       int times) {
+  std::mt19937 random(1873);  // fixed: William Moon's first page of a list, ours
+  std::size_t announced = 0;
+  for (int i = 0; i < times; ++i) {
+    PtySession session(args);
+    if (i == 0) {
+      ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
+      session.Send("\n");
+    }
+    ASSERT_TRUE(session.WaitFor("earner: ann")) << session.all();
+    // at the recognising step each answer is a trial; others skip or trace
+    session.Send("/next\n/next\n/next\n/next\n/next\ni\nl\ni\nl\ni\n");
+    session.ReadFor(200 + static_cast<int>(random() % 2500));
+    session.Kill(SIGKILL);
+    announced += Announced(session.all());
+    ASSERT_GE(TrialsIn(records), announced) << session.all();
+    announced = TrialsIn(records);  // one may have been kept and not told
+  }
+  EXPECT_GT(announced, 0U);
+  // and it goes on where the rows say
+  PtySession session(args);
+  EXPECT_TRUE(session.WaitFor("Learner: ann, " + std::to_string(announced) + " trial"))
+      << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0) << session.all();
+}
+
+TEST_F(LearnSessionTest, LosesNoTrialThatWasToldWhenItIsKilled) {
+  KillAgainAndAgain(Learn(), In("records.sqlite"), 2);
+}
+
+TEST_F(SlowLearnSession, LosesNoTrialThatWasToldWhenItIsKilledManyTimes) {
+  const char* times = std::getenv("MOONTRACE_KILLS");
+  KillAgainAndAgain(Learn(), In("records.sqlite"), times != nullptr ? std::atoi(times) : 20);
+}
+
+}  // namespace
+}  // namespace moontrace
