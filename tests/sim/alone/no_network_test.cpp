@@ -14,7 +14,7 @@
 #include <functional>
 
 #include "lessons/records.h"
-#include "tests/sim/cli_fixture.h"
+#include "tests/sim/learn_fixture.h"
 
 namespace moontrace {
 namespace {
@@ -55,7 +55,7 @@ int WithoutNetwork(const std::function<int()>& work) {
 
 bool Exited(int status, int code) { return WIFEXITED(status) && WEXITSTATUS(status) == code; }
 
-class NoNetwork : public CliTest {
+class NoNetwork : public LearnTest {
  protected:
   void SetUp() override {
     if (Exited(WithoutNetwork([] { return 0; }), kNoFilter)) {
@@ -103,6 +103,12 @@ TEST_F(NoNetwork, IsAskedForByNoWorkOnRecords) {
   ExpectGood({"records", "consent", "bat", "yes"});
   ExpectGood({"records", "erase", "bat", "--yes"});
   ExpectGood({"records", "import", In("bat.json")});
+}
+
+TEST_F(NoNetwork, IsAskedForByNoLesson) {
+  const int status =
+      WithoutNetwork([&] { return RunLine(Learn(), "next\nagain\nnext\nquit\n").code; });
+  EXPECT_TRUE(Exited(status, 0)) << status;
 }
 
 }  // namespace
