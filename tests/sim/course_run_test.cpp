@@ -1,0 +1,123 @@
+// A simulated learner goes through a course by the real lesson machine, each trial through the real
+// scene.
+#include "sim/learner/course_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace moontrace {
+namespace {
+
+Course SmallCourse() {
+  Course course;
+  course.id = "small";
+  course.title = "Small";
+  course.script = "moon";
+  course.sizes = {0.040, 0.016, 0.006};
+  Lesson lesson;
+  lesson.id = "01-lo";
+  lesson.title = "L and O";
+  lesson.script = "moon";
+  lesson.items = {"l", "o"};
+  for (const StepKind kind : {StepKind::kDemonstrate, StepKind::kTrace, StepKind::kRecognise}) {
+    Step step;
+    step.kind = kind;
+    lesson.steps.push_back(step);
+  }
+  course.lessons.push_back(lesson);
+  return course;
+}
+
+CourseRunSetup SetupFor(const Course& course) {
+  CourseRunSetup setup;
+  setup.course = &course;
+  setup.learner = ShippedLearner();
+  return setup;
+}
+
+TEST(CourseRun, IsDoneFromNothingThroughAllSizes) {
+  const Course course = SmallCourse();
+  CourseRunSetup setup = SetupFor(course);
+  std::vector<Trial> trials;
+  setup.keep = [&trials](const Trial& trial) { trials.push_back(trial); };
+  const CourseRunResult result = RunCourse(setup);
+  EXPECT_TRUE(result.done);
+  EXPECT_EQ(result.trials, trials.size());
+  std::set<double> sizes;
+  for (const Trial& trial : trials) {
+    EXPECT_TRUE(trial.simulated);
+    if (trial.kind == StepKind::kRecognise && !trial.item.empty()) sizes.insert(trial.size);
+  }
+  EXPECT_EQ(sizes, std::set<double>(course.sizes.begin(), course.sizes.end()));
+  for (const auto& item : result.progress.items) EXPECT_TRUE(item.second.mastered) << item.first;
+}
+
+TEST(CourseRun, OneThatIsGoodOnlyWhenGuidedNeverPasses) {
+  const Course course = SmallCourse();
+  CourseRunSetup setup = SetupFor(course);
+  setup.learner.tracing.dependence = 1;
+  setup.step_limit = 100;
+  int guided = 0, guided_well = 0, alone = 0, alone_well = 0;
+  setup.keep = [&](const Trial& trial) {
+    if (trial.kind != StepKind::kTrace || trial.item.empty()) return;
+    const bool well = trial.coverage >= 0.9;
+    (trial.guided() ? guided : alone) += 1;
+    (trial.guided() ? guided_well : alone_well) += well ? 1 : 0;
+  };
+  const CourseRunResult result = RunCourse(setup);
+  EXPECT_FALSE(result.done);
+  EXPECT_TRUE(result.stuck);
+  for (const auto& item : result.progress.items) EXPECT_FALSE(item.second.mastered) << item.first;
+  std::printf("guided %d of %d well, alone %d of %d\n", guided_well, guided, alone_well, alone);
+  EXPECT_GT(guided_well * 2, guided);
+  EXPECT_LT(alone_well * 2, alone);
+}
+
+TEST(CourseRun, TheSameSeedGivesTheSameTrials) {
+  const Course course = SmallCourse();
+  std::vector<std::vector<double>> errors(2);
+  for (std::vector<double>& run : errors) {
+    CourseRunSetup setup = SetupFor(course);
+    setup.days = 1;
+    setup.keep = [&run](const Trial& trial) { run.push_back(trial.mean_error); };
+    RunCourse(setup);
+  }
+  EXPECT_FALSE(errors[0].empty());
+  EXPECT_EQ(errors[0], errors[1]);
+}
+
+TEST(CourseRun, EndsAfterTheDaysAndGoesOnFromItsRecords) {
+  const Course course = SmallCourse();
+  CourseRunSetup setup = SetupFor(course);
+  setup.days = 1;
+  std::vector<Trial> trials;
+  setup.keep = [&trials](const Trial& trial) { trials.push_back(trial); };
+  const CourseRunResult first = RunCourse(setup);
+  EXPECT_EQ(first.days, 1);
+  setup.history = trials;
+  setup.days = 0;
+  EXPECT_TRUE(RunCourse(setup).done);
+}
+
+TEST(SlowCourseRun, LearnsMoonFromTheDeviceToAStory) {
+  const Course course = LoadCourse("learn-moon");
+  CourseRunSetup setup = SetupFor(course);
+  std::set<double> sizes;
+  setup.keep = [&sizes](const Trial& trial) {
+    if (trial.right && !trial.guided() && !trial.item.empty()) sizes.insert(trial.size);
+  };
+  const CourseRunResult result = RunCourse(setup);
+  std::printf("%d days, %zu trials, %.0f s of work, at %s\n", result.days, result.trials,
+              result.seconds, result.progress.lesson.c_str());
+  EXPECT_TRUE(result.done);
+  EXPECT_DOUBLE_EQ(*sizes.rbegin(), 0.040);
+  EXPECT_DOUBLE_EQ(*sizes.begin(), 0.006);
+}
+
+}  // namespace
+}  // namespace moontrace
