@@ -22,8 +22,10 @@ TEST_F(SoundsCommand, NamesEachSoundAndWhatItMeans) {
   ExpectTextFace(outcome.out);
   EXPECT_EQ(outcome.out.find("path: the tip touches."), 0U);
   for (const Earcon earcon : AllEarcons()) {
-    EXPECT_NE(outcome.out.find("\n" + say::EarconName(earcon) + ": "), std::string::npos)
-        << KeyOf(earcon);
+    const std::string begin = say::EarconName(earcon) + ": ";
+    std::size_t lines = 0;
+    for (const std::string& line : Lines(outcome.out)) lines += line.find(begin) == 0 ? 1 : 0;
+    EXPECT_EQ(lines, 1U) << KeyOf(earcon);
   }
 }
 
