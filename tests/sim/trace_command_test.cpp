@@ -43,6 +43,28 @@ TEST_F(TraceCommand, CoversTheLettersAndStaysInTheGrooves) {
   EXPECT_GE(total["peak_force_n"], total["mean_force_n"]);
 }
 
+TEST_F(TraceCommand, TellsHowTheHandWent) {
+  const nlohmann::json json = TraceJson({}, "JON");
+  const nlohmann::json& total = json["total"];
+  // The hand's plan follows the strokes from start to end, in order; tremor may turn it round for
+  // a moment at a corner.
+  EXPECT_GT(total["direction"], 0.9);
+  EXPECT_EQ(total["order"], 1);
+  EXPECT_LE(std::abs(total["bias_mm"].get<double>()), total["mean_error_mm"]);
+  EXPECT_GE(total["frechet_mm"], total["hausdorff_mm"]);
+  EXPECT_GT(total["contact_share"], 0.5);
+  EXPECT_LT(total["contact_share"], 1);
+  EXPECT_GT(total["mean_speed_mm_s"], 5);
+  EXPECT_NEAR(total["letters_per_second"].get<double>(), 3 / total["duration_s"].get<double>(),
+              1e-9);
+  EXPECT_LT(total["log_jerk"], -5.3220);      // no hand is smoother than minimum jerk
+  EXPECT_LT(total["spectral_arc"], -1.4024);  // nor by this measure
+  EXPECT_GE(total["speed_peaks"], 3);
+  EXPECT_EQ(total["smoothness_rate_hz"], 100);
+  EXPECT_EQ(total["smoothness_low_pass_hz"], 10);
+  for (const nlohmann::json& letter : json["letters"]) EXPECT_LT(letter["log_jerk"], -5.3220);
+}
+
 TEST_F(TraceCommand, TellsTheForceBound) {
   const nlohmann::json proxy = TraceJson({}, "L")["total"];
   // Integral of |h| of the coupling, 200 e^(-100 t) cos(100 t) for 1000 N/m, 10 N s/m and 50 g, is
