@@ -26,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kLongestLine = 4000;                  // of the lesson [bytes]
 constexpr std::size_t kMostUnsent = std::size_t{1} << 16U;  // [bytes]
+constexpr int kAtOnce = 20;                                 // lines read before they are sent
 constexpr int kPatience = 50;                               // [ms] until Ctrl-C is looked for
 constexpr std::chrono::seconds kLastAnswer{5};
 
@@ -82,7 +83,7 @@ class Talk {
 
   /// The tutor's lines; their end is a "quit", so that all is answered before it.
   void Listen() {
-    while (out_.size() < kMostUnsent) {
+    for (int lines = 0; lines < kAtOnce && out_.size() < kMostUnsent; ++lines) {
       const std::optional<std::string> line = lines_.Next(0);
       if (!line) break;
       out_ += *line + "\n";
