@@ -91,7 +91,7 @@ class CourseRun {
     LessonTurn turn = Advance(*setup_.course, std::move(state_), Event{time_, what});
     state_ = std::move(turn.state);
     for (const Action& action : turn.actions) {
-      std::visit([this](const auto& told) { Hear(told); }, action);
+      std::visit([this](const auto& told) { this->Hear(told); }, action);
     }
     if (++idle_ > kIdleLimit) result_.stuck = true;
   }
