@@ -66,26 +66,6 @@ bool IsDone(const Turn& turn, const Lesson& lesson) {
   return std::find(done.begin(), done.end(), lesson.id) != done.end();
 }
 
-/// The present step has ended: keeps that, and says what it means.
-void EndStepNow(Turn& turn, const Lesson& lesson, const Step& step) {
-  const std::size_t place = turn.state.progress.step;
-  const bool test = step.kind == StepKind::kTest && !ItemsOf(lesson, step).empty();
-  const bool failed = test && Unfinished(turn.course, turn.state.progress).empty() &&
-                      !TestPassed(turn.course, turn.state.progress);
-  if (test) {
-    const TestScore score = ScoreOf(turn.state.progress);
-    SayCount(turn, Sentence::kTestResult, {}, score.right, score.asked);
-  }
-  KeepStepEnd(turn);
-  ForgetStep(turn);
-  const Progress& now = turn.state.progress;
-  if (now.lesson == lesson.id && now.step == place + 1 && now.step < lesson.steps.size()) return;
-  if (failed && now.lesson == lesson.id && now.step <= place)
-    return Say(turn, Sentence::kTestAgain);
-  Say(turn, IsDone(turn, lesson) ? Sentence::kLessonDone : Sentence::kSkipped, lesson.title);
-  turn.state.lesson_told.clear();
-}
-
 /// Shows the next item of the step, if there is one.
 bool PresentNext(Turn& turn) {
   LessonState& state = turn.state;
@@ -148,6 +128,25 @@ void ProposeBreak(Turn& turn) {
 }
 
 }  // namespace
+
+void EndStepNow(Turn& turn, const Lesson& lesson, const Step& step) {
+  const std::size_t place = turn.state.progress.step;
+  const bool test = step.kind == StepKind::kTest && !ItemsOf(lesson, step).empty();
+  const bool failed = test && Unfinished(turn.course, turn.state.progress).empty() &&
+                      !TestPassed(turn.course, turn.state.progress);
+  if (test) {
+    const TestScore score = ScoreOf(turn.state.progress);
+    SayCount(turn, Sentence::kTestResult, {}, score.right, score.asked);
+  }
+  KeepStepEnd(turn);
+  ForgetStep(turn);
+  const Progress& now = turn.state.progress;
+  if (now.lesson == lesson.id && now.step == place + 1 && now.step < lesson.steps.size()) return;
+  if (failed && now.lesson == lesson.id && now.step <= place)
+    return Say(turn, Sentence::kTestAgain);
+  Say(turn, IsDone(turn, lesson) ? Sentence::kLessonDone : Sentence::kSkipped, lesson.title);
+  turn.state.lesson_told.clear();
+}
 
 void GoOn(Turn& turn) {
   LessonState& state = turn.state;

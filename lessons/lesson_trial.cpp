@@ -152,7 +152,7 @@ void Skip(Turn& turn) {
   switch (state.task) {
     case StepKind::kExplore:
     case StepKind::kRead:
-      KeepStepEnd(turn);
+      if (StepNow(turn) != nullptr) EndStepNow(turn, *LessonNow(turn), *StepNow(turn));
       break;
     case StepKind::kDemonstrate: {
       // Enough of it: the item has been told, and counts as introduced.

@@ -69,6 +69,8 @@ void HandleOverrule(Turn& turn, const lesson_event::Overrule& overrule);
 
 // lesson_machine.cpp
 
+/// The present step has ended: keeps that, and says what it means. What comes next is GoOn's.
+void EndStepNow(Turn& turn, const Lesson& lesson, const Step& step);
 /// To what comes next: a review, an item, the next step or lesson, or the end.
 void GoOn(Turn& turn);
 /// Leaves all for the beginning of a lesson.

@@ -129,6 +129,20 @@ std::string LessonSentence(const Course& course, const lesson_action::Say& sente
   return {};
 }
 
+std::string DemonstrationSentence(const Course& course, const lesson_action::Say& sentence) {
+  using lesson_action::Sentence;
+  switch (sentence.sentence) {
+    case Sentence::kLedAlong:
+    case Sentence::kTraceIt:
+      return fmt::format("The program's hand traces {}.", Called(course, sentence.text));
+    case Sentence::kExploreIt:
+    case Sentence::kReadIt:
+      return "The program's hand goes over the page; say next to go on.";
+    default:
+      return {};
+  }
+}
+
 std::string Awaited(lesson_action::Await await, Question question, bool stopped) {
   if (stopped) return "Stopped: no force. Say go to go on.";
   switch (await) {

@@ -44,6 +44,8 @@ inline constexpr const char* kLetTutor =
 
 /// A sentence of the lesson machine in words.
 std::string LessonSentence(const Course& course, const lesson_action::Say& sentence);
+/// The same where the program's own hand traces and nobody's is led; empty: as it is.
+std::string DemonstrationSentence(const Course& course, const lesson_action::Say& sentence);
 /// An item, or two with a line feed between, as people call it.
 std::string Called(const Course& course, std::string_view item);
 

@@ -111,7 +111,10 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
 }
 
 void LearnSession::Do(const lesson_action::Say& sentence) {
-  for (const std::string& line : LinesOf(say::LessonSentence(course_, sentence))) {
+  std::string text;
+  if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
+  if (text.empty()) text = say::LessonSentence(course_, sentence);
+  for (const std::string& line : LinesOf(text)) {
     teller_.Say(PriorityOf(sentence.sentence), OneLine(line, 1000));
   }
   if (const auto earcon = EarconOf(sentence.sentence)) teller_.Play(*earcon);

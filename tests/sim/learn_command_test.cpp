@@ -4,7 +4,9 @@
 
 #include <tuple>
 
+#include "devices/catalogue.h"
 #include "lessons/records.h"
+#include "sim/app/devices_command.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/sim/learn_fixture.h"
 
@@ -41,7 +43,7 @@ TEST_F(LearnCommand, TakesTheFirstDeviceWithMotors) {
 
 TEST_F(LearnCommand, SaysThatADeviceWithoutMotorsIsNotFelt) {
   const FakeHid fake("spacemouse");
-  const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+  const std::string name = ListDevices(ProfilesFolder()).at(0).name;
   const Outcome outcome = RunLine({"learn", "--course", In("course"), "--learner", "ann",
                                    "--records", In("records.sqlite"), "--device", name},
                                   "next\nquit\n");

@@ -71,6 +71,26 @@ TEST_F(LearnSessionTest, GoesOnWhereItWas) {
   EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2, step 2 of 8: First lesson.")) << outcome.out;
 }
 
+TEST_F(LearnSessionTest, SaysTheTextOfEachStepThatIsComeToByNext) {
+  WriteAll(folder_ / "course" / "one.toml", R"(
+title = "First lesson"
+new = ["i"]
+[[steps]]
+kind = "explore"
+say = "The first text."
+text = "i"
+[[steps]]
+kind = "explore"
+say = "The second text."
+text = "i"
+[[steps]]
+kind = "trace"
+)");
+  const Outcome outcome = RunLine(Learn(), "next\n");
+  EXPECT_TRUE(Holds(outcome.out, "\nThe first text.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "\nThe second text.\n")) << outcome.out;
+}
+
 TEST_F(LearnSessionTest, TakesTheOnlyLearnerAndAsksNobodyInAPipe) {
   const std::vector<std::string> nobody = {"learn",        "--course", In("course"), "--records",
                                            In("r.sqlite"), "--device", "simulated"};
