@@ -71,6 +71,14 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       if (!session_.stopped()) return server_.Answer(line.tutor, say::NothingRests());
       if (!session_.GoOn(true)) return server_.Answer(line.tutor, say::LearnerStopped());
       break;
+    case TutorWord::kShow:
+    case TutorWord::kPlayback:
+      // the learner must not wait for a push that cannot come
+      if (!session_.stage().pushes()) return server_.Answer(line.tutor, say::CannotLead());
+      if (command.word == TutorWord::kPlayback && !stroke_) {
+        return server_.Answer(line.tutor, say::NoStrokeYet());
+      }
+      break;
     default:
       break;
   }
@@ -101,17 +109,13 @@ bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
       session_.Pause(true);
       return true;
     case TutorWord::kShow:
-      if (!stage.pushes()) {
-        server_.Answer(tutor, say::CannotLead());
-      } else {
-        session_.Lead(MakeGuidancePath(stage.trace().strokes()));
-      }
+      session_.Lead(MakeGuidancePath(stage.trace().strokes()));
       return true;
     case TutorWord::kRecord:
       Record(tutor);
       return true;
     case TutorWord::kPlayback:
-      PlayBack(tutor);
+      PlayBack();
       return true;
     default:
       return false;
@@ -169,12 +173,9 @@ void TutorDesk::Record(std::size_t tutor) {
   server_.Answer(tutor, say::RecordedStrokeIs(stroke_->times.back()));
 }
 
-void TutorDesk::PlayBack(std::size_t tutor) {
-  LearnStage& stage = session_.stage();
-  if (!stroke_) return server_.Answer(tutor, say::NoStrokeYet());
-  if (!stage.pushes()) return server_.Answer(tutor, say::CannotLead());
-  session_.Lead(
-      MakeRecordedPath(stroke_->times, stroke_->tips_P, stage.session().text().set.style.width));
+void TutorDesk::PlayBack() {
+  const double width = session_.stage().session().text().set.style.width;
+  session_.Lead(MakeRecordedPath(stroke_->times, stroke_->tips_P, width));
 }
 
 }  // namespace moontrace

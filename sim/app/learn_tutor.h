@@ -29,7 +29,7 @@ class TutorDesk {
   bool DoToPage(std::size_t tutor, const TutorCommand& command);
   void DoToLesson(std::size_t tutor, const TutorCommand& command);
   void Record(std::size_t tutor);
-  void PlayBack(std::size_t tutor);
+  void PlayBack();  ///< there is a stroke, and it can be felt
 
   LearnSession& session_;
   TutorServer server_;
