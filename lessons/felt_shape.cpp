@@ -11,7 +11,7 @@ constexpr int kMostColumns = 800;
 constexpr double kPictureReach = 2.2;  // from its middle, in spreads
 constexpr double kFlatShare = 0.75;    // of the samples in contact lie deeper than the flat paper
 constexpr double kDeepShare = 0.02;    // of them lie deeper than what counts as the deepest
-constexpr double kLeastColumn = 1.2;   // rows of groove in a column that is not a gap
+constexpr double kLeastColumn = 1.5;   // rows of groove in a column that is not a gap
 constexpr double kLongestStep = 0.1;   // of the height: farther apart lay no way [share]
 
 /// How much of the way through a cell of the page lay in a groove.

@@ -32,7 +32,7 @@ struct FeelingRule {
   double slope = 0.5;          ///< sideways force over that out of the page: likewise
   double least_force = 0.02;   ///< less is not felt [N]
   double gap = 0.25;           ///< between signs, by the height felt over
-  double least_part = 0.08;    ///< of the largest sign: what is less is no sign
+  double least_part = 0.015;   ///< of the largest sign: what is less is no sign
   double blur_cells = 1.6;     ///< of a sign's picture
   double least_spread = 0.12;  ///< by which a dot is scaled, by the height felt over
 };

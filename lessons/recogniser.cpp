@@ -57,8 +57,9 @@ void Recogniser::Remember(const std::string& label, const FeltShape& shape, doub
 double Recogniser::SignDistance(const FeltSign& felt, const FeltSign& known,
                                 double strength) const {
   const double place = felt.height - known.height, spread = felt.spread - known.spread;
+  const double width = felt.width - known.width;
   const double distance = 1 - Likeness(felt, known) + rule_.place_weight * place * place +
-                          rule_.spread_weight * spread * spread;
+                          rule_.spread_weight * (spread * spread + width * width);
   // What has faded feels like anything a little: no distance, however wrong, counts in full.
   return strength * distance + (1 - strength) * 0.5;
 }

@@ -14,7 +14,7 @@ namespace moontrace {
 /// How felt shapes are compared and forgotten; from `lessons/learner.toml`, ours.
 struct RecogniserRule {
   double place_weight = 1;     ///< of a difference in height, squared
-  double spread_weight = 1;    ///< of a difference in size, squared
+  double spread_weight = 1;    ///< of a difference in size or width, squared
   double newest_share = 0.2;   ///< of a shape felt again in what is remembered, at least
   double memory_days = 200;    ///< time constant with which a shape fades to what all share
   double same_at_least = 0.7;  ///< likeness from which two signs are held to be the same
