@@ -28,6 +28,11 @@ if(NOT sqlite_FOUND)
   message(STATUS "SQLite is missing: no records of learners can be kept")
 endif()
 
+pkg_check_modules(egl QUIET IMPORTED_TARGET egl)
+if(NOT egl_FOUND)
+  message(STATUS "EGL is missing: the view cannot be drawn without a display")
+endif()
+
 find_package(mujoco 2.2.2 REQUIRED)
 # Debian's target names a qhull include folder that only libqhull-dev brings and no public header
 # needs: without this CMake stops.

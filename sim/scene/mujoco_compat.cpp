@@ -78,6 +78,16 @@ std::unique_ptr<mjVFS, DeleteVfs> MakeVfs(const std::string& path, const std::st
   return vfs;
 }
 
+/// The bytes have another name since 3.2.
+template <class Model>
+unsigned char* BytesOf(Model& m, int texture) noexcept {
+  if constexpr (requires { m.tex_data; }) {
+    return m.tex_data + m.tex_adr[texture];
+  } else {
+    return m.tex_rgb + m.tex_adr[texture];
+  }
+}
+
 }  // namespace
 
 void QuietMujoco() {
@@ -128,6 +138,16 @@ bool KeepAwake([[maybe_unused]] mjModel& m) noexcept {
 int BadStateCount(const mjData& d) noexcept {
   return d.warning[mjWARN_BADQPOS].number + d.warning[mjWARN_BADQVEL].number +
          d.warning[mjWARN_BADQACC].number;
+}
+
+unsigned char* TextureBytes(mjModel& m, int texture) noexcept { return BytesOf(m, texture); }
+
+void Connect(mjvGeom& geom, int type, double width, const double from[3], const double to[3]) {
+#if mjVERSION_HEADER >= 237
+  mjv_connector(&geom, type, width, from, to);
+#else
+  mjv_makeConnector(&geom, type, width, from[0], from[1], from[2], to[0], to[1], to[2]);
+#endif
 }
 
 }  // namespace moontrace

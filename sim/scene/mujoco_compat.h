@@ -42,4 +42,12 @@ bool KeepAwake(mjModel& m) noexcept;
 /// reset itself without a word.
 int BadStateCount(const mjData& d) noexcept;
 
+/// The bytes of a model's texture, red, green, blue, rows from the top down, to be changed before
+/// mjr_uploadTexture; the texture has three channels.
+unsigned char* TextureBytes(mjModel& m, int texture) noexcept;
+
+/// Stretches a drawn arrow, line or capsule between two points of the world [m]. `width` [m], of
+/// lines in pixels.
+void Connect(mjvGeom& geom, int type, double width, const double from[3], const double to[3]);
+
 }  // namespace moontrace

@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 
 namespace moontrace {
@@ -139,6 +142,28 @@ std::string ToPng(const Drawing& drawing) {
   return bytes;
 }
 
+std::string ToPng(const Raster& raster) {
+  const CairoSurface surface(cairo_image_surface_create(
+      CAIRO_FORMAT_RGB24, static_cast<int>(raster.width), static_cast<int>(raster.height)));
+  cairo_surface_flush(surface.get());
+  unsigned char* bytes = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (std::size_t row = 0; row < raster.height; ++row) {
+    unsigned char* line = bytes + static_cast<std::ptrdiff_t>(row) * stride;
+    for (std::size_t i = 0; i < raster.width; ++i) {
+      const std::uint8_t* rgb = &raster.rgb[3 * (row * raster.width + i)];
+      // cairo's points are numbers of 32 bits: blue lowest
+      const std::uint32_t point =
+          (std::uint32_t{rgb[0]} << 16) | (std::uint32_t{rgb[1]} << 8) | std::uint32_t{rgb[2]};
+      std::memcpy(line + 4 * i, &point, 4);
+    }
+  }
+  cairo_surface_mark_dirty(surface.get());
+  std::string png;
+  cairo_surface_write_to_png_stream(surface.get(), &Append, &png);
+  return png;
+}
+
 std::string ToPdf(const Drawing& drawing) {
   std::string bytes;
   constexpr double kPointsPerMillimetre = 72.0 / 25.4;
@@ -169,6 +194,7 @@ namespace {
 
 bool HaveCairo() noexcept { return false; }
 std::string ToPng(const Drawing&) { Lack(); }
+std::string ToPng(const Raster&) { Lack(); }
 std::string ToPdf(const Drawing&) { Lack(); }
 
 }  // namespace moontrace

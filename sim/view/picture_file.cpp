@@ -59,7 +59,8 @@ void WriteAll(const std::string& path, const std::string& bytes) {
 bool HasPictureEnding(const std::string& path) { return EndingOf(path).has_value(); }
 
 void CheckPicturePath(const std::string& path) {
-  if (KindOf(path) != PictureKind::kSvg && !HaveCairo()) ToPng({});  // throws, saying what lacks
+  if (KindOf(path) != PictureKind::kSvg && !HaveCairo())
+    ToPng(Drawing{});  // throws, saying what lacks
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     errno = EISDIR;
@@ -81,6 +82,11 @@ void WritePicture(const std::string& path, const Drawing& drawing) {
     case PictureKind::kPdf:
       return WriteAll(path, ToPdf(drawing));
   }
+}
+
+void WritePicture(const std::string& path, const Raster& raster) {
+  if (KindOf(path) != PictureKind::kPng) throw InputError(path + ": this picture ends in .png");
+  WriteAll(path, ToPng(raster));
 }
 
 std::string PicturePath(const std::string& path, std::size_t page, std::size_t pages) {

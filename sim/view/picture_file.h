@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/view/drawing.h"
+#include "sim/view/raster.h"
 
 namespace moontrace {
 
@@ -18,6 +19,9 @@ void CheckPicturePath(const std::string& path);
 /// Writes the drawing in the kind that the path's ending names. First to a sibling, then renamed:
 /// nothing half-written is left. Throws like CheckPicturePath, and LackError for a full disk.
 void WritePicture(const std::string& path, const Drawing& drawing);
+
+/// The same for a picture of points, which is a PNG whatever else the ending says: InputError.
+void WritePicture(const std::string& path, const Raster& raster);
 
 /// The picture's path for page `page` (from 0) of `pages`: F.svg as it is for a single page, else
 /// F-1.svg, F-2.svg ...

@@ -1,0 +1,252 @@
+#include "sim/view/page_renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "sim/scene/mujoco_compat.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr int kMostGeoms = 20000;
+constexpr double kDegrees = 57.29577951308232;
+constexpr double kMetresPerNewton = 0.008;  // of a drawn arrow
+constexpr double kLeastArrow = 0.02;        // forces below are not drawn [N]
+
+/// A box as thin as paper that carries the shaded picture, lit so that it is shown as it is.
+std::string ModelXml(int width, int height) {
+  return fmt::format(
+      "<mujoco><visual><global offwidth='{0}' offheight='{1}' fovy='{2:.9g}'/>"
+      "<quality shadowsize='0' offsamples='0'/>"
+      "<headlight ambient='1 1 1' diffuse='0 0 0' specular='0 0 0'/>"
+      "<map znear='0.001' zfar='100'/></visual><statistic center='0 0 0' extent='0.3'/>"
+      "<asset><texture name='page' type='2d' builtin='flat' width='{0}' height='{1}' "
+      "rgb1='1 1 1'/><material name='page' texture='page' texuniform='false' texrepeat='1 1' "
+      "emission='0' specular='0' shininess='0' reflectance='0'/></asset>"
+      "<worldbody><geom name='page' type='box' size='1 1 1' contype='0' conaffinity='0' "
+      "material='page'/></worldbody></mujoco>",
+      width, height, kFieldOfView * kDegrees);
+}
+
+void SetColor(mjvGeom& geom, const Color& color, double alpha) {
+  geom.rgba[0] = static_cast<float>(color.red);
+  geom.rgba[1] = static_cast<float>(color.green);
+  geom.rgba[2] = static_cast<float>(color.blue);
+  geom.rgba[3] = static_cast<float>(alpha);
+}
+
+Color Mixed(const Color& a, const Color& b, double share) {
+  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
+          a.blue + share * (b.blue - a.blue)};
+}
+
+/// Adds shapes to MuJoCo's scene; what does not fit is left out.
+class Pen {
+ public:
+  /// `unit` [m]: a hundredth of the picture's height, for what has no size of its own.
+  Pen(mjvScene& scene, double unit) : scene_(scene), unit_(unit) {}
+
+  void Ball(glm::dvec3 p_P, double radius, const Color& color, double alpha) {
+    mjvGeom* geom = Next();
+    if (geom == nullptr) return;
+    const mjtNum size[3] = {radius, radius, radius}, at[3] = {p_P.x, p_P.y, p_P.z};
+    const float rgba[4] = {1, 1, 1, 1};
+    mjv_initGeom(geom, mjGEOM_SPHERE, size, at, nullptr, rgba);
+    SetColor(*geom, color, alpha);
+  }
+
+  void Segment(glm::dvec3 from, glm::dvec3 to, int type, double width, const Color& color) {
+    mjvGeom* geom = Next();
+    if (geom == nullptr) return;
+    const float rgba[4] = {1, 1, 1, 1};
+    mjv_initGeom(geom, type, nullptr, nullptr, nullptr, rgba);
+    const double a[3] = {from.x, from.y, from.z}, b[3] = {to.x, to.y, to.z};
+    Connect(*geom, type, width, a, b);
+    SetColor(*geom, color, 1);
+  }
+
+  void Arrow(glm::dvec3 from, glm::dvec3 force, const Color& color) {
+    if (glm::length(force) < kLeastArrow) return;
+    Segment(from, from + kMetresPerNewton * force, mjGEOM_ARROW, 0.4 * unit_, color);
+  }
+
+  void Label(glm::dvec2 at_P, const std::string& text) {
+    mjvGeom* geom = Next();
+    if (geom == nullptr) return;
+    const mjtNum at[3] = {at_P.x, at_P.y, 0.1 * unit_};
+    const float rgba[4] = {0, 0, 0, 1};
+    mjv_initGeom(geom, mjGEOM_LABEL, nullptr, at, nullptr, rgba);
+    std::strncpy(geom->label, text.c_str(), sizeof geom->label - 1);
+  }
+
+  void Outline(const Box& box, double width, const Color& color) {
+    const double z = 0.05 * unit_;
+    const glm::dvec3 a(box.min, z), b(box.max.x, box.min.y, z), c(box.max, z),
+        d(box.min.x, box.max.y, z);
+    Segment(a, b, mjGEOM_LINE, width, color);
+    Segment(b, c, mjGEOM_LINE, width, color);
+    Segment(c, d, mjGEOM_LINE, width, color);
+    Segment(d, a, mjGEOM_LINE, width, color);
+  }
+
+  void Way(const std::vector<ViewMarks::WayPoint>& way) {
+    // above the paper, where no groove hides it
+    const glm::dvec3 lift(0, 0, 0.02 * unit_);
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      if (way[i].begins) continue;
+      const auto raised = [&](glm::dvec3 p) { return glm::dvec3(p.x, p.y, std::max(p.z, 0.0)); };
+      Segment(raised(way[i - 1].p_P) + lift, raised(way[i].p_P) + lift, mjGEOM_LINE, 3,
+              Mixed(view_color::kOnStroke, view_color::kOffStroke, std::min(way[i].off, 1.0)));
+    }
+  }
+
+  void Line(const std::vector<Piece>& pieces, double width, const Color& color) {
+    const double z = 0.03 * unit_;
+    for (const Piece& piece : pieces) {
+      const double length = Length(piece);
+      const int count = std::clamp(static_cast<int>(length / (0.5 * unit_)), 1, 100);
+      for (int i = 0; i < count; ++i) {
+        Segment(glm::dvec3(PointAt(piece, length * i / count), z),
+                glm::dvec3(PointAt(piece, length * (i + 1) / count), z), mjGEOM_LINE, width, color);
+      }
+    }
+  }
+
+ private:
+  mjvGeom* Next() {
+    if (scene_.ngeom >= scene_.maxgeom) return nullptr;
+    mjvGeom* geom = scene_.geoms + scene_.ngeom++;
+    std::memset(geom, 0, sizeof *geom);
+    geom->category = mjCAT_DECOR;
+    return geom;
+  }
+
+  mjvScene& scene_;
+  double unit_;
+};
+
+void AddMarks(mjvScene& scene, const PageCamera& camera, const ViewMarks& marks) {
+  const double unit = 0.01 * camera.height;
+  Pen pen(scene, unit);
+  for (const ViewMarks::Print& print : marks.print) pen.Label(print.at_P, print.text);
+  if (marks.letter_P) pen.Outline(*marks.letter_P, 2, view_color::kLetter);
+  for (const std::vector<Piece>& stroke : marks.stroke_P) pen.Line(stroke, 3, view_color::kLetter);
+  pen.Way(marks.way);
+  if (marks.bead_P) {
+    pen.Ball(glm::dvec3(*marks.bead_P, 0), 0.9 * unit, view_color::kGuidance, 0.8);
+  }
+  if (marks.proxy_P) pen.Ball(*marks.proxy_P, 0.7 * unit, view_color::kForce, 1);
+  if (!marks.tip_P) return;
+  const glm::dvec3 tip = *marks.tip_P;
+  pen.Ball(tip, 0.5 * unit, {0.1, 0.1, 0.1}, 0.9);
+  // the stylus leans away from the reader's eye and to the right, so that it hides little
+  pen.Segment(tip, tip + 22 * unit * glm::normalize(glm::dvec3(0.5, -0.45, 0.9)), mjGEOM_CAPSULE,
+              0.35 * unit, {0.25, 0.28, 0.33});
+  // above the paper, which would hide what lies along it
+  const glm::dvec3 seen(tip.x, tip.y, std::max(tip.z, 0.0) + 0.8 * unit);
+  pen.Arrow(seen, marks.force_P, view_color::kForce);
+  pen.Arrow(seen, marks.guidance_P, view_color::kGuidance);
+}
+
+}  // namespace
+
+struct PageRenderer::State {
+  int width, height;
+  ModelPtr m;
+  DataPtr d;
+  mjvScene scene;
+  mjrContext context;
+  mjvOption option;
+  Box surface_P;
+
+  State(int picture_width, int picture_height) : width(picture_width), height(picture_height) {
+    std::string warning;
+    m = CompileMjcf(ModelXml(width, height), "view.xml", "view", warning);
+    d = MakeData(*m, "view");
+    mj_forward(m.get(), d.get());
+    mjv_defaultScene(&scene);
+    mjv_makeScene(m.get(), &scene, kMostGeoms);
+    mjv_defaultOption(&option);
+    mjr_defaultContext(&context);
+    mjr_makeContext(m.get(), &context, mjFONTSCALE_150);
+  }
+  ~State() {
+    mjr_freeContext(&context);
+    mjv_freeScene(&scene);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  void Draw(const PageCamera& camera, const ViewMarks& marks, mjrRect rect) {
+    mjvCamera eye;
+    mjv_defaultCamera(&eye);
+    eye.lookat[0] = camera.at_P.x;
+    eye.lookat[1] = camera.at_P.y;
+    eye.lookat[2] = 0;
+    eye.distance = EyeDistance(camera);
+    eye.azimuth = 90;
+    eye.elevation = -90 + camera.lean * kDegrees;
+    mjv_updateScene(m.get(), d.get(), &option, nullptr, &eye, mjCAT_ALL, &scene);
+    if (scene.ngeom > 0) LaySurface(scene.geoms[0]);
+    AddMarks(scene, camera, marks);
+    mjr_render(rect, &scene, &context);
+  }
+
+  void LaySurface(mjvGeom& geom) const {
+    constexpr float kThin = 1e-5F;  // [m]
+    const glm::dvec2 middle = 0.5 * (surface_P.min + surface_P.max);
+    const glm::dvec2 half = 0.5 * (surface_P.max - surface_P.min);
+    geom.size[0] = static_cast<float>(half.x);
+    geom.size[1] = static_cast<float>(half.y);
+    geom.size[2] = kThin;
+    geom.pos[0] = static_cast<float>(middle.x);
+    geom.pos[1] = static_cast<float>(middle.y);
+    geom.pos[2] = -kThin;
+  }
+};
+
+PageRenderer::PageRenderer(int width, int height)
+    : state_(std::make_unique<State>(width, height)) {}
+PageRenderer::~PageRenderer() = default;
+PageRenderer::PageRenderer(PageRenderer&&) noexcept = default;
+PageRenderer& PageRenderer::operator=(PageRenderer&&) noexcept = default;
+
+int PageRenderer::width() const { return state_->width; }
+int PageRenderer::height() const { return state_->height; }
+
+void PageRenderer::SetSurface(const Raster& raster, const Box& covers_P) {
+  std::memcpy(TextureBytes(*state_->m, 0), raster.rgb.data(),
+              std::min(raster.rgb.size(),
+                       std::size_t{3} * static_cast<std::size_t>(state_->width * state_->height)));
+  mjr_uploadTexture(state_->m.get(), &state_->context, 0);
+  state_->surface_P = covers_P;
+}
+
+void PageRenderer::DrawToWindow(const PageCamera& camera, const ViewMarks& marks, int x, int y,
+                                int width, int height) {
+  mjr_setBuffer(mjFB_WINDOW, &state_->context);
+  state_->Draw(camera, marks, {x, y, width, height});
+}
+
+Raster PageRenderer::DrawToPicture(const PageCamera& camera, const ViewMarks& marks) {
+  mjr_setBuffer(mjFB_OFFSCREEN, &state_->context);
+  const mjrRect rect = {0, 0, state_->width, state_->height};
+  state_->Draw(camera, marks, rect);
+  const auto width = static_cast<std::size_t>(state_->width);
+  const auto height = static_cast<std::size_t>(state_->height);
+  std::vector<unsigned char> bottom_up(3 * width * height);
+  mjr_readPixels(bottom_up.data(), nullptr, rect, &state_->context);
+  Raster raster{width, height, std::vector<std::uint8_t>(bottom_up.size())};
+  for (std::size_t row = 0; row < height; ++row) {
+    std::copy_n(&bottom_up[3 * width * (height - 1 - row)], 3 * width,
+                &raster.rgb[3 * width * row]);
+  }
+  return raster;
+}
+
+}  // namespace moontrace

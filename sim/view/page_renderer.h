@@ -1,0 +1,73 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/view/drawing.h"
+#include "sim/view/page_camera.h"
+#include "sim/view/raster.h"
+#include "textures/element.h"
+
+namespace moontrace {
+
+/// Colours that colour-blind people tell apart (Okabe and Ito, 2008).
+namespace view_color {
+inline constexpr Color kForce{0.00, 0.45, 0.70};      ///< blue
+inline constexpr Color kGuidance{0.90, 0.62, 0.00};   ///< orange
+inline constexpr Color kOnStroke{0.00, 0.62, 0.45};   ///< bluish green
+inline constexpr Color kOffStroke{0.84, 0.37, 0.00};  ///< vermilion
+inline constexpr Color kLetter{0.80, 0.47, 0.65};     ///< reddish purple
+}  // namespace view_color
+
+/// What is drawn over the page, frame P.
+struct ViewMarks {
+  std::optional<glm::dvec3> tip_P, proxy_P;  ///< [m]
+  glm::dvec3 force_P{0, 0, 0};               ///< on the hand [N]
+  glm::dvec3 guidance_P{0, 0, 0};            ///< the push within it [N]
+  std::optional<glm::dvec2> bead_P;          ///< [m]
+  /// The tip's way: `off` 0 on the stroke, 1 at half a groove's width and beyond.
+  struct WayPoint {
+    glm::dvec3 p_P{0, 0, 0};  ///< [m]
+    double off = 0;
+    bool begins = false;  ///< no line from the point before
+  };
+  std::vector<WayPoint> way;
+  std::optional<Box> letter_P;               ///< the current one [m]
+  std::vector<std::vector<Piece>> stroke_P;  ///< the current stroke's centre line [m]
+  struct Print {
+    glm::dvec2 at_P{0, 0};  ///< [m]
+    std::string text;
+  };
+  std::vector<Print> print;  ///< letters for the sighted
+};
+
+/// Draws the page by MuJoCo's renderer into whatever OpenGL context is current when it is made; all
+/// calls on that thread. The page's surface is a picture that was shaded elsewhere
+/// (field_shading.h), laid where it was shaded for.
+class PageRenderer {
+ public:
+  /// Pictures of at most `width` by `height` points. Throws LackError: OpenGL too old, no memory.
+  PageRenderer(int width, int height);
+  ~PageRenderer();
+  PageRenderer(PageRenderer&&) noexcept;
+  PageRenderer& operator=(PageRenderer&&) noexcept;
+
+  int width() const;
+  int height() const;
+
+  /// The surface from now on; `raster` has width() x height() points. Costs some 10 ms.
+  void SetSurface(const Raster& raster, const Box& covers_P);
+  /// Draws into the window (`x`, `y` its corner in points) or, offscreen, into the picture.
+  void DrawToWindow(const PageCamera& camera, const ViewMarks& marks, int x, int y, int width,
+                    int height);
+  Raster DrawToPicture(const PageCamera& camera, const ViewMarks& marks);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace moontrace
