@@ -64,7 +64,8 @@ class NoNetwork : public LearnTest {
   }
 
   void ExpectGood(std::vector<std::string> args, const std::string& input = "") {
-    args.insert(args.end(), {"--records", In("records.sqlite")});
+    args.emplace_back("--records");
+    args.push_back(In("records.sqlite"));
     const int status = WithoutNetwork([&] { return RunLine(args, input).code; });
     EXPECT_TRUE(Exited(status, 0)) << args[0] << " " << args[1] << ": " << status;
   }
@@ -92,7 +93,7 @@ TEST_F(NoNetwork, IsAskedForByNoWorkOnRecords) {
     records.AddLearner(learner);
     Trial trial;
     trial.lesson = "04-itlo";
-    trial.item = "i";
+    trial.item = std::string("i");
     trial.time = 1'700'000'000;
     records.Add("bat", "learn-moon", trial);
   }
