@@ -110,7 +110,7 @@ void ReadWords(const TomlTable& table, const std::string& key,
   for (const std::string& item : items) {
     faults.Try([&] { words[item] = ReadCourseLine(inner, item); });
     const TextPlace place = inner.PlaceOf(item);
-    course.places[key + "." + item] = {place.line, place.column};
+    course.places[fmt::format("{}.{}", key, item)] = {place.line, place.column};
   }
 }
 

@@ -184,6 +184,7 @@ std::vector<std::string> DueItems(const Course& course, const Progress& progress
   const auto most = static_cast<std::size_t>(std::max(0, course.mastery.reviews));
   if (due.size() > most) due.resize(most);
   std::vector<std::string> items;
+  items.reserve(due.size());
   for (Due& entry : due) items.push_back(std::move(entry.text));
   return items;
 }

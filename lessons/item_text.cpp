@@ -27,7 +27,9 @@ bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\
 
 }  // namespace
 
-bool IsBlank(std::string_view text) { return text.find_first_not_of(" \n") == text.npos; }
+bool IsBlank(std::string_view text) {
+  return text.find_first_not_of(" \n") == std::string_view::npos;
+}
 
 std::string ReadCourseText(const TomlTable& table, const std::string& key, std::size_t most) {
   std::string text = table.String(key);
