@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 // Letters below 1 mm cannot be set (typeset.h); a sheet ends at 5 m, a hand's reach long before.
-constexpr double kLeastSize_mm = 1, kMostSize_mm = 300;
+constexpr double kLeastSize = 1, kMostSize = 300;  // [mm]
 
 SourcePlace PlaceIn(const TomlTable& table, const std::string& key,
                     std::size_t element = TomlTable::kWhole) {
@@ -157,7 +157,7 @@ void ReadSteps(const TomlTable& table, Lesson& lesson, FaultList& faults) {
 }  // namespace
 
 double ReadSize(const TomlTable& table, const std::string& key, double size_mm) {
-  if (!(size_mm >= kLeastSize_mm && size_mm <= kMostSize_mm)) {
+  if (!(size_mm >= kLeastSize && size_mm <= kMostSize)) {
     table.Fail(key, "not from 1 to 300 mm; correct it");
   }
   return kMillimetre * size_mm;

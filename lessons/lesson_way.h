@@ -25,7 +25,7 @@ namespace moontrace {
 ///
 /// Nothing of this comes by guided trials.
 bool ItemFinished(const Course& course, const Progress& progress, const Step& step,
-                  std::string_view item);
+                  std::string_view text);
 
 /// Items of the present step that have not been finished; none where there is no step.
 std::vector<std::string> Unfinished(const Course& course, const Progress& progress);
