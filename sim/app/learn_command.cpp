@@ -57,7 +57,7 @@ void CheckTogether(const LearnOptions& options) {
     if (!options.lesson.empty()) throw UsageError(say::OnlyWithPrint("--lesson"));
     if (options.size) throw UsageError(say::OnlyWithPrint("--size-mm"));
   } else if (!HasPictureEnding(options.print)) {
-    throw UsageError(say::NotAPicture(options.print));
+    throw UsageError(say::NotAPicture("--print", options.print));
   }
 }
 
@@ -96,7 +96,10 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   if (options.sound) sound = std::make_unique<Sound>(LoadSounds());
   LearnTeller teller(console, speech.get(), sound.get());
   LineReader lines(console.in());
-  LearnMemory memory = OpenMemory(options, course, at_terminal, lines, teller, console);
+  std::optional<LearnMemory> opened =
+      OpenMemory(options, course, at_terminal, lines, teller, console);
+  if (!opened) return exit_code::kGood;
+  LearnMemory& memory = *opened;
   teller.EndTurn();
 
   LearnStage stage({options.live, options.press, options.seed, memory.keeps_tracks()}, console);

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "lessons/trial_json.h"
 #include "sim/app/learn_messages.h"
+#include "textures/error.h"
 #include "textures/text_file.h"
 
 namespace moontrace {
@@ -16,22 +18,37 @@ namespace {
 constexpr const char* kConsent = "tracks-1";
 constexpr int kPoll = 50;  ///< [ms]
 
-/// The next line that somebody types; none: there will be no more.
-std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std::string& question,
-                               const Console& console) {
-  teller.Say(Priority::kText, question);
-  teller.EndTurn();
-  for (;;) {
-    console.CheckStop();
-    if (std::optional<std::string> line = lines.Next(kPoll)) return line;
-    if (lines.ended()) return std::nullopt;
-  }
-}
+/// Who was asked said "quit".
+struct LeftAtQuestion {};
 
 std::string Trimmed(const std::string& line) {
   const auto begin = line.find_first_not_of(" \t");
   if (begin == std::string::npos) return {};
   return line.substr(begin, line.find_last_not_of(" \t") - begin + 1);
+}
+
+/// The next line that somebody types; none: there will be no more. The words that are words at any
+/// moment are so here: "quit" throws LeftAtQuestion, "?" and "help" ask once more.
+std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std::string& question,
+                               const Console& console) {
+  const auto ask = [&] {
+    teller.Say(Priority::kText, question);
+    teller.EndTurn();
+  };
+  ask();
+  for (;;) {
+    console.CheckStop();
+    if (std::optional<std::string> line = lines.Next(kPoll)) {
+      const std::string said = Trimmed(*line);
+      const std::string word = LowerCase(said);
+      if (word == "quit" || word == "/quit") throw LeftAtQuestion{};
+      if (word != "?" && word != "help") return said;
+      teller.Say(Priority::kText, say::QuitLeaves());
+      ask();
+    } else if (lines.ended()) {
+      return std::nullopt;
+    }
+  }
 }
 
 std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntry>& known,
@@ -48,7 +65,13 @@ std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntr
   for (;;) {
     const std::optional<std::string> line = Ask(lines, teller, question, console);
     if (!line) throw UsageError(say::NoLearner());
-    if (std::string name = Trimmed(*line); !name.empty()) return name;
+    if (line->empty()) continue;
+    try {
+      RequirePseudonym(*line);
+      return *line;
+    } catch (const InputError&) {
+      teller.Say(Priority::kText, say::NotAName());
+    }
   }
 }
 
@@ -60,7 +83,7 @@ bool MayKeepTracks(bool may_ask, LineReader& lines, LearnTeller& teller, const C
   std::string question = say::AskConsent();
   for (;;) {
     const std::optional<std::string> line = Ask(lines, teller, question, console);
-    const std::string answer = line ? LowerCase(Trimmed(*line)) : "";
+    const std::string answer = line ? LowerCase(*line) : "";
     const bool yes = answer == "yes" || answer == "y";
     if (!yes && answer != "no" && answer != "n" && !answer.empty()) {
       question = say::YesOrNo();
@@ -73,27 +96,35 @@ bool MayKeepTracks(bool may_ask, LineReader& lines, LearnTeller& teller, const C
 
 }  // namespace
 
-LearnMemory OpenMemory(const LearnOptions& options, const Course& course, bool may_ask,
-                       LineReader& lines, LearnTeller& teller, const Console& console) {
+std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course& course,
+                                      bool may_ask, LineReader& lines, LearnTeller& teller,
+                                      const Console& console) try {
   if (!Records::Available()) {
     teller.Say(Priority::kText, say::NoRecords());
-    return {};
+    return LearnMemory{};
   }
   Records records =
       Records::Open(options.records.empty() ? Records::DefaultPath() : options.records);
   const std::string name = WhoLearns(options, records.Learners(), may_ask, lines, teller, console);
+  RequirePseudonym(name);
   std::optional<LearnerEntry> learner = records.Find(name);
   if (learner && learner->simulated) throw UsageError(say::SimulatedOnly(name));
   const bool fresh = !learner;
   if (fresh) {
+    // asked first: who leaves at the question has left nothing behind, and is asked again
+    const bool keeps = MayKeepTracks(may_ask, lines, teller, console);
     learner = LearnerEntry{name, static_cast<std::int64_t>(std::time(nullptr)), false, {}, false};
     records.AddLearner(*learner);
-    learner->keeps_tracks = MayKeepTracks(may_ask, lines, teller, console);
-    if (may_ask) records.SetConsent(name, learner->keeps_tracks, kConsent);
+    learner->keeps_tracks = keeps;
+    if (may_ask) records.SetConsent(name, keeps, kConsent);
   }
   LearnMemory memory(std::move(records), *learner, course.id);
   teller.Say(Priority::kText, say::Learner(name, memory.trials(), fresh));
   return memory;
+} catch (const LeftAtQuestion&) {
+  teller.Say(Priority::kText, say::LeftBeforeBeginning());
+  teller.EndTurn();
+  return std::nullopt;
 }
 
 }  // namespace moontrace

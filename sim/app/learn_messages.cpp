@@ -228,6 +228,9 @@ std::string ConsentGiven(bool yes) {
   return yes ? "Raw tracks will be kept." : "Raw tracks will not be kept.";
 }
 std::string YesOrNo() { return "Type yes or no."; }
+std::string NotAName() { return "Not a name: 1 to 60 printable characters, no slashes."; }
+std::string QuitLeaves() { return "The word quit ends, and nothing is kept yet."; }
+std::string LeftBeforeBeginning() { return "Ended before it began: nothing was kept."; }
 std::string NoConsentAsked() { return "Raw tracks are not kept: nobody was asked."; }
 std::string NoRecords() {
   return "Nothing is remembered after this session: this build has no SQLite.";

@@ -29,8 +29,7 @@ std::string LessonOf(const Course& course, const std::string& given) {
 
 TutorDesk::TutorDesk(LearnSession& session)
     : session_(session),
-      server_(session.memory().name(),
-              say::TutorGreeting(session.memory().name(), session.Status())) {
+      server_(session.memory().name(), say::TutorGreeting(session.memory().name())) {
   session_.teller().SetListener([this](std::string_view line) { server_.Tell(line); });
 }
 
@@ -52,7 +51,10 @@ void TutorDesk::Serve() {
       Do(*line, std::get<TutorCommand>(read));
     }
   }
-  if (recorder_ && recorder_->full()) Record(0);
+  if (recorder_ && recorder_->full()) {
+    teller.Say(Priority::kMessage, say::TutorGaveBack());
+    Record(0);
+  }
   teller.EndTurn();
 }
 
@@ -79,14 +81,21 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
         return server_.Answer(line.tutor, say::NoStrokeYet());
       }
       break;
+    case TutorWord::kLesson:
+      if (LessonOf(session_.course(), command.text).empty()) {
+        return server_.Answer(line.tutor, say::LessonNotFound(command.text));
+      }
+      break;
     default:
       break;
   }
-  session_.teller().Say(Priority::kMessage, say::TutorDoes(command));
+  const bool gives_back = command.word == TutorWord::kRecord && recorder_;
+  session_.teller().Say(Priority::kMessage,
+                        gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
   session_.teller().Flush();
   session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
   try {
-    if (!DoToPage(line.tutor, command)) DoToLesson(line.tutor, command);
+    if (!DoToPage(line.tutor, command)) DoToLesson(command);
   } catch (const InputError& error) {
     session_.teller().Say(Priority::kMessage, say::TutorCannot(error.what()));
   }
@@ -123,7 +132,7 @@ bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
 }
 
 /// What overrules the rules of the course.
-void TutorDesk::DoToLesson(std::size_t tutor, const TutorCommand& command) {
+void TutorDesk::DoToLesson(const TutorCommand& command) {
   lesson_event::Overrule overrule;
   switch (command.word) {
     case TutorWord::kSize:
@@ -141,12 +150,9 @@ void TutorDesk::DoToLesson(std::size_t tutor, const TutorCommand& command) {
     case TutorWord::kNext:
       overrule.next_lesson = true;
       break;
-    case TutorWord::kLesson: {
-      const std::string lesson = LessonOf(session_.course(), command.text);
-      if (lesson.empty()) return server_.Answer(tutor, say::LessonNotFound(command.text));
-      overrule.lesson = lesson;
+    case TutorWord::kLesson:
+      overrule.lesson = LessonOf(session_.course(), command.text);
       break;
-    }
     case TutorWord::kAgain:
       return session_.TutorSays({lesson_event::Word::kAgain, true});
     default:

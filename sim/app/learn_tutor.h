@@ -27,7 +27,7 @@ class TutorDesk {
  private:
   void Do(const TutorServer::Line& line, const TutorCommand& command);
   bool DoToPage(std::size_t tutor, const TutorCommand& command);
-  void DoToLesson(std::size_t tutor, const TutorCommand& command);
+  void DoToLesson(const TutorCommand& command);
   void Record(std::size_t tutor);
   void PlayBack();  ///< there is a stroke, and it can be felt
 

@@ -10,8 +10,9 @@
 
 namespace moontrace::say {
 
-std::string TutorGreeting(std::string_view learner, std::string_view where) {
-  return fmt::format("Lesson of {}. {} Type ? for the words.", OneLine(learner), where);
+std::string TutorGreeting(std::string_view learner) {
+  return fmt::format("Lesson of {}. Type where for what goes on, ? for the words.",
+                     OneLine(learner));
 }
 
 std::string TutorDoes(const TutorCommand& command) {
@@ -70,6 +71,7 @@ std::string LessonNotFound(std::string_view given) {
 std::string WhoIsHere(std::string_view learner, std::size_t tutors) {
   return fmt::format("Learner: {}; {} here.", OneLine(learner), Counted(tutors, "tutor", "tutors"));
 }
+std::string TutorGaveBack() { return "The device is yours again: the tutor's stroke is taken."; }
 std::string Recording() { return "Recording: trace, then say record again."; }
 std::string RecordedStrokeIs(double seconds) {
   return fmt::format("Recorded: {} s. Say playback to lead the learner along it.",

@@ -9,7 +9,8 @@
 /// Sentences of a tutor's commands, for learner and tutor; see messages.h.
 namespace moontrace::say {
 
-std::string TutorGreeting(std::string_view learner, std::string_view where);
+/// Each tutor is met with it, whenever they come.
+std::string TutorGreeting(std::string_view learner);
 /// What the learner is told before a command is done.
 std::string TutorDoes(const TutorCommand& command);
 std::string TutorCannot(std::string_view why);
@@ -17,6 +18,7 @@ std::string LearnerStopped();
 std::string NothingRests();
 std::string LessonNotFound(std::string_view given);
 std::string WhoIsHere(std::string_view learner, std::size_t tutors);
+std::string TutorGaveBack();
 std::string Recording();
 std::string RecordedStrokeIs(double seconds);
 std::string NothingRecorded();

@@ -55,7 +55,7 @@ std::string ValueMissing(std::string_view option) {
 }
 
 std::string ValueEmpty(std::string_view option) {
-  return fmt::format("{} is empty: write a path", option);
+  return fmt::format("{} is empty: write its value", option);
 }
 
 std::string NotANumber(std::string_view option, std::string_view given) {
@@ -81,8 +81,8 @@ std::string NotAPage(std::string_view given) {
                      Quoted(given));
 }
 
-std::string NotAPicture(std::string_view given) {
-  return fmt::format("--picture needs an ending .svg, .png or .pdf: {}", OneLine(given, 200));
+std::string NotAPicture(std::string_view option, std::string_view given) {
+  return fmt::format("{} needs an ending .svg, .png or .pdf: {}", option, OneLine(given, 200));
 }
 
 std::string NeedsOther(std::string_view option, std::string_view other) {

@@ -148,7 +148,7 @@ void AddPicture(CLI::App& app, std::string& path, const std::string& description
       app, "--picture", "FILE",
       [&path](const std::string& given) {
         if (given.empty()) throw UsageError(say::ValueEmpty("--picture"));
-        if (!HasPictureEnding(given)) throw UsageError(say::NotAPicture(given));
+        if (!HasPictureEnding(given)) throw UsageError(say::NotAPicture("--picture", given));
         path = given;
       },
       description);

@@ -71,6 +71,7 @@ TEST_F(LearnCommand, RefusesWhatItCannotDo) {
     EXPECT_EQ(outcome.out, "");
   };
   refused({"--print", In("page.txt")}, 2);
+  EXPECT_TRUE(Holds(RunLine({"learn", "--print", "page.txt"}).err, "--print needs an ending"));
   refused({"--print", In("page.svg"), "--lesson", "oen"}, 2);
   refused({"--lesson", "one"}, 2);
   refused({"--size-mm", "20"}, 2);

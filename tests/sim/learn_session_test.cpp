@@ -131,6 +131,40 @@ TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
   ExpectStream(session.all());
 }
 
+TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
+  PtySession session({"learn", "--course", In("course"), "--records", In("records.sqlite"),
+                      "--device", "simulated"});
+  ASSERT_TRUE(session.WaitFor("Who learns?")) << session.all();
+  for (const auto& [said, answer] :
+       {std::pair{"a/b", "Not a name: "}, std::pair{"?", "The word quit"}}) {
+    session.Send(std::string(said) + "\n");
+    ASSERT_TRUE(session.WaitFor(answer)) << session.all();
+    ASSERT_TRUE(session.WaitFor("Who learns?")) << session.all();
+  }
+  session.Send(" ann \n");
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
+  session.Send("no\n");
+  EXPECT_TRUE(session.WaitFor("New learner: ann.")) << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  ExpectStream(session.all());
+}
+
+TEST_F(LearnSessionTest, KeepsNobodyWhoLeavesAtAQuestion) {
+  for (const bool asked_who : {true, false}) {
+    std::vector<std::string> args{"learn",     "--course",           In("course"),
+                                  "--records", In("records.sqlite"), "--device",
+                                  "simulated"};
+    if (!asked_who) args = Learn();
+    PtySession session(args);
+    ASSERT_TRUE(session.WaitFor(asked_who ? "Who learns?" : "Keep the raw tracks"));
+    session.Send("quit\n");
+    EXPECT_TRUE(session.WaitFor("Ended before it began: nothing was kept.")) << session.all();
+    EXPECT_EQ(session.Wait(), 0);
+    EXPECT_TRUE(Records::OpenToRead(In("records.sqlite")).Learners().empty());
+  }
+}
+
 TEST_F(SlowLearnSession, AnswersEveryWordAtEveryStep) {
   PtySession session(Learn());
   ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
