@@ -9,9 +9,11 @@ namespace {
 constexpr int kRows = 40;  // of the map, over the height felt over
 constexpr int kMostColumns = 800;
 constexpr double kPictureReach = 2.2;  // from its middle, in spreads
-constexpr double kFlatShare = 0.75;    // of the samples in contact lie deeper than the flat paper
-constexpr double kDeepShare = 0.02;    // of them lie deeper than what counts as the deepest
-constexpr double kLeastColumn = 1.5;   // rows of groove in a column that is not a gap
+constexpr double kFlatShare = 0.6;     // of the samples in contact lie deeper than the flat paper
+constexpr double kDeepShare = 0.002;   // of them lie deeper than what counts as the deepest
+constexpr double kLeastColumn = 0.5;   // rows of groove in a column that is not a gap
+constexpr double kReach = 1.2;         // of a touch to either side of the way, in cells
+constexpr double kLeastWay = 0.4;      // through a cell, in cells: less tells nothing of it
 constexpr double kLongestStep = 0.1;   // of the height: farther apart lay no way [share]
 
 /// How much of the way through a cell of the page lay in a groove.
@@ -21,7 +23,8 @@ struct Map {
   glm::dvec2 min{0, 0};
   std::vector<double> groove;
   double At(int column, int row) const {
-    return groove[static_cast<std::size_t>(row * columns + column)];
+    return groove[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(column)];
   }
 };
 
@@ -31,12 +34,14 @@ double Quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-std::vector<FeltSample> InContact(const std::vector<FeltSample>& samples) {
+/// Those in contact, each moved to where the paper is that it presses in.
+std::vector<FeltSample> InContact(const std::vector<FeltSample>& samples, double softness) {
   std::vector<FeltSample> touching;
   for (const FeltSample& sample : samples) {
-    const bool finite =
-        std::isfinite(sample.tip.x) && std::isfinite(sample.tip.y) && std::isfinite(sample.tip.z);
-    if (finite && sample.force.z > 0) touching.push_back(sample);
+    const bool finite = std::isfinite(glm::dot(sample.tip, sample.tip)) &&
+                        std::isfinite(glm::dot(sample.force, sample.force));
+    if (!finite || !(sample.force.z > 0)) continue;
+    touching.push_back({sample.tip + softness * sample.force, sample.force});
   }
   return touching;
 }
@@ -53,7 +58,7 @@ Map EmptyMap(const std::vector<FeltSample>& touching) {
   if (!(map.cell > 0)) return map;
   const double columns = std::min<double>(std::ceil((max.x - min.x) / map.cell), kMostColumns);
   map.columns = std::max(1, static_cast<int>(columns));
-  map.groove.assign(static_cast<std::size_t>(map.columns * kRows), 0.0);
+  map.groove.assign(static_cast<std::size_t>(map.columns) * kRows, 0.0);
   return map;
 }
 
@@ -63,6 +68,29 @@ double GaveWay(const FeltSample& sample, double flat, double threshold, const Fe
   const double slope = sideways / std::max(sample.force.z, rule.least_force);
   const double depth = flat - sample.tip.z;
   return std::clamp(std::max(depth / threshold, slope / rule.slope) - 0.5, 0.0, 0.5) / 0.5;
+}
+
+/// Each value also counts for its neighbours, less with their distance: a Gaussian of `cells`.
+template <typename Values>
+void Spread(Values& values, int columns, int rows, double cells) {
+  if (!(cells > 0)) return;
+  const int reach = static_cast<int>(std::ceil(2.5 * cells));
+  std::vector<double> weights;
+  for (int d = -reach; d <= reach; ++d) weights.push_back(std::exp(-d * d / (2 * cells * cells)));
+  for (const int along : {1, columns}) {
+    const Values before = values;
+    for (int i = 0; i < columns * rows; ++i) {
+      const int at = along == 1 ? i % columns : i / columns;
+      const int last = along == 1 ? columns : rows;
+      double sum = 0;
+      for (int d = std::max(-reach, -at); d <= std::min(reach, last - 1 - at); ++d) {
+        const int from = i + d * along;
+        sum += weights[static_cast<std::size_t>(d + reach)] *
+               before[static_cast<std::size_t>(from)];
+      }
+      values[static_cast<std::size_t>(i)] = sum;
+    }
+  }
 }
 
 /// Weighs each sample by the way that the tip went, so that resting weighs nothing.
@@ -78,11 +106,14 @@ Map GrooveMap(const std::vector<FeltSample>& touching, double flat, double thres
     const glm::dvec2 at = (p - map.min) / map.cell;
     const int column = std::clamp(static_cast<int>(at.x), 0, map.columns - 1);
     const int row = std::clamp(static_cast<int>(at.y), 0, kRows - 1);
-    const auto cell = static_cast<std::size_t>(row * map.columns + column);
+    const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
+                      static_cast<std::size_t>(column);
     way[cell] += step;
     map.groove[cell] += step * GaveWay(touching[i], flat, threshold, rule);
   }
-  for (std::size_t i = 0; i < way.size(); ++i) map.groove[i] /= way[i] + 0.5 * map.cell;
+  Spread(way, map.columns, kRows, kReach);
+  Spread(map.groove, map.columns, kRows, kReach);
+  for (std::size_t i = 0; i < way.size(); ++i) map.groove[i] /= way[i] + kLeastWay * map.cell;
   return map;
 }
 
@@ -100,26 +131,6 @@ std::vector<std::pair<int, int>> Parts(const Map& map, double gap) {
     }
   }
   return parts;
-}
-
-void Blur(std::array<double, FeltSign::kCells * FeltSign::kCells>& picture, double cells) {
-  constexpr int n = FeltSign::kCells;
-  if (!(cells > 0)) return;
-  const int reach = static_cast<int>(std::ceil(3 * cells));
-  for (const int along : {1, n}) {
-    auto blurred = picture;
-    for (int i = 0; i < n * n; ++i) {
-      const int at = along == 1 ? i % n : i / n;
-      double sum = 0;
-      for (int d = -reach; d <= reach; ++d) {
-        if (at + d < 0 || at + d >= n) continue;
-        const double u = d / cells;
-        sum += std::exp(-u * u / 2) * picture[static_cast<std::size_t>(i + d * along)];
-      }
-      blurred[static_cast<std::size_t>(i)] = sum;
-    }
-    picture = blurred;
-  }
 }
 
 FeltSign SignOf(const Map& map, std::pair<int, int> part, const FeelingRule& rule, double& mass) {
@@ -156,7 +167,7 @@ FeltSign SignOf(const Map& map, std::pair<int, int> part, const FeelingRule& rul
           weight * near.x * near.y;
     }
   });
-  Blur(picture, rule.blur_cells);
+  Spread(picture, n, n, rule.blur_cells);
   double length = 0;
   for (const double value : picture) length += value * value;
   length = std::sqrt(std::max(length, 1e-300));
@@ -173,9 +184,10 @@ FeltSign SignOf(const Map& map, std::pair<int, int> part, const FeelingRule& rul
 }  // namespace
 
 FeltShape ShapeOf(const std::vector<FeltSample>& samples, const FeelingRule& rule) {
-  const std::vector<FeltSample> touching = InContact(samples);
+  const std::vector<FeltSample> touching = InContact(samples, rule.softness);
   if (touching.size() < 2) return {};
   std::vector<double> heights;
+  heights.reserve(touching.size());
   for (const FeltSample& sample : touching) heights.push_back(sample.tip.z);
   const double flat = Quantile(heights, kFlatShare);
   const double deepest = flat - Quantile(heights, kDeepShare);

@@ -28,6 +28,9 @@ struct FeltSign {
 /// How touch becomes a shape; from `lessons/learner.toml`, ours.
 struct FeelingRule {
   double least_depth = 1e-4;   ///< what gives way less is not felt [m]
+  /// How far flat paper gives way to a newton, which every hand knows that has pressed on it: a tip
+  /// that swings up and down is not in a groove for that [m/N].
+  double softness = 0;
   double depth_share = 0.4;    ///< of the deepest: half of it begins to count as a groove
   double slope = 0.5;          ///< sideways force over that out of the page: likewise
   double least_force = 0.02;   ///< less is not felt [N]

@@ -72,13 +72,17 @@ HandPath ExplorationPath(const Box& box_P, double size, const Exploration& how, 
   const int columns = std::max(2, static_cast<int>(std::ceil((high.x - low.x) / spacing)));
   const int rows = std::max(2, static_cast<int>(std::ceil((high.y - low.y) / spacing)));
   bool up = true;
-  for (int i = 1; i <= columns; ++i, up = !up) {
-    sweeper.SweepTo({low.x + (high.x - low.x) * i / columns, up ? high.y : low.y});
+  for (int i = 0; i <= columns; ++i, up = !up) {
+    const double x = low.x + (high.x - low.x) * i / columns;
+    sweeper.SweepTo({x, sweeper.p_P().y});
+    sweeper.SweepTo({x, up ? high.y : low.y});
   }
   const double from = sweeper.p_P().y, to = low.y + high.y - from;
   bool left = true;
-  for (int i = 1; i <= rows; ++i, left = !left) {
-    sweeper.SweepTo({left ? low.x : high.x, from + (to - from) * i / rows});
+  for (int i = 0; i <= rows; ++i, left = !left) {
+    const double y = from + (to - from) * i / rows;
+    sweeper.SweepTo({sweeper.p_P().x, y});
+    sweeper.SweepTo({left ? low.x : high.x, y});
   }
   sweeper.Wait(kStep, 0);
   sweeper.Straight({glm::dvec2(sweeper.p_P()), how.height}, kDown);

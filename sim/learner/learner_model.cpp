@@ -71,6 +71,7 @@ FeelingRule ReadFeeling(const TomlTable& table) {
   rule.least_depth = 1e-3 * InRange(table, "least_depth_mm", 0, 5);
   rule.depth_share = InRange(table, "depth_share", 0.01, 0.99);
   rule.slope = InRange(table, "slope", 0.01, 10);
+  rule.softness = InRange(table, "softness_mm_n", 0, 100) / 1e3;
   rule.least_force = InRange(table, "least_force_n", 1e-4, 1);
   rule.gap = InRange(table, "gap_share", 0.01, 2);
   rule.least_part = InRange(table, "least_part_share", 0, 1);
