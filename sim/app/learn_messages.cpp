@@ -151,7 +151,7 @@ std::string Awaited(lesson_action::Await await, Question question, bool stopped)
     case lesson_action::Await::kAnswer:
       return question == Question::kSame ? "Asked: same or different?" : "Asked: what is it?";
     case lesson_action::Await::kNext:
-      return "Feel the page; say next to go on.";
+      return "Say next to go on; the page lies there until then.";
     case lesson_action::Await::kEnd:
       return "The end: say quit.";
   }
@@ -253,7 +253,8 @@ std::string Demonstration() {
   return "Demonstration: nothing is felt. The program's own hand traces each page.";
 }
 std::string DemonstrationCounts() {
-  return "Nothing counts here: trials are kept as simulated and make no sign sure.";
+  return "Nothing counts here, so a sign comes again until you say next: trials are kept as "
+         "simulated and make no sign sure.";
 }
 std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));

@@ -154,7 +154,7 @@ ReportSection Help(const ReportFacts& facts) {
                                       Counted(facts.guided.trials, "trial", "trials"),
                                       Done(facts.guided)));
   if (facts.scaled > 0) {
-    section.lines.push_back(fmt::format("Not at true size: {}; none of them counts.",
+    section.lines.push_back(fmt::format("Not felt at true size: {}; none of them counts.",
                                         Counted(facts.scaled, "trial", "trials")));
   }
   return section;

@@ -57,6 +57,7 @@ TEST_F(LearnSessionTest, SaysFirstThatNothingIsFeltAndEndsWithItsInput) {
   ASSERT_GE(lines.size(), 2U);
   EXPECT_EQ(lines[0], "New learner: ann.");
   EXPECT_EQ(lines[1].rfind("Demonstration: nothing is felt.", 0), 0U);
+  EXPECT_TRUE(Holds(outcome.out, "a sign comes again until you say next")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Welcome to Small course.")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2: First lesson.")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "\nFeel the line.\nIt is upright.\n")) << outcome.out;
