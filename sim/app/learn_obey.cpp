@@ -119,9 +119,11 @@ void LearnSession::Speak(LearnWord word) {
   }
 }
 
-/// A long text's next page comes before the next step; a trace that was begun is done.
+/// A long text's next page comes before the next step; a trace that was begun is done. A
+/// demonstration's hand is always on the page and makes nothing sure: there the sign is left.
 void LearnSession::Next() {
-  if (await_ == Await::kTrace && stage_.trace().touched()) return EndTrace();
+  const bool begun = stage_.trace().touched() && !stage_.simulated();
+  if (await_ == Await::kTrace && begun) return EndTrace();
   if (await_ == Await::kNext && stage_.Turn(true)) {
     const LoopSession& session = stage_.session();
     return teller_.Say(Priority::kText,

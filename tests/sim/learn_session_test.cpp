@@ -132,6 +132,17 @@ TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
   ExpectStream(session.all());
 }
 
+TEST_F(LearnSessionTest, LeavesASignOfADemonstrationAtNext) {
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
+  session.Send("no\nnext\nnext\nnext\n");  // what is explored, then what i and l are
+  ASSERT_TRUE(session.WaitFor("\r\nGood: ")) << session.all();
+  ASSERT_TRUE(session.WaitFor("hand traces i.")) << session.all();
+  session.ReadFor(300);  // the hand is on the page: the trace has begun
+  session.Send("next\n");
+  EXPECT_TRUE(session.WaitFor("Skipped, not sure yet: i.")) << session.all();
+}
+
 TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
   PtySession session({"learn", "--course", In("course"), "--records", In("records.sqlite"),
                       "--device", "simulated"});
