@@ -11,6 +11,7 @@ namespace {
 
 std::string Named(const Course& course, const std::vector<std::string>& items) {
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const std::string& item : items) {
     names.push_back(OneLine(std::string(NameOf(course, item)), 60));
   }
