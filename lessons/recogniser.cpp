@@ -137,7 +137,7 @@ Naming Recogniser::Name(const FeltShape& shape, double day, std::uint64_t guess)
   const Naming told = Nearest(shape, day, best);
   if (shape.size() > 1) {
     double spelt = kNever;
-    const Naming letters = SpellOut(shape, day, spelt);
+    Naming letters = SpellOut(shape, day, spelt);
     if (spelt + rule_.word_margin < best) return letters;
   }
   return std::isfinite(best) ? told : Naming{Guess(guess), 0};
