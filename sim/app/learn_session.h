@@ -58,7 +58,7 @@ class LearnSession {
   using Clock = std::chrono::steady_clock;
 
   void Take(decltype(Event::what) what);
-  void Do(const lesson_action::Say& say);
+  void Do(const lesson_action::Say& sentence);
   void Do(const lesson_action::Show& show);
   void Do(const lesson_action::Push& push);
   void Do(const lesson_action::Keep& keep);
