@@ -1,5 +1,6 @@
 #include "sim/app/learn_tutor.h"
 
+#include <cmath>
 #include <ctime>
 #include <utility>
 #include <variant>
