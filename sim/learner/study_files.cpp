@@ -214,6 +214,10 @@ std::vector<StudyRow> RunStudy(const StudyProtocol& protocol, const StudyOutput&
   const std::vector<StudyPlace> places = PlacesOf(protocol, output.shard, output.shards);
   std::vector<StudyRow> rows = DoneRows(protocol, output, places);
   if (!rows.empty()) return rows;
+  const fs::path home = fs::path(output.path).parent_path();
+  if (!home.empty() && !fs::is_directory(home)) {
+    throw LackError(fmt::format("{}: its folder is not there: make it first", output.path));
+  }
   const std::string folder = output.path + ".parts";
   MakeFolder(folder);
   {

@@ -126,8 +126,10 @@ std::vector<StudyPlace> PlacesOf(const StudyProtocol& protocol, int shard, int s
   std::vector<StudyPlace> places;
   std::size_t number = 0;
   for (std::size_t c = 0; c < protocol.conditions.size(); ++c) {
+    // No shard has the same learners in each condition: that would look like a whole study.
+    const std::size_t shift = protocol.learners % shards == 0 ? c : 0;
     for (int i = 0; i < protocol.learners; ++i) {
-      const auto turn = static_cast<int>(number++ % static_cast<std::size_t>(shards));
+      const auto turn = static_cast<int>((number++ + shift) % static_cast<std::size_t>(shards));
       if (turn + 1 == shard) {
         places.push_back({c, protocol.first_seed + static_cast<std::uint64_t>(i)});
       }
