@@ -90,6 +90,7 @@ void SayCells(const StudySummary& summary, Console& console) {
       std::stable_sort(phase.begin(), phase.end(),
                        [](const StudyCell& a, const StudyCell& b) { return a.mean < b.mean; });
       std::vector<std::string> order;
+      order.reserve(phase.size());
       for (const StudyCell& cell : phase) order.push_back(cell.condition);
       console.Result(say::StudyOrder(phase.front().phase, order));
     }

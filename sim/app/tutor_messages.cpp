@@ -9,6 +9,7 @@ namespace moontrace::say {
 
 std::string TutorHelp(const std::vector<std::string>& words) {
   std::vector<std::string> numbered;
+  numbered.reserve(words.size());
   for (const std::string& word : words) {
     numbered.push_back(fmt::format("{} {}", numbered.size() + 1, word));
   }

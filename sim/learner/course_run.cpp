@@ -17,7 +17,7 @@ namespace {
 
 using lesson_action::Sentence;
 
-constexpr std::int64_t kDay = 24 * 60 * 60;
+constexpr std::int64_t kDay = std::int64_t{24} * 60 * 60;
 constexpr double kBetweenTrials = 4;  // to listen and to come back to the page [s]
 constexpr double kAnswering = 1;      // to say what it was [s]
 constexpr int kGreatestDays = 400;    // a course that takes longer is not finished
