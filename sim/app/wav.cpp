@@ -82,7 +82,7 @@ Wav ParseWav(std::string_view bytes, const std::string& name, double longest) {
   const std::size_t width = bits / 8;
   const std::size_t count = data.size() / (width * wav.channels) * wav.channels;
   if (count == 0) Fail(name, "holds no sound; record it anew");
-  if (static_cast<double>(count) > longest * wav.rate * wav.channels) {
+  if (static_cast<double>(count) > longest * wav.rate * static_cast<double>(wav.channels)) {
     Fail(name, fmt::format("is longer than {:g} s; cut it", longest));
   }
   wav.samples.reserve(count);
