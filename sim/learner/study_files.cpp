@@ -107,6 +107,7 @@ class Workers {
 
   void Run(const StudyOutput& output) {
     std::vector<std::thread> threads;
+    threads.reserve(static_cast<std::size_t>(output.threads));
     for (int i = 0; i < output.threads; ++i) threads.emplace_back([this] { Work(); });
     std::exception_ptr stopped;
     while (running_ < output.threads) std::this_thread::yield();
