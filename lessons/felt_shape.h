@@ -27,7 +27,7 @@ struct FeltSign {
 
 /// How touch becomes a shape; from `lessons/learner.toml`, ours.
 struct FeelingRule {
-  double least_depth = 1e-4;   ///< what gives way less is not felt [m]
+  double least_depth = 1e-4;  ///< what gives way less is not felt [m]
   /// How far flat paper gives way to a newton, which every hand knows that has pressed on it: a tip
   /// that swings up and down is not in a groove for that [m/N].
   double softness = 0;
