@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,7 +71,8 @@ class LessonRun {
       if (const auto* page = std::get_if<lesson_action::Show>(&action)) show = *page;
       if (const auto* with = std::get_if<lesson_action::Push>(&action)) push = *with;
     }
-    time += 10;
+    // a test may set the clock to its last second
+    if (time < std::numeric_limits<std::int64_t>::max() - 10) time += 10;
   }
   void Begin() { Do(lesson_event::Begin{}); }
   void Say(lesson_event::Word word) { Do(lesson_event::Said{word, false}); }
