@@ -4,32 +4,11 @@
 
 #include <string_view>
 
+#include "sim/app/html_text.h"
+
 namespace moontrace {
 
 namespace {
-
-std::string Escaped(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
 
 constexpr std::string_view kHead =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -42,12 +21,12 @@ constexpr std::string_view kHead =
 
 std::string Section(const GalleryPicture& shown, std::size_t number) {
   std::string html = fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n<p><code>{}</code></p>\n",
-                                 number, Escaped(shown.title), Escaped(shown.command));
+                                 number, EscapedHtml(shown.title), EscapedHtml(shown.command));
   if (!shown.picture.empty()) {
     html += fmt::format("<p><img src=\"{}\" alt=\"{}, as the words below say.\"></p>\n",
-                        Escaped(shown.picture), Escaped(shown.title));
+                        EscapedHtml(shown.picture), EscapedHtml(shown.title));
   }
-  html += fmt::format("<pre>{}</pre>\n</section>\n", Escaped(shown.words));
+  html += fmt::format("<pre>{}</pre>\n</section>\n", EscapedHtml(shown.words));
   return html;
 }
 
@@ -59,7 +38,7 @@ std::string GalleryPage(const std::vector<GalleryPicture>& pictures) {
       "<p>Pages of tactile text. Each picture shows what the finger would meet; below it stands "
       "what the command says about it.</p>\n<ol>\n";
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", i + 1, Escaped(pictures[i].title));
+    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", i + 1, EscapedHtml(pictures[i].title));
   }
   html += "</ol>\n";
   for (std::size_t i = 0; i < pictures.size(); ++i) html += Section(pictures[i], i + 1);

@@ -4,9 +4,9 @@
 
 namespace moontrace {
 
-std::string HtmlText(std::string_view text) {
+std::string EscapedHtml(std::string_view text) {
   std::string html;
-  for (const char c : OneLine(text, text.size() + 1)) {
+  for (const char c : text) {
     switch (c) {
       case '&':
         html += "&amp;";
@@ -24,6 +24,11 @@ std::string HtmlText(std::string_view text) {
         html += c;
     }
   }
+  return html;
+}
+
+std::string HtmlText(std::string_view text) {
+  std::string html = EscapedHtml(OneLine(text, text.size() + 1));
   // no characters in XML: U+FFFE and U+FFFF
   for (const char* none : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) {
     for (std::size_t at = html.find(none); at != std::string::npos; at = html.find(none, at)) {

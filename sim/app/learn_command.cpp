@@ -115,6 +115,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   } else {
     input = std::make_unique<TypedLines>(lines);
   }
+  memory.Admit();
   session.Begin();
   try {
     Drive(session, *input, {tutor.get(), path.get()}, options.live.seconds, console);

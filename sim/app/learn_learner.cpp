@@ -14,8 +14,6 @@ namespace moontrace {
 
 namespace {
 
-/// Version of the question in say::AskConsent that a learner agreed to.
-constexpr const char* kConsent = "tracks-1";
 constexpr int kPoll = 50;  ///< [ms]
 
 /// Who was asked said "quit".
@@ -113,12 +111,10 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
   if (fresh) {
     // asked first: who leaves at the question has left nothing behind, and is asked again
     const bool keeps = MayKeepTracks(may_ask, lines, teller, console);
-    learner = LearnerEntry{name, static_cast<std::int64_t>(std::time(nullptr)), false, {}, false};
-    records.AddLearner(*learner);
-    learner->keeps_tracks = keeps;
-    if (may_ask) records.SetConsent(name, keeps, kConsent);
+    learner = LearnerEntry{name, static_cast<std::int64_t>(std::time(nullptr)), keeps,
+                           may_ask ? say::kConsentVersion : "", false};
   }
-  LearnMemory memory(std::move(records), *learner, course.id);
+  LearnMemory memory(std::move(records), *learner, course.id, fresh);
   teller.Say(Priority::kText, say::Learner(name, memory.trials(), fresh));
   return memory;
 } catch (const LeftAtQuestion&) {

@@ -6,12 +6,21 @@
 
 namespace moontrace {
 
-LearnMemory::LearnMemory(Records records, LearnerEntry learner, std::string course)
-    : records_(std::move(records)), learner_(std::move(learner)), course_(std::move(course)) {}
+LearnMemory::LearnMemory(Records records, LearnerEntry learner, std::string course, bool fresh)
+    : records_(std::move(records)),
+      learner_(std::move(learner)),
+      course_(std::move(course)),
+      fresh_(fresh) {}
+
+void LearnMemory::Admit() {
+  if (!fresh_) return;
+  records_->AddLearner(learner_);
+  fresh_ = false;
+}
 
 Progress LearnMemory::Recall(const Course& course) const {
   Progress progress;
-  if (!records_) return progress;
+  if (!records_ || fresh_) return progress;
   for (const Trial& trial : records_->Trials(learner_.pseudonym, course_)) {
     progress = Learn(course, std::move(progress), trial);
   }
@@ -19,7 +28,7 @@ Progress LearnMemory::Recall(const Course& course) const {
 }
 
 std::size_t LearnMemory::trials() const {
-  if (!records_) return 0;
+  if (!records_ || fresh_) return 0;
   const std::vector<Trial> rows = records_->Trials(learner_.pseudonym, course_);
   return static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [](const Trial& row) { return !row.item.empty(); }));

@@ -16,7 +16,12 @@ class LearnMemory {
  public:
   /// Without records: all is forgotten at the end.
   LearnMemory() = default;
-  LearnMemory(Records records, LearnerEntry learner, std::string course);
+  /// `fresh`: the records do not have the learner yet; Admit comes before the first row.
+  LearnMemory(Records records, LearnerEntry learner, std::string course, bool fresh);
+
+  /// A fresh learner into the records, once the lesson can begin: a start that fails leaves nobody
+  /// behind. Throws as Records::AddLearner.
+  void Admit();
 
   /// Progress told again from the rows.
   Progress Recall(const Course& course) const;
@@ -44,6 +49,7 @@ class LearnMemory {
   std::optional<Records> records_;
   LearnerEntry learner_;
   std::string course_;
+  bool fresh_ = false;
   std::vector<Row> held_back_;
 };
 

@@ -79,6 +79,8 @@ std::string AskLearner();
 std::string AskWhich(const std::vector<std::string>& names);
 std::string NoLearner();
 std::string AskConsent();
+/// Of that question: what a learner agreed to.
+inline constexpr const char* kConsentVersion = "tracks-1";
 std::string ConsentGiven(bool yes);
 std::string YesOrNo();
 std::string NotAName();

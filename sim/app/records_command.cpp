@@ -24,7 +24,6 @@ namespace moontrace {
 namespace {
 
 constexpr std::size_t kGreatestImport = std::size_t{256} << 20U;
-constexpr const char* kConsent = "tracks-1";  // the version of say::AskConsent that is agreed to
 
 const std::vector<std::string> kActions{"list", "export", "import", "erase", "consent"};
 
@@ -134,7 +133,7 @@ int Erase(Records records, const RecordsOptions& options, Console& console) {
 int Consent(Records records, const RecordsOptions& options, Console& console) {
   KnownLearner(records, options.subject);
   const bool yes = options.answer == "yes";
-  records.SetConsent(options.subject, yes, yes ? kConsent : "");
+  records.SetConsent(options.subject, yes, yes ? say::kConsentVersion : "");
   console.Result(say::ConsentNow(options.subject, yes));
   if (options.output.json) {
     console.Json(Dump(Json{{"learner", options.subject}, {"keeps_tracks", yes}}));

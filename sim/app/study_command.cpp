@@ -17,6 +17,7 @@
 #include "sim/app/typeset_report.h"
 #include "sim/learner/study_files.h"
 #include "sim/learner/study_summary.h"
+#include "textures/error.h"
 #include "textures/resources.h"
 
 namespace moontrace {
@@ -49,7 +50,10 @@ Shard ShardOf(const std::string& given) {
 /// A shipped protocol by its name, else a path.
 std::string ProtocolPath(const std::string& given) {
   const bool name = given.find('/') == std::string::npos && given.find('.') == std::string::npos;
-  return name && !fs::exists(given) ? ResourcePath("lessons/studies/" + given + ".toml") : given;
+  if (!name || fs::exists(given)) return given;
+  const std::string shipped = ResourcePath("lessons/studies") + "/" + given + ".toml";
+  if (!fs::exists(shipped)) throw InputError(say::NoSuchStudy(given));
+  return shipped;
 }
 
 int ThreadsOf(const StudyOptions& options) {

@@ -2,10 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "textures/text_file.h"
+
 namespace moontrace::say {
 
 std::string NoStudyNamed() {
   return "no protocol was named: moontrace study guidance, or a TOML file";
+}
+
+std::string NoSuchStudy(std::string_view given) {
+  return fmt::format("no study \"{}\": there is guidance; or name a TOML file by its path",
+                     OneLine(given, 40));
 }
 
 std::string TooManyStudies() { return "one protocol at a time: run study again for the next"; }

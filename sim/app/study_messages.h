@@ -12,6 +12,7 @@
 namespace moontrace::say {
 
 std::string NoStudyNamed();
+std::string NoSuchStudy(std::string_view given);
 std::string TooManyStudies();
 std::string NothingToMerge();
 std::string MergeNeedsOutput();
@@ -35,15 +36,15 @@ namespace help {
 inline constexpr const char* kStudyCommand =
     "runs a study of simulated learners from a protocol file";
 inline constexpr const char* kStudyWords =
-    "A protocol (TOML), by path or by the name of a shipped one: guidance. Or merge, then files of "
+    "a protocol (TOML), by path or by the name of a shipped one: guidance. Or merge, then files of "
     "shards.";
 inline constexpr const char* kStudyOutput =
-    "Rows as CSV, one a trial; a run that was ended goes on where it was. Default: the protocol's "
+    "rows as CSV, one a trial; a run that was ended goes on where it was. Default: the protocol's "
     "name with .csv, of a shard with -K-of-N.csv, in this folder. Of merge it must be given.";
 inline constexpr const char* kStudyThreads =
-    "Learners at the same time, 1 to 256; the bytes do not depend on it. Default: one a core.";
+    "learners at the same time, 1 to 256; the bytes do not depend on it. Default: one a core.";
 inline constexpr const char* kStudyShard =
-    "K/N: only every Nth learner, beginning with the Kth, for one of N machines. Default 1/1.";
+    "only every Nth learner, beginning with the Kth, for one of N machines. Default 1/1.";
 }  // namespace help
 
 }  // namespace moontrace::say

@@ -19,7 +19,8 @@ struct HeadlessGl::State {
     if (display == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    eglTerminate(display);
+    // The display is the process's, and stays: eglTerminate would take every other context with it,
+    // and Mesa's loses a block of memory each time its driver is unloaded.
   }
 };
 

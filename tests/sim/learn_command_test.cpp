@@ -31,6 +31,14 @@ TEST_F(LearnCommand, WithoutADeviceSaysSoFirstAndWhatWorks) {
   ExpectTextFace(outcome.out);
 }
 
+TEST_F(LearnCommand, LeavesNobodyBehindWhereItCannotStart) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  const Outcome outcome = RunLine({"learn", "--course", In("course"), "--learner", "ann",
+                                   "--records", In("records.sqlite"), "--device", "plugin:/none"});
+  EXPECT_NE(outcome.code, 0);
+  EXPECT_TRUE(Records::Open(In("records.sqlite")).Learners().empty());
+}
+
 TEST_F(LearnCommand, TakesTheFirstDeviceWithMotors) {
   const FakeHid fake("moontrace-raw");
   const Outcome outcome = RunLine(

@@ -188,6 +188,9 @@ TEST_F(Study, RefusesWhatItCannotUse) {
   EXPECT_EQ(RunLine({"study", Path("small.toml"), "--shard", "3/2"}).code, 2);
   EXPECT_EQ(RunLine({"study", Path("small.toml"), "--threads", "0"}).code, 2);
   EXPECT_EQ(RunLine({"study", Path("missing.toml")}).code, 3);
+  const Outcome mistyped = RunLine({"study", "guidence"});
+  EXPECT_EQ(mistyped.code, 3);
+  EXPECT_NE(mistyped.err.find("there is guidance"), std::string::npos) << mistyped.err;
   std::ofstream(Path("other.csv")) << "a,b\n";
   EXPECT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("other.csv")}).code, 3);
   EXPECT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("none/a.csv")}).code, 4);
