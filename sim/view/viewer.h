@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/view/panel.h"
+#include "sim/view/view_moment.h"
+#include "sim/view/view_page.h"
+
+namespace moontrace {
+
+/// What the mouse or pen in the window means for a stylus.
+struct PointerAim {
+  glm::dvec2 p_P{0, 0};  ///< [m]
+  double press = 0;      ///< [N], 0: lifted
+  bool over_page = false;
+};
+
+/// Where the viewer draws.
+struct ViewerOptions {
+  /// Empty: into a window. Else into this folder, without a display: frame-00001.png and so on,
+  /// `frames_per_second` of them, until `most_frames`.
+  std::string frames;
+  double frames_per_second = 30;
+  std::size_t most_frames = 18000;
+  std::string title = "Moontrace";
+  int width = 1280, height = 720;  ///< of the picture, or of the window when it opens [pixels]
+  bool high_contrast = false, large_text = false;
+  /// Is told of every move of mouse or pen over the page, by the viewer's thread; none: the mouse
+  /// only looks.
+  std::function<void(const PointerAim&)> pointer = {};
+};
+
+/// How the viewer kept up.
+struct ViewerReport {
+  std::size_t frames = 0;
+  double median_frame_ms = 0, slowest_frame_ms = 0;  ///< drawing one frame
+  double median_change_ms = 0;  ///< from a change of view or page until it is shown whole
+};
+
+/// The view of the page, the hand on it and the tutor's panel, drawn by a thread of its own that
+/// does all of OpenGL and of the window. Nothing here ever waits for it, and it never touches the
+/// loop: it is told, and asked. All calls from one thread.
+class Viewer {
+ public:
+  /// Throws LackError, one line: no display, no OpenGL, or built without; InputError: the folder of
+  /// frames cannot be made or has frames in it.
+  explicit Viewer(const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  /// From now on this page is shown.
+  void Show(std::shared_ptr<const ViewPage> page);
+  /// The newest instant; those between are not lost to plots and to the tip's way, as long as there
+  /// are fewer than 4000 between two frames.
+  void Tell(const ViewMoment& moment);
+  /// What the panel holds; then its values, one a control, as often as they change.
+  void SetPanel(std::vector<PanelControl> controls);
+  void SetPanelValues(std::vector<PanelValue> values);
+  /// A line of the text face, also shown in the window: its lower edge and its title.
+  void Tell(std::string_view line);
+
+  /// What was said by panel or keyboard since the last call, in order: a line for the text face.
+  std::optional<std::string> NextLine();
+  /// A word that concerns the view alone ("zoom in", "whole page", "print off"): done, and answered
+  /// by one sentence; none: no such word. The words: ViewWords.
+  std::optional<std::string> Obey(std::string_view line);
+  /// The window was closed by its user.
+  bool closed() const;
+  /// Empty while it draws; else why it does not any more, one sentence (display or device lost, no
+  /// room for frames).
+  std::string failure() const;
+  ViewerReport report() const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;  // the thread's too: it outlives a viewer whose display hangs
+};
+
+/// Words that Obey takes, for help.
+const std::vector<std::string>& ViewWords();
+
+/// One picture of a page, without a display: what a viewer of this size shows, with panel and
+/// values where given. Throws LackError as Viewer.
+void WriteViewPicture(const std::string& path, const ViewerOptions& options,
+                      const std::shared_ptr<const ViewPage>& page,
+                      const std::vector<ViewMoment>& moments,
+                      const std::vector<PanelControl>& controls,
+                      const std::vector<PanelValue>& values);
+
+}  // namespace moontrace
