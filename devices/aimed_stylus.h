@@ -17,7 +17,8 @@ struct StylusAim {
 
 /// The stylus in a simulated hand that follows the newest aim: the simulated stylus's spring,
 /// damper and delay, without tremor and drift, so that a groove holds its tip as it would hold a
-/// hand's. Before the first aim it hovers. `press_direction_D`: unit, into the page. `tick` [s].
+/// hand's. Before the first aim it hovers over the origin; what is far away it goes to through the
+/// air, at 1 m/s at most. `press_direction_D`: unit, into the page. `tick` [s].
 /// Throws std::invalid_argument as MakeSimulatedStylus.
 std::unique_ptr<Device> MakeAimedStylus(const HandModel& hand,
                                         std::shared_ptr<Mailbox<StylusAim>> aims,

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "devices/aimed_stylus.h"
 #include "devices/simulated_stylus.h"
 
 namespace {
@@ -36,6 +37,20 @@ TEST(SimulatedStylus, AllocatesNothingInTheTick) {
   }
   EXPECT_EQ(allocations, before);
   EXPECT_GT(before, 0);  // the counter counts
+}
+
+TEST(AimedStylus, AllocatesNothingInTheTick) {
+  const HandModel hand = LoadHand(MOONTRACE_SOURCE_DIR "/devices/hand.toml");
+  const auto aims = std::make_shared<Mailbox<StylusAim>>();
+  const auto device = MakeAimedStylus(hand, aims, {0, 0, -1}, 0.001);
+  DeviceState state;
+  const long before = allocations;
+  for (int i = 0; i < 3000; ++i) {
+    aims->Put({{1e-4 * i, 0, 0}, i / 200 % 2 == 0 ? 1.0 : 0.0});
+    device->Read(state);
+    device->Write({0, 0, 0.5});
+  }
+  EXPECT_EQ(allocations, before);
 }
 
 }  // namespace
