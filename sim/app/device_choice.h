@@ -15,6 +15,9 @@ namespace moontrace {
 /// What `--device` names: the simulated stylus unless another is given.
 inline bool IsSimulated(const std::string& name) { return name.empty() || name == "simulated"; }
 
+/// The mouse or pen in the window of the view.
+inline bool IsMouse(const std::string& name) { return name == "mouse"; }
+
 /// Opens any other device, homed, for ticks of `tick` [s] and, where it has no third axis, a press
 /// of `press` [N]. `tell` gets what the person must hear. Throws as OpenHomed.
 std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double press,

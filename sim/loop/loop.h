@@ -74,6 +74,8 @@ class Loop {
 
   /// Empty if the loop has real-time priority and locked memory, else why not, one sentence.
   const std::string& not_realtime() const { return not_realtime_; }
+  /// The worst lateness of a tick since the last call [us]. One thread at a time: a viewer's.
+  double TakeLateness() noexcept { return lateness_.exchange(0, std::memory_order_relaxed); }
   /// No tick for longer than the watchdog allows, now. Any thread.
   bool silent() const noexcept { return watchdog_.silent(); }
   /// Why a lost device could not be opened again at the last try; empty if it was. Any thread.
@@ -109,6 +111,7 @@ class Loop {
   std::atomic<bool> ticking_{false};  ///< the thread is there
   std::atomic<bool> ending_{false};
   std::atomic<std::uint64_t> late_loops_{0};
+  std::atomic<double> lateness_{0};  ///< see TakeLateness [us]
   mutable std::mutex mutex_;  ///< never taken by the tick: for sleeping threads and what they tell
   std::condition_variable wake_;
   std::condition_variable answered_;
