@@ -163,11 +163,6 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
 
 HandModel ShippedHand() { return LoadHand(ResourcePath("devices/hand.toml")); }
 
-TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
-                       bool blank) {
-  return blank ? TextureField() : TextureField(BuildTexture(page, script, style));
-}
-
 TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   const TextureField field = PageField(*setup.page, *setup.script, setup.style, setup.blank);
   Scene scene = Scene::Load(setup.model_path, setup.scene);

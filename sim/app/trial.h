@@ -14,6 +14,7 @@
 #include "sim/app/console.h"
 #include "sim/app/guide_options.h"
 #include "sim/plan/plan.h"
+#include "sim/scene/page_field.h"
 #include "sim/scene/scene_options.h"
 #include "textures/field.h"
 #include "textures/script.h"
@@ -77,10 +78,6 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record = null
 
 /// The hand that comes with the program (devices/hand.toml).
 HandModel ShippedHand();
-
-/// The field of one page as a trial builds it.
-TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
-                       bool blank);
 
 /// Totals of several pages traced one after the other (merged_metrics.h); greatest values and
 /// counts over all. `letters` and `left_at` are left empty. `real_time_factor` is of the whole.

@@ -31,6 +31,7 @@ struct PanelValue {
 };
 
 /// The line that a control says when it is given this value: "size 20 mm", "mode rail", "again".
+/// Empty for headings, texts and a choice of none. A number is held to the slider and its steps.
 std::string LineOf(const PanelControl& control, const PanelValue& value);
 
 }  // namespace moontrace

@@ -1,0 +1,10 @@
+#include "sim/scene/page_field.h"
+
+namespace moontrace {
+
+TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
+                       bool blank) {
+  return blank ? TextureField() : TextureField(BuildTexture(page, script, style));
+}
+
+}  // namespace moontrace

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "textures/field.h"
+#include "textures/script.h"
+#include "textures/typeset.h"
+
+namespace moontrace {
+
+/// The field of one page as trials and the view build it; `blank`: paper without grooves.
+TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
+                       bool blank);
+
+}  // namespace moontrace

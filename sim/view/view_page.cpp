@@ -1,0 +1,42 @@
+#include "sim/view/view_page.h"
+
+#include <algorithm>
+
+#include "sim/scene/page_field.h"
+
+namespace moontrace {
+
+namespace {
+
+ViewPage::Letter LetterOf(const PlacedGlyph& placed, const Script& script, const TypeStyle& style,
+                          std::string_view source) {
+  const double em = ScaleOf(placed.kind, style) * style.size;
+  ViewPage::Letter letter;
+  letter.box_P = {placed.origin_P,
+                  placed.origin_P + em * glm::dvec2(script.glyphs.at(placed.glyph).advance, 1)};
+  const std::size_t begin = std::min(placed.source_begin, source.size());
+  const std::size_t end = std::clamp(placed.source_end, begin, source.size());
+  letter.print = source.substr(begin, end - begin);
+  return letter;
+}
+
+}  // namespace
+
+std::shared_ptr<const ViewPage> MakeViewPage(const TextPage& page, const PageSpec& sheet,
+                                             const Script& script, const TypeStyle& style,
+                                             std::string_view source, bool blank,
+                                             std::uint32_t number) {
+  auto view = std::make_shared<ViewPage>();
+  view->number = number;
+  view->field = PageField(page, script, style, blank);
+  view->sheet_P = {{0, 0}, {sheet.width, sheet.height}};
+  view->width = style.width;
+  view->letters.reserve(page.glyphs.size());
+  for (const PlacedGlyph& placed : page.glyphs) {
+    view->letters.push_back(LetterOf(placed, script, style, source));
+  }
+  if (!blank) view->strokes = IntendedStrokes(page, script, style);
+  return view;
+}
+
+}  // namespace moontrace
