@@ -32,6 +32,10 @@ pkg_check_modules(egl QUIET IMPORTED_TARGET egl)
 if(NOT egl_FOUND)
   message(STATUS "EGL is missing: the view cannot be drawn without a display")
 endif()
+pkg_check_modules(glfw QUIET IMPORTED_TARGET glfw3)
+if(NOT glfw_FOUND)
+  message(STATUS "GLFW is missing: the view has no window")
+endif()
 
 find_package(mujoco 2.2.2 REQUIRED)
 # Debian's target names a qhull include folder that only libqhull-dev brings and no public header

@@ -19,7 +19,7 @@ constexpr double kMetresPerNewton = 0.008;  // of a drawn arrow
 constexpr double kLeastArrow = 0.02;        // forces below are not drawn [N]
 
 /// A box as thin as paper that carries the shaded picture, lit so that it is shown as it is.
-std::string ModelXml(int width, int height) {
+std::string ModelXml(const RendererSize& size) {
   return fmt::format(
       "<mujoco><visual><global offwidth='{0}' offheight='{1}' fovy='{2:.9g}'/>"
       "<quality shadowsize='0' offsamples='0'/>"
@@ -30,7 +30,7 @@ std::string ModelXml(int width, int height) {
       "emission='0' specular='0' shininess='0' reflectance='0'/></asset>"
       "<worldbody><geom name='page' type='box' size='1 1 1' contype='0' conaffinity='0' "
       "material='page'/></worldbody></mujoco>",
-      width, height, kFieldOfView * kDegrees);
+      size.width, size.height, kFieldOfView * kDegrees);
 }
 
 void SetColor(mjvGeom& geom, const Color& color, double alpha) {
@@ -156,7 +156,8 @@ void AddMarks(mjvScene& scene, const PageCamera& camera, const ViewMarks& marks)
 }  // namespace
 
 struct PageRenderer::State {
-  int width, height;
+  RendererSize size;
+  Color desk{0.46, 0.34, 0.24};
   ModelPtr m;
   DataPtr d;
   mjvScene scene;
@@ -164,16 +165,16 @@ struct PageRenderer::State {
   mjvOption option;
   Box surface_P;
 
-  State(int picture_width, int picture_height) : width(picture_width), height(picture_height) {
+  explicit State(const RendererSize& wanted) : size(wanted) {
     std::string warning;
-    m = CompileMjcf(ModelXml(width, height), "view.xml", "view", warning);
+    m = CompileMjcf(ModelXml(size), "view.xml", "view", warning);
     d = MakeData(*m, "view");
     mj_forward(m.get(), d.get());
     mjv_defaultScene(&scene);
     mjv_makeScene(m.get(), &scene, kMostGeoms);
     mjv_defaultOption(&option);
     mjr_defaultContext(&context);
-    mjr_makeContext(m.get(), &context, mjFONTSCALE_150);
+    mjr_makeContext(m.get(), &context, size.font);
   }
   ~State() {
     mjr_freeContext(&context);
@@ -193,8 +194,20 @@ struct PageRenderer::State {
     eye.elevation = -90 + camera.lean * kDegrees;
     mjv_updateScene(m.get(), d.get(), &option, nullptr, &eye, mjCAT_ALL, &scene);
     if (scene.ngeom > 0) LaySurface(scene.geoms[0]);
+    LayDesk();
     AddMarks(scene, camera, marks);
     mjr_render(rect, &scene, &context);
+  }
+
+  /// Below the surface, wherever it does not reach.
+  void LayDesk() {
+    constexpr double kFar = 30;  // [m]
+    mjvGeom& geom = scene.geoms[scene.ngeom++];
+    const mjtNum half[3] = {kFar, kFar, 1e-5}, at[3] = {0, 0, -2e-3};
+    const float rgba[4] = {1, 1, 1, 1};
+    mjv_initGeom(&geom, mjGEOM_BOX, half, at, nullptr, rgba);
+    geom.category = mjCAT_DECOR;
+    SetColor(geom, desk, 1);
   }
 
   void LaySurface(mjvGeom& geom) const {
@@ -210,35 +223,41 @@ struct PageRenderer::State {
   }
 };
 
-PageRenderer::PageRenderer(int width, int height)
-    : state_(std::make_unique<State>(width, height)) {}
+PageRenderer::PageRenderer(const RendererSize& size) : state_(std::make_unique<State>(size)) {}
 PageRenderer::~PageRenderer() = default;
 PageRenderer::PageRenderer(PageRenderer&&) noexcept = default;
 PageRenderer& PageRenderer::operator=(PageRenderer&&) noexcept = default;
 
-int PageRenderer::width() const { return state_->width; }
-int PageRenderer::height() const { return state_->height; }
+const RendererSize& PageRenderer::size() const { return state_->size; }
+mjrContext_& PageRenderer::context() { return state_->context; }
 
 void PageRenderer::SetSurface(const Raster& raster, const Box& covers_P) {
-  std::memcpy(TextureBytes(*state_->m, 0), raster.rgb.data(),
-              std::min(raster.rgb.size(),
-                       std::size_t{3} * static_cast<std::size_t>(state_->width * state_->height)));
-  mjr_uploadTexture(state_->m.get(), &state_->context, 0);
+  mjModel& m = *state_->m;
+  const auto most =
+      static_cast<std::size_t>(state_->size.width) * static_cast<std::size_t>(state_->size.height);
+  if (raster.width * raster.height > most) return;
+  m.tex_width[0] = static_cast<int>(raster.width);
+  m.tex_height[0] = static_cast<int>(raster.height);
+  std::memcpy(TextureBytes(m, 0), raster.rgb.data(), raster.rgb.size());
+  mjr_uploadTexture(&m, &state_->context, 0);
   state_->surface_P = covers_P;
 }
 
-void PageRenderer::DrawToWindow(const PageCamera& camera, const ViewMarks& marks, int x, int y,
-                                int width, int height) {
-  mjr_setBuffer(mjFB_WINDOW, &state_->context);
+void PageRenderer::SetDesk(const Color& color) { state_->desk = color; }
+
+void PageRenderer::Aim(bool window) {
+  mjr_setBuffer(window ? mjFB_WINDOW : mjFB_OFFSCREEN, &state_->context);
+}
+
+void PageRenderer::Draw(const PageCamera& camera, const ViewMarks& marks, int x, int y, int width,
+                        int height) {
   state_->Draw(camera, marks, {x, y, width, height});
 }
 
-Raster PageRenderer::DrawToPicture(const PageCamera& camera, const ViewMarks& marks) {
-  mjr_setBuffer(mjFB_OFFSCREEN, &state_->context);
-  const mjrRect rect = {0, 0, state_->width, state_->height};
-  state_->Draw(camera, marks, rect);
-  const auto width = static_cast<std::size_t>(state_->width);
-  const auto height = static_cast<std::size_t>(state_->height);
+Raster PageRenderer::Picture() {
+  const mjrRect rect = {0, 0, state_->size.width, state_->size.height};
+  const auto width = static_cast<std::size_t>(rect.width);
+  const auto height = static_cast<std::size_t>(rect.height);
   std::vector<unsigned char> bottom_up(3 * width * height);
   mjr_readPixels(bottom_up.data(), nullptr, rect, &state_->context);
   Raster raster{width, height, std::vector<std::uint8_t>(bottom_up.size())};
@@ -247,6 +266,12 @@ Raster PageRenderer::DrawToPicture(const PageCamera& camera, const ViewMarks& ma
                 &raster.rgb[3 * width * row]);
   }
   return raster;
+}
+
+Raster PageRenderer::DrawToPicture(const PageCamera& camera, const ViewMarks& marks) {
+  Aim(false);
+  Draw(camera, marks, 0, 0, state_->size.width, state_->size.height);
+  return Picture();
 }
 
 }  // namespace moontrace

@@ -11,6 +11,8 @@
 #include "sim/view/raster.h"
 #include "textures/element.h"
 
+struct mjrContext_;
+
 namespace moontrace {
 
 /// Colours that colour-blind people tell apart (Okabe and Ito, 2008).
@@ -44,26 +46,41 @@ struct ViewMarks {
   std::vector<Print> print;  ///< letters for the sighted
 };
 
+/// What a renderer is made for.
+struct RendererSize {
+  int width = 0, height = 0;  ///< of the picture, and the most that a surface has [points]
+  int font = 150;             ///< 50, 100 ... 300 % of MuJoCo's letters
+};
+
 /// Draws the page by MuJoCo's renderer into whatever OpenGL context is current when it is made; all
 /// calls on that thread. The page's surface is a picture that was shaded elsewhere
 /// (field_shading.h), laid where it was shaded for.
 class PageRenderer {
  public:
-  /// Pictures of at most `width` by `height` points. Throws LackError: OpenGL too old, no memory.
-  PageRenderer(int width, int height);
+  /// Throws LackError: OpenGL too old, no memory.
+  explicit PageRenderer(const RendererSize& size);
+  PageRenderer(int width, int height) : PageRenderer(RendererSize{width, height}) {}
   ~PageRenderer();
   PageRenderer(PageRenderer&&) noexcept;
   PageRenderer& operator=(PageRenderer&&) noexcept;
 
-  int width() const;
-  int height() const;
+  const RendererSize& size() const;
 
-  /// The surface from now on; `raster` has width() x height() points. Costs some 10 ms.
+  /// The surface from now on; `raster` is no larger than size(). Costs some 10 ms.
   void SetSurface(const Raster& raster, const Box& covers_P);
-  /// Draws into the window (`x`, `y` its corner in points) or, offscreen, into the picture.
-  void DrawToWindow(const PageCamera& camera, const ViewMarks& marks, int x, int y, int width,
-                    int height);
+  /// Colour of what no surface covers.
+  void SetDesk(const Color& color);
+  /// From now on all is drawn into the window, or into the picture.
+  void Aim(bool window);
+  /// Draws into a rectangle; `x`, `y` its lower left corner.
+  void Draw(const PageCamera& camera, const ViewMarks& marks, int x, int y, int width, int height);
+  /// The picture as it is now.
+  Raster Picture();
+  /// All of the picture drawn with these.
   Raster DrawToPicture(const PageCamera& camera, const ViewMarks& marks);
+
+  /// For what else MuJoCo draws there: figures, panels, letters.
+  mjrContext_& context();
 
  private:
   struct State;

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sim/view/page_renderer.h"
+#include "sim/view/view_moment.h"
+#include "sim/view/view_page.h"
+
+namespace moontrace {
+
+/// What was told of the hand lately: the tip's way on the page, what is plotted, and which stroke
+/// the tip is at. Bounded: 20 s of way, 10 s of plots.
+class ViewHistory {
+ public:
+  /// A new page: the way of the old one is forgotten.
+  void Show(std::shared_ptr<const ViewPage> page);
+  /// In order of time; a time that goes back begins anew.
+  void Add(const ViewMoment& moment);
+
+  const std::optional<ViewMoment>& newest() const { return newest_; }
+  /// The way on the page shown, `off` as ViewMarks has it.
+  std::vector<ViewMarks::WayPoint> Way() const;
+  /// The page's stroke nearest to the tip, within 1.5 mm and a groove's width; none without a tip.
+  std::optional<std::size_t> stroke() const { return stroke_; }
+
+  /// The greatest of each 20 ms; `error` is below 0 while the tip touches nothing.
+  struct Point {
+    double time = 0;         ///< [s]
+    double force = 0;        ///< [N]
+    double error = -1;       ///< of the tip from the nearest stroke's centre line [mm]
+    double lateness_us = 0;  ///< [us]
+    double heat = 0;         ///< [%]
+  };
+  const std::deque<Point>& points() const { return points_; }
+
+ private:
+  struct Candidate {
+    Box reach_P;  ///< where it can be the nearest
+    const std::vector<Piece>* spine_P = nullptr;
+  };
+  struct WayPoint {
+    double time = 0;
+    ViewMarks::WayPoint point;
+  };
+  double DistanceFrom(glm::dvec2 tip_P);
+  void AddPoint(const ViewMoment& moment, double error);
+  void AddWay(const ViewMoment& moment, double error);
+
+  std::shared_ptr<const ViewPage> page_;
+  std::vector<Candidate> candidates_;  // by stroke
+  std::optional<ViewMoment> newest_;
+  std::optional<std::size_t> stroke_;
+  std::deque<WayPoint> way_;
+  std::deque<Point> points_;
+  bool broken_ = true;  // the way's next point begins a line
+  double looked_at_ = -1;
+  double distance_ = 0;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,61 @@
+#include "sim/view/view_marks.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kGap = 0.25;  // of the em, from the base line to the middle of the print below
+
+void AddHand(const ViewMoment& moment, ViewMarks& marks) {
+  marks.tip_P = moment.tip_P;
+  marks.proxy_P = moment.proxy_P;
+  if (moment.stopped) return;
+  marks.force_P = moment.force_P;
+  marks.guidance_P = moment.guidance_P;
+  marks.bead_P = moment.bead_P;
+}
+
+}  // namespace
+
+std::string AsciiOf(std::string_view text, std::string_view other) {
+  std::string ascii;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f) {
+      ascii += c;
+    } else if (byte < 0x80 || byte >= 0xc0) {  // one for each character of several bytes
+      ascii += other;
+    }
+  }
+  return ascii;
+}
+
+ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCamera& camera,
+                  double aspect, bool print, double picture_height, double print_height) {
+  ViewMarks marks;
+  const std::optional<ViewMoment>& now = history.newest();
+  if (now && now->present && now->page == page.number) AddHand(*now, marks);
+  marks.way = history.Way();
+  if (const std::optional<std::size_t> stroke = history.stroke()) {
+    const IntendedStroke& current = page.strokes[*stroke];
+    marks.stroke_P.push_back(current.spine_P);
+    if (current.glyph < page.letters.size()) {
+      marks.letter_P = Grown(page.letters[current.glyph].box_P, page.width);
+    }
+  }
+  if (!print) return marks;
+  const double points = picture_height / camera.height;  // a metre of page
+  const Box seen = VisibleBox(camera, aspect);
+  for (const ViewPage::Letter& letter : page.letters) {
+    const glm::dvec2 size = letter.box_P.max - letter.box_P.min;
+    if (size.y * points < 2.2 * print_height || !Overlap(letter.box_P, seen)) continue;
+    std::string text = AsciiOf(letter.print, "");
+    if (text.empty()) continue;
+    marks.print.push_back(
+        {{0.5 * (letter.box_P.min.x + letter.box_P.max.x), letter.box_P.min.y - kGap * size.y},
+         std::move(text)});
+  }
+  return marks;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "sim/view/page_camera.h"
+#include "sim/view/page_renderer.h"
+#include "sim/view/view_history.h"
+#include "sim/view/view_page.h"
+
+namespace moontrace {
+
+/// What is drawn over the page: hand, forces, way, current letter and stroke, print letters where
+/// they are wanted and there is room for them. `picture_height` of the page's part and
+/// `print_height` of a print letter [points].
+ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCamera& camera,
+                  double aspect, bool print, double picture_height, double print_height);
+
+/// Printable ASCII of a text: all that MuJoCo's letters can show; `other` for each character else.
+std::string AsciiOf(std::string_view text, std::string_view other);
+
+}  // namespace moontrace

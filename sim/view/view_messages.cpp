@@ -1,0 +1,49 @@
+#include "sim/view/view_messages.h"
+
+#include <fmt/format.h>
+
+namespace moontrace::say {
+
+std::string ViewObeys(ViewWord word) {
+  switch (word) {
+    case ViewWord::kZoomIn:
+      return "The view comes nearer.";
+    case ViewWord::kZoomOut:
+      return "The view goes farther away.";
+    case ViewWord::kWholePage:
+      return "The view shows the whole page.";
+    case ViewWord::kFollow:
+      return "The view follows the tip; end it by \"follow off\".";
+    case ViewWord::kFollowOff:
+      return "The view stays where it is.";
+    case ViewWord::kPrintOn:
+      return "Print letters are shown.";
+    case ViewWord::kPrintOff:
+      return "Print letters are hidden.";
+    case ViewWord::kPlotsOn:
+      return "Plots are shown.";
+    case ViewWord::kPlotsOff:
+      return "Plots are hidden.";
+    case ViewWord::kPanelOn:
+      return "The panel is shown.";
+    case ViewWord::kPanelOff:
+      return "The panel is hidden; bring it back by \"panel on\".";
+    case ViewWord::kContrastOn:
+      return "The view has high contrast.";
+    case ViewWord::kContrastOff:
+      return "The view has its usual colours.";
+    case ViewWord::kLargeTextOn:
+      return "The view has large text.";
+    case ViewWord::kLargeTextOff:
+      return "The view has text of the usual size.";
+  }
+  return {};
+}
+
+std::string ViewLost() { return "the display was lost: the view is over, all else goes on"; }
+
+std::string ViewStopped(const std::string& why) { return fmt::format("the view is over: {}", why); }
+
+std::string ViewPress(double press) { return fmt::format("mouse presses {:.1f} N", press); }
+
+}  // namespace moontrace::say

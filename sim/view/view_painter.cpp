@@ -1,0 +1,308 @@
+#include "sim/view/view_painter.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/view/page_renderer.h"
+#include "sim/view/surface_worker.h"
+#include "sim/view/view_marks.h"
+
+namespace moontrace {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kFont = 100, kLargeFont = 200;  // [%]
+constexpr int kPlotsWidth = 280;              // at 100 % [points]
+constexpr int kGrowBy = 256;  // a window's renderer is made for a little more [points]
+
+int RoundUp(int value) { return (value + kGrowBy - 1) / kGrowBy * kGrowBy; }
+
+void Rectangle(const PixelBox& box, const Color& color) {
+  mjr_rectangle({box.x, box.y, box.width, box.height}, static_cast<float>(color.red),
+                static_cast<float>(color.green), static_cast<float>(color.blue), 1);
+}
+
+/// What a new page shows at first: its letters with some room, or all of the sheet.
+Box FirstView(const ViewPage& page) {
+  Box box;
+  for (const ViewPage::Letter& letter : page.letters) {
+    Include(box, Grown(letter.box_P, 0.5 * (letter.box_P.max.y - letter.box_P.min.y)));
+  }
+  return page.letters.empty() ? page.sheet_P : box;
+}
+
+}  // namespace
+
+struct ViewPainter::State {
+  bool window;
+  int width, height;
+  ViewLook look;
+  std::optional<PageRenderer> renderer;
+  ViewPanel panel;
+  ViewPlots plots;
+  ViewHistory history;
+  std::shared_ptr<const ViewPage> page;
+  PageCamera camera;
+  bool camera_moved = false;  // by someone: a new page leaves it
+  bool follow = false;
+  ViewLayout layout;
+  std::string line, typed, hint;
+  bool changed = true;
+  // the surface
+  std::optional<SurfaceWish> wished;
+  std::uint64_t wishes = 0, drawn = 0;
+  Clock::time_point wished_at;
+  std::optional<double> change;
+  SurfaceWorker worker;
+
+  State(bool to_window, int to_width, int to_height, const ViewLook& to_look)
+      : window(to_window), width(to_width), height(to_height), look(to_look) {}
+
+  int Font() const { return look.large_text ? kLargeFont : kFont; }
+  void MakeRenderer();
+  void Arrange();
+  void WishSurface();
+  void TakeSurface();
+  void Follow();
+  void DrawText();
+  void DrawRow(const PixelBox& row, const std::string& left, const std::string& right);
+};
+
+void ViewPainter::State::MakeRenderer() {
+  RendererSize size{std::max(width, 1), std::max(height, 1), Font()};
+  if (window) size = {RoundUp(size.width), RoundUp(size.height), size.font};
+  renderer.reset();  // its memory first
+  renderer.emplace(size);
+  renderer->Aim(window);
+  panel.Prepare(renderer->context(), ColorsOf(look));
+  wished.reset();  // the new one has no surface
+  drawn = 0;
+}
+
+/// Brings renderer and layout up to date with size and look.
+void ViewPainter::State::Arrange() {
+  const bool fits = renderer && renderer->size().font == Font() &&
+                    renderer->size().width >= width && renderer->size().height >= height;
+  if (!fits) MakeRenderer();
+  const int text_height = 2 * (renderer->context().charHeightBig + 8);
+  const int plots_width = look.plots ? kPlotsWidth * (Font() + 100) / 200 : 0;
+  layout = LayoutOf(width, height, look.panel ? panel.width() : 0, plots_width, text_height);
+  const PageShade shade = look.high_contrast ? HighContrastShade() : PageShade{};
+  renderer->SetDesk(shade.desk);
+}
+
+void ViewPainter::State::WishSurface() {
+  if (!page || layout.page.empty()) return;
+  SurfaceWish wish;
+  wish.page = page;
+  wish.width = static_cast<std::size_t>(layout.page.width);
+  wish.height = static_cast<std::size_t>(layout.page.height);
+  wish.view_P =
+      VisibleBox(camera, static_cast<double>(wish.width) / static_cast<double>(wish.height));
+  if (look.high_contrast) wish.shade = HighContrastShade();
+  const bool same = wished && wished->page == wish.page && wished->view_P == wish.view_P &&
+                    wished->width == wish.width && wished->height == wish.height &&
+                    wished->shade.ambient == wish.shade.ambient;
+  if (same) return;
+  if (wished_at == Clock::time_point{}) wished_at = Clock::now();
+  wish.number = ++wishes;
+  wished = wish;
+  worker.Wish(std::move(wish));
+}
+
+void ViewPainter::State::TakeSurface() {
+  std::optional<SurfaceWorker::Surface> surface = worker.Take();
+  if (!surface) return;
+  renderer->SetSurface(surface->raster, surface->of.view_P);
+  drawn = surface->of.number;
+  changed = true;
+}
+
+/// The tip stays within the middle of the picture.
+void ViewPainter::State::Follow() {
+  const std::optional<ViewMoment>& now = history.newest();
+  if (!follow || !now || !now->present || layout.page.empty()) return;
+  const double aspect = static_cast<double>(layout.page.width) / layout.page.height;
+  const glm::dvec2 off = glm::dvec2(now->tip_P) - camera.at_P;
+  const double most = 0.3 * camera.height;
+  if (std::abs(off.x) > most * aspect || std::abs(off.y) > most) {
+    camera.at_P = glm::dvec2(now->tip_P);
+  }
+}
+
+void ViewPainter::State::DrawRow(const PixelBox& row, const std::string& left,
+                                 const std::string& right) {
+  const ViewColors colors = ColorsOf(look);
+  Rectangle(row, colors.back);
+  const auto text = [&](const std::string& words, float x) {
+    mjr_text(mjFONT_BIG, words.c_str(), &renderer->context(), x, 0.3F,
+             static_cast<float>(colors.text.red), static_cast<float>(colors.text.green),
+             static_cast<float>(colors.text.blue));
+  };
+  text(left, 0.01F);
+  if (!right.empty()) text(right, 0.7F);
+}
+
+void ViewPainter::State::DrawText() {
+  if (layout.text.empty()) return;
+  PixelBox row = layout.text;
+  row.height /= 2;
+  DrawRow(row, typed.empty() ? std::string() : "> " + AsciiOf(typed, "?") + "_", hint);
+  row.y += row.height;
+  DrawRow(row, AsciiOf(line, "?"), {});
+}
+
+ViewPainter::ViewPainter(bool window, int width, int height, const ViewLook& look)
+    : state_(std::make_unique<State>(window, width, height, look)) {
+  state_->Arrange();
+}
+
+ViewPainter::~ViewPainter() = default;
+
+void ViewPainter::Show(std::shared_ptr<const ViewPage> page) {
+  State& s = *state_;
+  s.page = std::move(page);
+  s.history.Show(s.page);
+  if (s.page && !s.camera_moved) s.camera = CameraOn(FirstView(*s.page), aspect());
+  s.changed = true;
+}
+
+void ViewPainter::Add(const ViewMoment& moment) {
+  state_->history.Add(moment);
+  state_->changed = true;
+}
+
+void ViewPainter::Tell(std::string_view line) {
+  state_->line = line;
+  state_->changed = true;
+}
+
+void ViewPainter::SetTyped(std::string_view typed) {
+  state_->changed = state_->changed || state_->typed != typed;
+  state_->typed = typed;
+}
+
+void ViewPainter::SetHint(std::string_view hint) {
+  state_->changed = state_->changed || state_->hint != hint;
+  state_->hint = hint;
+}
+
+void ViewPainter::SetControls(std::vector<PanelControl> controls) {
+  State& s = *state_;
+  s.panel.SetControls(std::move(controls));
+  s.panel.Prepare(s.renderer->context(), ColorsOf(s.look));
+  s.Arrange();
+  if (s.page && !s.camera_moved) s.camera = CameraOn(FirstView(*s.page), aspect());
+  s.changed = true;
+}
+
+ViewPanel& ViewPainter::panel() { return state_->panel; }
+const ViewLook& ViewPainter::look() const { return state_->look; }
+const ViewLayout& ViewPainter::layout() const { return state_->layout; }
+const PageCamera& ViewPainter::camera() const { return state_->camera; }
+
+void ViewPainter::SetLook(const ViewLook& look) {
+  State& s = *state_;
+  if (s.look == look) return;
+  const bool colors = s.look.high_contrast != look.high_contrast;
+  s.look = look;
+  if (colors) s.panel.Prepare(s.renderer->context(), ColorsOf(look));
+  s.Arrange();
+  s.changed = true;
+}
+
+void ViewPainter::Resize(int width, int height) {
+  State& s = *state_;
+  if (width < 1 || height < 1 || (width == s.width && height == s.height)) return;
+  s.width = width;
+  s.height = height;
+  s.Arrange();
+  if (s.page && !s.camera_moved) s.camera = CameraOn(FirstView(*s.page), aspect());
+  s.changed = true;
+}
+
+void ViewPainter::PanelEvent(const WindowEvent& event, double now) {
+  State& s = *state_;
+  s.panel.Handle(event, s.layout.panel, s.renderer->context(), now);
+}
+
+double ViewPainter::aspect() const {
+  const PixelBox& page = state_->layout.page;
+  return page.empty() ? 1 : static_cast<double>(page.width) / page.height;
+}
+
+void ViewPainter::SetCamera(const PageCamera& camera) {
+  state_->camera = camera;
+  state_->camera_moved = state_->changed = true;
+}
+
+void ViewPainter::ZoomBy(double factor, glm::dvec2 share) {
+  SetCamera(Zoomed(state_->camera, aspect(), share, factor));
+}
+
+void ViewPainter::ShowWholePage() {
+  State& s = *state_;
+  s.follow = false;
+  if (s.page) s.camera = CameraOn(s.page->sheet_P, aspect());
+  s.camera_moved = false;
+  s.changed = true;
+}
+
+void ViewPainter::SetFollow(bool follow) {
+  state_->follow = follow;
+  state_->camera_moved = state_->camera_moved || follow;
+  state_->changed = true;
+}
+
+bool ViewPainter::changed() {
+  State& s = *state_;
+  if (s.drawn != s.wishes) s.TakeSurface();
+  return s.changed || s.panel.changed();
+}
+
+void ViewPainter::Draw() {
+  State& s = *state_;
+  s.Follow();
+  s.WishSurface();
+  s.TakeSurface();
+  s.renderer->Aim(s.window);
+  const PixelBox& box = s.layout.page;
+  const ViewColors colors = ColorsOf(s.look);
+  if (s.page && !box.empty()) {
+    const ViewMarks marks = MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print,
+                                    box.height, s.renderer->context().charHeight);
+    s.renderer->Draw(s.camera, marks, box.x, box.y, box.width, box.height);
+  } else if (!box.empty()) {
+    Rectangle(box, colors.back);
+  }
+  s.panel.Draw(s.layout.panel, s.renderer->context());
+  if (!s.layout.plots.empty()) {
+    s.plots.Draw(s.history, colors, s.layout.plots, s.renderer->context());
+  }
+  s.DrawText();
+  s.changed = false;
+  if (s.drawn == s.wishes && s.wished_at != Clock::time_point{}) {
+    mjr_finish();
+    s.change = std::chrono::duration<double, std::milli>(Clock::now() - s.wished_at).count();
+    s.wished_at = {};
+  }
+}
+
+Raster ViewPainter::Picture() { return state_->renderer->Picture(); }
+
+void ViewPainter::Await() {
+  state_->Follow();
+  state_->WishSurface();
+  state_->worker.Await();
+}
+
+std::optional<double> ViewPainter::TakeChange() {
+  return std::exchange(state_->change, std::nullopt);
+}
+
+}  // namespace moontrace

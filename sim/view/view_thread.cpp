@@ -1,0 +1,201 @@
+#include "sim/view/view_thread.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "sim/view/gl_headless.h"
+#include "sim/view/picture_file.h"
+#include "sim/view/surface_worker.h"
+#include "sim/view/view_input.h"
+#include "sim/view/view_messages.h"
+#include "sim/view/view_window.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
+
+constexpr double kFrame = 1.0 / 30;  // between two drawings of a window [s]
+constexpr double kHiddenWait = 0.1;  // while nothing is to be seen of it [s]
+constexpr double kZoomStep = 0.7;    // of the words
+constexpr double kMilliseconds = 1e3;
+
+double Now() { return Seconds(Clock::now().time_since_epoch()).count(); }
+
+void Do(ViewWord word, ViewPainter& painter) {
+  ViewLook look = painter.look();
+  switch (word) {
+    case ViewWord::kZoomIn:
+      return painter.ZoomBy(kZoomStep, {0.5, 0.5});
+    case ViewWord::kZoomOut:
+      return painter.ZoomBy(1 / kZoomStep, {0.5, 0.5});
+    case ViewWord::kWholePage:
+      return painter.ShowWholePage();
+    case ViewWord::kFollow:
+    case ViewWord::kFollowOff:
+      return painter.SetFollow(word == ViewWord::kFollow);
+    case ViewWord::kPrintOn:
+    case ViewWord::kPrintOff:
+      look.print = word == ViewWord::kPrintOn;
+      break;
+    case ViewWord::kPlotsOn:
+    case ViewWord::kPlotsOff:
+      look.plots = word == ViewWord::kPlotsOn;
+      break;
+    case ViewWord::kPanelOn:
+    case ViewWord::kPanelOff:
+      look.panel = word == ViewWord::kPanelOn;
+      break;
+    case ViewWord::kContrastOn:
+    case ViewWord::kContrastOff:
+      look.high_contrast = word == ViewWord::kContrastOn;
+      break;
+    case ViewWord::kLargeTextOn:
+    case ViewWord::kLargeTextOff:
+      look.large_text = word == ViewWord::kLargeTextOn;
+      break;
+  }
+  painter.SetLook(look);
+}
+
+void Opened(ViewMailbox& mailbox) {
+  {
+    const std::lock_guard<std::mutex> lock(mailbox.mutex);
+    mailbox.opened = true;
+  }
+  mailbox.changed.notify_all();
+}
+
+void Timed(ViewMailbox& mailbox, Clock::time_point start, ViewPainter& painter) {
+  const double ms = kMilliseconds * Seconds(Clock::now() - start).count();
+  const std::optional<double> change = painter.TakeChange();
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.frames.Add(ms);
+  if (change) mailbox.changes.Add(*change);
+}
+
+void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>& mailbox) {
+  ViewWindow window(options.title, options.width, options.height,
+                    [mailbox] { mailbox->Fail(say::ViewLost()); });
+  ViewPainter painter(true, window.width(), window.height(), LookOf(options));
+  ViewInput input(painter, options.pointer);
+  Opened(*mailbox);
+  double next = Now();
+  while (!mailbox->Stopped() && !window.closed()) {
+    const bool shown = window.shown();
+    const double wait = shown ? next - Now() : kHiddenWait;
+    for (const WindowEvent& event : window.Events(std::max(wait, 0.0))) {
+      input.Handle(event, Now());
+    }
+    while (std::optional<std::string> line = input.NextLine(Now())) mailbox->Say(std::move(*line));
+    ViewNews news = mailbox->TakeNews();
+    if (news.line) window.SetTitle(fmt::format("{} - {}", options.title, *news.line));
+    Deliver(std::move(news), painter);
+    if (Now() < next) continue;
+    next = std::max(next + kFrame, Now());
+    if (!window.shown()) continue;
+    painter.Resize(window.width(), window.height());
+    if (!painter.changed()) continue;
+    const Clock::time_point start = Clock::now();
+    painter.Draw();
+    window.Swap();
+    Timed(*mailbox, start, painter);
+  }
+  const std::lock_guard<std::mutex> lock(mailbox->mutex);
+  mailbox->closed = mailbox->closed || !mailbox->stop;
+}
+
+/// The time of a frame that came late is filled by the picture before it.
+void Repeat(const std::string& folder, std::size_t from, std::size_t to) {
+  std::error_code error;
+  std::filesystem::copy_file(FramePath(folder, from), FramePath(folder, to), error);
+  if (error) {
+    throw LackError(
+        fmt::format("no room for frames ({}): free some, or draw fewer", error.message()));
+  }
+}
+
+void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>& mailbox) {
+  const HeadlessGl gl;
+  ViewPainter painter(false, options.width, options.height, LookOf(options));
+  Opened(*mailbox);
+  const Clock::time_point begin = Clock::now();
+  const auto due_at = [&](std::size_t frame) {
+    const Seconds after(static_cast<double>(frame) / options.frames_per_second);
+    return begin + std::chrono::duration_cast<Clock::duration>(after);
+  };
+  bool first = true;
+  for (std::size_t number = 1; number <= options.most_frames; ++number) {
+    {
+      std::unique_lock<std::mutex> lock(mailbox->mutex);
+      mailbox->changed.wait_until(lock, due_at(number), [&] { return mailbox->stop; });
+      if (mailbox->stop) return;
+    }
+    Deliver(mailbox->TakeNews(), painter);
+    const bool late = Clock::now() > due_at(number + 1);
+    if (number > 1 && (late || !painter.changed())) {
+      Repeat(options.frames, number - 1, number);
+      continue;
+    }
+    const Clock::time_point start = Clock::now();
+    if (std::exchange(first, false)) painter.Await();
+    painter.Draw();
+    const Raster picture = painter.Picture();
+    Timed(*mailbox, start, painter);
+    WritePicture(FramePath(options.frames, number), picture);
+  }
+}
+
+}  // namespace
+
+void Deliver(ViewNews news, ViewPainter& painter) {
+  if (news.page) painter.Show(std::move(news.page));
+  for (const ViewMoment& moment : news.moments) painter.Add(moment);
+  if (news.controls) painter.SetControls(std::move(*news.controls));
+  if (news.values) painter.panel().SetValues(std::move(*news.values));
+  if (news.line) painter.Tell(*news.line);
+  for (const ViewWord word : news.words) Do(word, painter);
+}
+
+ViewLook LookOf(const ViewerOptions& options) {
+  ViewLook look;
+  look.high_contrast = options.high_contrast;
+  look.large_text = options.large_text;
+  return look;
+}
+
+std::string FramePath(const std::string& folder, std::size_t number) {
+  return (std::filesystem::path(folder) / fmt::format("frame-{:05}.png", number)).string();
+}
+
+void RunViewer(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>& mailbox) {
+  GiveWayToTheLoop();
+  try {
+    if (options.frames.empty()) {
+      RunWindow(options, mailbox);
+    } else {
+      RunFrames(options, mailbox);
+    }
+  } catch (const std::exception& error) {
+    const std::lock_guard<std::mutex> lock(mailbox->mutex);
+    if (mailbox->opened) {
+      mailbox->failure = say::ViewStopped(error.what());
+    } else {
+      mailbox->refused = std::current_exception();
+    }
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mailbox->mutex);
+    mailbox->finished = true;
+  }
+  mailbox->changed.notify_all();
+}
+
+}  // namespace moontrace

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/view/window_event.h"
+
+namespace moontrace {
+
+/// A window with an OpenGL context that is current for the thread that made it; all calls on that
+/// thread, one window at a time in a program. The only file that sees GLFW.
+class ViewWindow {
+ public:
+  /// `lost` is told on this thread if the display goes away, from within any call here or of
+  /// OpenGL; the thread then stands still for ever, since Xlib would end the program next. It must
+  /// not throw, and keep alive what others need. Throws LackError, one line: no display, no OpenGL,
+  /// or built without.
+  ViewWindow(const std::string& title, int width, int height, std::function<void()> lost);
+  ~ViewWindow();
+  ViewWindow(const ViewWindow&) = delete;
+  ViewWindow& operator=(const ViewWindow&) = delete;
+
+  /// What happened; waits for it at most so long [s].
+  std::vector<WindowEvent> Events(double wait);
+  bool closed() const;
+  /// Not minimised and larger than nothing.
+  bool shown() const;
+  int width() const;   ///< of the picture [points]
+  int height() const;  ///< [points]
+  void SetTitle(const std::string& title);
+  /// Shows what was drawn.
+  void Swap();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace moontrace

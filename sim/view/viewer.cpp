@@ -1,0 +1,172 @@
+#include "sim/view/viewer.h"
+
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "sim/view/gl_headless.h"
+#include "sim/view/picture_file.h"
+#include "sim/view/view_mailbox.h"
+#include "sim/view/view_messages.h"
+#include "sim/view/view_painter.h"
+#include "sim/view/view_thread.h"
+#include "textures/error.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::size_t kMostMoments = 4000;
+constexpr std::chrono::seconds kPatience(2);  // with a display that hangs
+
+/// An empty place for frames.
+void MakeFolder(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error)) {
+    throw InputError(folder + ": no folder can be made there for frames; name another");
+  }
+  if (fs::exists(FramePath(folder, 1), error)) {
+    throw InputError(folder + ": has frames in it already; name an empty folder");
+  }
+  CheckPicturePath(FramePath(folder, 1));
+}
+
+}  // namespace
+
+struct Viewer::State {
+  std::shared_ptr<ViewMailbox> mailbox = std::make_shared<ViewMailbox>();
+  std::thread thread;
+};
+
+Viewer::Viewer(const ViewerOptions& options) : state_(std::make_shared<State>()) {
+  if (!options.frames.empty()) MakeFolder(options.frames);
+  ViewMailbox& mailbox = *state_->mailbox;
+  state_->thread = std::thread([options, box = state_->mailbox] { RunViewer(options, box); });
+  std::unique_lock<std::mutex> lock(mailbox.mutex);
+  const auto known = [&] { return mailbox.opened || mailbox.finished || !mailbox.failure.empty(); };
+  mailbox.changed.wait(lock, known);
+  if (mailbox.opened) return;
+  const std::exception_ptr refused = mailbox.refused;
+  const std::string failure = mailbox.failure;
+  const bool finished = mailbox.finished;
+  lock.unlock();
+  if (finished) {
+    state_->thread.join();
+  } else {
+    state_->thread.detach();
+  }
+  if (refused) std::rethrow_exception(refused);
+  throw LackError(failure);
+}
+
+Viewer::~Viewer() {
+  ViewMailbox& mailbox = *state_->mailbox;
+  std::unique_lock<std::mutex> lock(mailbox.mutex);
+  mailbox.stop = true;
+  mailbox.changed.notify_all();
+  const auto over = [&] { return mailbox.finished || !mailbox.failure.empty(); };
+  mailbox.changed.wait_for(lock, kPatience, over);
+  const bool finished = mailbox.finished;
+  lock.unlock();
+  if (finished) {
+    state_->thread.join();
+  } else {
+    state_->thread.detach();  // it stands still with its display, and keeps what it needs
+  }
+}
+
+void Viewer::Show(std::shared_ptr<const ViewPage> page) {
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.news.page = std::move(page);
+}
+
+void Viewer::Tell(const ViewMoment& moment) {
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  if (mailbox.news.moments.size() >= kMostMoments) mailbox.news.moments.pop_front();
+  mailbox.news.moments.push_back(moment);
+}
+
+void Viewer::SetPanel(std::vector<PanelControl> controls) {
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.news.controls = std::move(controls);
+  mailbox.news.values.reset();  // of the panel before
+}
+
+void Viewer::SetPanelValues(std::vector<PanelValue> values) {
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.news.values = std::move(values);
+}
+
+void Viewer::Tell(std::string_view line) {
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.news.line = line;
+}
+
+std::optional<std::string> Viewer::NextLine() {
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  if (mailbox.lines.empty()) return std::nullopt;
+  std::string line = std::move(mailbox.lines.front());
+  mailbox.lines.pop_front();
+  return line;
+}
+
+std::optional<std::string> Viewer::Obey(std::string_view line) {
+  const std::optional<ViewWord> word = ViewWordOf(line);
+  if (!word) return std::nullopt;
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.news.words.push_back(*word);
+  return say::ViewObeys(*word);
+}
+
+bool Viewer::closed() const {
+  const std::lock_guard<std::mutex> lock(state_->mailbox->mutex);
+  return state_->mailbox->closed;
+}
+
+std::string Viewer::failure() const {
+  const std::lock_guard<std::mutex> lock(state_->mailbox->mutex);
+  return state_->mailbox->failure;
+}
+
+ViewerReport Viewer::report() const {
+  const std::lock_guard<std::mutex> lock(state_->mailbox->mutex);
+  const ViewMailbox& mailbox = *state_->mailbox;
+  ViewerReport report;
+  report.frames = mailbox.frames.count();
+  report.median_frame_ms = mailbox.frames.Median();
+  report.slowest_frame_ms = mailbox.frames.slowest();
+  report.median_change_ms = mailbox.changes.Median();
+  return report;
+}
+
+void WriteViewPicture(const std::string& path, const ViewerOptions& options,
+                      const std::shared_ptr<const ViewPage>& page,
+                      const std::vector<ViewMoment>& moments,
+                      const std::vector<PanelControl>& controls,
+                      const std::vector<PanelValue>& values) {
+  CheckPicturePath(path);
+  const HeadlessGl gl;
+  ViewPainter painter(false, options.width, options.height, LookOf(options));
+  ViewNews news;
+  news.page = page;
+  news.moments.assign(moments.begin(), moments.end());
+  if (!controls.empty()) news.controls = controls;
+  news.values = values;
+  Deliver(std::move(news), painter);
+  painter.Await();
+  painter.Draw();
+  WritePicture(path, painter.Picture());
+}
+
+}  // namespace moontrace
