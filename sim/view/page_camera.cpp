@@ -32,6 +32,18 @@ glm::dvec2 PointUnder(const PageCamera& camera, double aspect, glm::dvec2 share)
   return camera.at_P + glm::clamp(from, -farthest, farthest);
 }
 
+std::optional<glm::dvec2> ShareOf(const PageCamera& camera, double aspect, glm::dvec2 p_P) {
+  const double sine = std::sin(camera.lean), cosine = std::cos(camera.lean);
+  const double distance = EyeDistance(camera);
+  const glm::dvec3 eye(0, -distance * sine, distance * cosine);
+  const glm::dvec3 ray = glm::dvec3(p_P - camera.at_P, 0) - eye;
+  const double depth = ray.y * sine - ray.z * cosine;
+  if (depth <= 0) return std::nullopt;
+  const double up = (ray.y * cosine + ray.z * sine) * distance / depth;
+  const double across = ray.x * distance / depth;
+  return glm::dvec2(0.5 + across / (camera.height * aspect), 0.5 + up / camera.height);
+}
+
 Box VisibleBox(const PageCamera& camera, double aspect) {
   Box box;
   for (const glm::dvec2 corner :

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "textures/element.h"
 
@@ -25,6 +26,10 @@ Box VisibleBox(const PageCamera& camera, double aspect);
 
 /// The point of the page's plane under a point of the picture (0..1 from its lower left corner).
 glm::dvec2 PointUnder(const PageCamera& camera, double aspect, glm::dvec2 share);
+
+/// Where a point of the page's plane is seen in the picture: the reverse of PointUnder. None behind
+/// the eye.
+std::optional<glm::dvec2> ShareOf(const PageCamera& camera, double aspect, glm::dvec2 p_P);
 
 /// The same page point stays under `share` while the view shrinks by `factor` (zooms in below 1);
 /// 2 mm to 2 m of page.

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "sim/scene/mujoco_compat.h"
+#include "sim/view/view_text.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -15,8 +16,8 @@ namespace {
 
 constexpr int kMostGeoms = 20000;
 constexpr double kDegrees = 57.29577951308232;
-constexpr double kMetresPerNewton = 0.008;  // of a drawn arrow
-constexpr double kLeastArrow = 0.02;        // forces below are not drawn [N]
+constexpr double kUnitsPerNewton = 14;  // of a drawn arrow, in hundredths of the picture
+constexpr double kLeastArrow = 0.02;    // forces below are not drawn [N]
 
 /// A box as thin as paper that carries the shaded picture, lit so that it is shown as it is.
 std::string ModelXml(const RendererSize& size) {
@@ -72,16 +73,7 @@ class Pen {
 
   void Arrow(glm::dvec3 from, glm::dvec3 force, const Color& color) {
     if (glm::length(force) < kLeastArrow) return;
-    Segment(from, from + kMetresPerNewton * force, mjGEOM_ARROW, 0.4 * unit_, color);
-  }
-
-  void Label(glm::dvec2 at_P, const std::string& text) {
-    mjvGeom* geom = Next();
-    if (geom == nullptr) return;
-    const mjtNum at[3] = {at_P.x, at_P.y, 0.1 * unit_};
-    const float rgba[4] = {0, 0, 0, 1};
-    mjv_initGeom(geom, mjGEOM_LABEL, nullptr, at, nullptr, rgba);
-    std::strncpy(geom->label, text.c_str(), sizeof geom->label - 1);
+    Segment(from, from + kUnitsPerNewton * unit_ * force, mjGEOM_ARROW, 0.4 * unit_, color);
   }
 
   void Outline(const Box& box, double width, const Color& color) {
@@ -133,7 +125,6 @@ class Pen {
 void AddMarks(mjvScene& scene, const PageCamera& camera, const ViewMarks& marks) {
   const double unit = 0.01 * camera.height;
   Pen pen(scene, unit);
-  for (const ViewMarks::Print& print : marks.print) pen.Label(print.at_P, print.text);
   if (marks.letter_P) pen.Outline(*marks.letter_P, 2, view_color::kLetter);
   for (const std::vector<Piece>& stroke : marks.stroke_P) pen.Line(stroke, 3, view_color::kLetter);
   pen.Way(marks.way);
@@ -197,6 +188,20 @@ struct PageRenderer::State {
     LayDesk();
     AddMarks(scene, camera, marks);
     mjr_render(rect, &scene, &context);
+    for (const ViewMarks::Print& print : marks.print) Write(print, camera, rect);
+  }
+
+  void Write(const ViewMarks::Print& print, const PageCamera& camera, mjrRect rect) const {
+    const double aspect = static_cast<double>(rect.width) / rect.height;
+    const std::optional<glm::dvec2> share = ShareOf(camera, aspect, print.at_P);
+    if (!share || share->x < 0 || share->x > 1 || share->y < 0 || share->y > 1) return;
+    const int width = TextWidth(print.text, print.big, context);
+    const int height = print.big ? context.charHeightBig : context.charHeight;
+    const int x = rect.left + static_cast<int>(share->x * rect.width) - width / 2;
+    const int y = rect.bottom + static_cast<int>(share->y * rect.height) - height / 2;
+    const bool inside = x >= rect.left && y >= rect.bottom && x + width <= rect.left + rect.width &&
+                        y + height <= rect.bottom + rect.height;
+    if (inside) WriteText(print.text, x, y, width, print.big, {0.35, 0.12, 0.30}, context);
   }
 
   /// Below the surface, wherever it does not reach.

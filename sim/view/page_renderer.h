@@ -40,8 +40,9 @@ struct ViewMarks {
   std::optional<Box> letter_P;               ///< the current one [m]
   std::vector<std::vector<Piece>> stroke_P;  ///< the current stroke's centre line [m]
   struct Print {
-    glm::dvec2 at_P{0, 0};  ///< [m]
-    std::string text;
+    glm::dvec2 at_P{0, 0};  ///< its middle [m]
+    std::string text;       ///< printable ASCII
+    bool big = false;
   };
   std::vector<Print> print;  ///< letters for the sighted
 };

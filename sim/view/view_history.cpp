@@ -15,6 +15,7 @@ constexpr double kBin = 0.02;        // of a plotted point [s]
 constexpr double kLookEvery = 4e-3;  // between searches for the nearest stroke [s]
 constexpr double kReach = 1.5e-3;    // beyond a groove's width [m]
 constexpr double kWayStep = 0.1;     // of a groove's width
+constexpr double kWayLeap = 3;       // widths that no hand goes between two instants
 constexpr double kMillimetres = 1e3;
 
 }  // namespace
@@ -91,9 +92,10 @@ void ViewHistory::AddWay(const ViewMoment& moment, double error) {
     broken_ = true;
     return;
   }
-  if (!broken_ && !way_.empty() &&
-      glm::distance(way_.back().point.p_P, moment.tip_P) < kWayStep * page_->width) {
-    return;
+  if (!broken_ && !way_.empty()) {
+    const double step = glm::distance(way_.back().point.p_P, moment.tip_P);
+    if (step < kWayStep * page_->width) return;
+    broken_ = step > kWayLeap * page_->width;
   }
   const double half = 0.5 * (page_->width > 0 ? page_->width : 1e-3);
   way_.push_back({moment.time, {moment.tip_P, std::min(error / half, 1.0), broken_}});

@@ -44,8 +44,8 @@ struct ViewLayout {
 };
 
 /// Panel at the left, plots at the right, text below, the page in what is left. What leaves the
-/// page less than 200 x 120 points is left out: first the plots, then the panel, then the text.
-/// `panel_width` 0: no panel; `text_height` of the lower edge.
+/// page less than two fifths of the width, 200 or 120 points is left out: first the plots, then the
+/// panel, then the text. `panel_width` 0: no panel; `text_height` of the lower edge.
 ViewLayout LayoutOf(int width, int height, int panel_width, int plots_width, int text_height);
 
 }  // namespace moontrace

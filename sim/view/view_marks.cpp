@@ -1,5 +1,9 @@
 #include "sim/view/view_marks.h"
 
+#include <utility>
+
+#include "sim/view/view_text.h"
+
 namespace moontrace {
 
 namespace {
@@ -17,21 +21,9 @@ void AddHand(const ViewMoment& moment, ViewMarks& marks) {
 
 }  // namespace
 
-std::string AsciiOf(std::string_view text, std::string_view other) {
-  std::string ascii;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7f) {
-      ascii += c;
-    } else if (byte < 0x80 || byte >= 0xc0) {  // one for each character of several bytes
-      ascii += other;
-    }
-  }
-  return ascii;
-}
-
 ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCamera& camera,
-                  double aspect, bool print, double picture_height, double print_height) {
+                  double aspect, bool print, double picture_height, double print_height,
+                  double big_print_height) {
   ViewMarks marks;
   const std::optional<ViewMoment>& now = history.newest();
   if (now && now->present && now->page == page.number) AddHand(*now, marks);
@@ -51,9 +43,9 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
     if (size.y * points < 2.2 * print_height || !Overlap(letter.box_P, seen)) continue;
     std::string text = AsciiOf(letter.print, "");
     if (text.empty()) continue;
-    marks.print.push_back(
-        {{0.5 * (letter.box_P.min.x + letter.box_P.max.x), letter.box_P.min.y - kGap * size.y},
-         std::move(text)});
+    const glm::dvec2 at(0.5 * (letter.box_P.min.x + letter.box_P.max.x),
+                        letter.box_P.min.y - kGap * size.y);
+    marks.print.push_back({at, std::move(text), size.y * points > 3.5 * big_print_height});
   }
   return marks;
 }

@@ -9,11 +9,9 @@ namespace moontrace {
 
 /// What is drawn over the page: hand, forces, way, current letter and stroke, print letters where
 /// they are wanted and there is room for them. `picture_height` of the page's part and
-/// `print_height` of a print letter [points].
+/// `print_height` of a small and a big print letter [points].
 ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCamera& camera,
-                  double aspect, bool print, double picture_height, double print_height);
-
-/// Printable ASCII of a text: all that MuJoCo's letters can show; `other` for each character else.
-std::string AsciiOf(std::string_view text, std::string_view other);
+                  double aspect, bool print, double picture_height, double print_height,
+                  double big_print_height);
 
 }  // namespace moontrace

@@ -9,6 +9,7 @@
 #include "sim/view/page_renderer.h"
 #include "sim/view/surface_worker.h"
 #include "sim/view/view_marks.h"
+#include "sim/view/view_text.h"
 
 namespace moontrace {
 
@@ -16,16 +17,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kFont = 100, kLargeFont = 200;  // [%]
+constexpr int kFont = 100, kLargeFont = 150;  // [%]
 constexpr int kPlotsWidth = 280;              // at 100 % [points]
+constexpr int kRowGap = 10;                   // between the lower edge's lines [points]
 constexpr int kGrowBy = 256;  // a window's renderer is made for a little more [points]
 
 int RoundUp(int value) { return (value + kGrowBy - 1) / kGrowBy * kGrowBy; }
-
-void Rectangle(const PixelBox& box, const Color& color) {
-  mjr_rectangle({box.x, box.y, box.width, box.height}, static_cast<float>(color.red),
-                static_cast<float>(color.green), static_cast<float>(color.blue), 1);
-}
 
 /// What a new page shows at first: its letters with some room, or all of the sheet.
 Box FirstView(const ViewPage& page) {
@@ -70,7 +67,6 @@ struct ViewPainter::State {
   void TakeSurface();
   void Follow();
   void DrawText();
-  void DrawRow(const PixelBox& row, const std::string& left, const std::string& right);
 };
 
 void ViewPainter::State::MakeRenderer() {
@@ -89,7 +85,9 @@ void ViewPainter::State::Arrange() {
   const bool fits = renderer && renderer->size().font == Font() &&
                     renderer->size().width >= width && renderer->size().height >= height;
   if (!fits) MakeRenderer();
-  const int text_height = 2 * (renderer->context().charHeightBig + 8);
+  const mjrContext& context = renderer->context();
+  const int rows = context.charHeightBig + context.charHeight + 2 * kRowGap;
+  const int text_height = window || !line.empty() ? rows : 0;
   const int plots_width = look.plots ? kPlotsWidth * (Font() + 100) / 200 : 0;
   layout = LayoutOf(width, height, look.panel ? panel.width() : 0, plots_width, text_height);
   const PageShade shade = look.high_contrast ? HighContrastShade() : PageShade{};
@@ -135,26 +133,23 @@ void ViewPainter::State::Follow() {
   }
 }
 
-void ViewPainter::State::DrawRow(const PixelBox& row, const std::string& left,
-                                 const std::string& right) {
-  const ViewColors colors = ColorsOf(look);
-  Rectangle(row, colors.back);
-  const auto text = [&](const std::string& words, float x) {
-    mjr_text(mjFONT_BIG, words.c_str(), &renderer->context(), x, 0.3F,
-             static_cast<float>(colors.text.red), static_cast<float>(colors.text.green),
-             static_cast<float>(colors.text.blue));
-  };
-  text(left, 0.01F);
-  if (!right.empty()) text(right, 0.7F);
-}
-
 void ViewPainter::State::DrawText() {
   if (layout.text.empty()) return;
-  PixelBox row = layout.text;
-  row.height /= 2;
-  DrawRow(row, typed.empty() ? std::string() : "> " + AsciiOf(typed, "?") + "_", hint);
-  row.y += row.height;
-  DrawRow(row, AsciiOf(line, "?"), {});
+  const ViewColors colors = ColorsOf(look);
+  const mjrContext& context = renderer->context();
+  const PixelBox& box = layout.text;
+  FillBox(box, colors.back);
+  const int x = box.x + kRowGap, room = box.width - 2 * kRowGap;
+  const int hint_width = TextWidth(hint, false, context);
+  const int low = box.y + kRowGap / 2;
+  WriteText(AsciiOf(line, "?"), x, low + context.charHeight + kRowGap, room, true, colors.text,
+            context);
+  WriteText(hint, x + room - hint_width, low, hint_width, false, colors.text, context);
+  // of a long line the end is what is being typed
+  std::string writing = typed.empty() ? std::string() : "> " + AsciiOf(typed, "?") + "_";
+  const int left = room - hint_width - kRowGap;
+  while (!writing.empty() && TextWidth(writing, false, context) > left) writing.erase(0, 1);
+  WriteText(writing, x, low, left, false, colors.text, context);
 }
 
 ViewPainter::ViewPainter(bool window, int width, int height, const ViewLook& look)
@@ -178,8 +173,11 @@ void ViewPainter::Add(const ViewMoment& moment) {
 }
 
 void ViewPainter::Tell(std::string_view line) {
-  state_->line = line;
-  state_->changed = true;
+  State& s = *state_;
+  const bool first = s.line.empty();
+  s.line = line;
+  if (first) s.Arrange();
+  s.changed = true;
 }
 
 void ViewPainter::SetTyped(std::string_view typed) {
@@ -274,11 +272,12 @@ void ViewPainter::Draw() {
   const PixelBox& box = s.layout.page;
   const ViewColors colors = ColorsOf(s.look);
   if (s.page && !box.empty()) {
-    const ViewMarks marks = MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print,
-                                    box.height, s.renderer->context().charHeight);
+    const ViewMarks marks =
+        MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print, box.height,
+                s.renderer->context().charHeight, s.renderer->context().charHeightBig);
     s.renderer->Draw(s.camera, marks, box.x, box.y, box.width, box.height);
   } else if (!box.empty()) {
-    Rectangle(box, colors.back);
+    FillBox(box, colors.back);
   }
   s.panel.Draw(s.layout.panel, s.renderer->context());
   if (!s.layout.plots.empty()) {

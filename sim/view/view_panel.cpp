@@ -19,6 +19,7 @@ namespace {
 constexpr double kKeep = 0.7;      // a change made here outweighs what is told [s]
 constexpr double kSayEvery = 0.1;  // of a dragged slider [s]
 constexpr int kAux = 0, kRect = 1;
+constexpr int kWidth = 330, kLabel = 112;  // at 100 % [points]
 
 using Kind = PanelControl::Kind;
 
@@ -83,7 +84,9 @@ struct ViewPanel::State {
 };
 
 void ViewPanel::State::Theme() {
-  ui->spacing = mjui_themeSpacing(1);
+  ui->spacing = mjui_themeSpacing(0);
+  ui->spacing.total = kWidth;
+  ui->spacing.label = kLabel;
   ui->spacing.samples = 0;  // smooth edges cost software rendering dear
   ui->color = mjui_themeColor(0);
   mjuiThemeColor& theme = ui->color;
@@ -92,7 +95,7 @@ void ViewPanel::State::Theme() {
   Set(theme.secttitle, colors.title);
   Set(theme.sectfont, {1, 1, 1});
   Set(theme.sectsymbol, {1, 1, 1});
-  Set(theme.thumb, colors.title);
+  Set(theme.thumb, colors.button);
   Set(theme.fontactive, colors.text);
   Set(theme.fontinactive, colors.text);
   Set(theme.decorinactive, colors.button);
@@ -102,8 +105,8 @@ void ViewPanel::State::Theme() {
   Set(theme.check, colors.chosen);
   Set(theme.select, colors.button);
   Set(theme.select2, colors.back);
-  Set(theme.slider, colors.chosen);
-  Set(theme.slider2, colors.button);
+  Set(theme.slider, colors.button);
+  Set(theme.slider2, colors.chosen);
   Set(theme.edit, colors.pane);
 }
 
@@ -124,7 +127,7 @@ void ViewPanel::State::AddItem(std::size_t index, int section) {
       item.type = mjITEM_SLIDERNUM;
       item.pdata = &numbers[index];
       std::snprintf(item.other, sizeof item.other, "%.9g %.9g", control.low, control.high);
-      if (!control.unit.empty()) label += " [" + control.unit + "]";
+      if (!control.unit.empty()) label += " " + control.unit;
       break;
     case Kind::kChoice: {
       item.type = mjITEM_RADIO;

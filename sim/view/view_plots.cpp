@@ -116,6 +116,8 @@ void ViewPlots::Draw(const ViewHistory& history, const ViewColors& colors, const
     // the last has a line more, for the axis of time
     const int left = static_cast<int>(kKinds.size() - i);
     const int height = (top - box.y) / left;
+    // room for two or three numbers beside the axis, with title and time above and below
+    figure.gridsize[1] = height > 9 * context.charHeight ? 3 : 2;
     mjr_figure({box.x, top - height, box.width, height}, &figure, &context);
     top -= height;
   }
