@@ -66,8 +66,9 @@ void LearnSession::Begin() {
 /// What goes into a trial beside what was measured.
 Trial LearnSession::Flags(Trial measured) const {
   measured.simulated = stage_.simulated();
+  const PageForm& form = stage_.form();
   measured.scaled = stage_.simulated() || !stage_.pushes() || stage_.shrunk() ||
-                    stage_.session().scale() != 1 || stage_.depth() != 1;
+                    stage_.session().scale() != 1 || form.depth != 1 || form.width != 1;
   return measured;
 }
 

@@ -48,12 +48,7 @@ TextRequest LearnStage::RequestFor(const lesson_action::Show& show, double size)
   if (!show.text.empty() && !show.script.empty()) request.style.script = show.script;
   if (!show.text.empty() && show.grade != 1) request.style.grade = show.grade;
   request.layout = {};
-  if (depth_ == 1 && spacing_ == 1) return request;
-  Script script = ScriptOf(request.style, nullptr, show.text);
-  const TypeStyle usual = StyleOf(request.style, request.layout, script, nullptr);
-  request.style.depth = depth_ * usual.depth;
-  request.layout.line_pitch = spacing_ * usual.line_pitch;
-  request.layout.letter_gap = usual.letter_gap + (spacing_ - 1) * 0.5 * size;
+  request.form = form_;
   return request;
 }
 
@@ -94,14 +89,12 @@ void LearnStage::SetTilt(double tilt) {
   Restart();
 }
 
-void LearnStage::SetForm(double depth, double spacing) {
-  const double depth_before = std::exchange(depth_, depth);
-  const double spacing_before = std::exchange(spacing_, spacing);
+void LearnStage::SetForm(const PageForm& form) {
+  const PageForm before = std::exchange(form_, form);
   try {
     Set(shown_);
   } catch (...) {
-    depth_ = depth_before;
-    spacing_ = spacing_before;
+    form_ = before;
     throw;
   }
   Restart();

@@ -40,10 +40,10 @@ class LearnStage {
   bool Turn(bool forward);
   /// The hand begins anew on the page that lies there.
   void Restart();
-  /// Factors on the letters' usual depth and spaces; the page is set anew. Throws InputError, and
-  /// leaves all as it was.
-  void SetForm(double depth, double spacing);
-  /// The far edge raised [rad]. Throws InputError.
+  /// How letters and paper are from now on; the page is set anew. Throws InputError, and leaves all
+  /// as it was.
+  void SetForm(const PageForm& form);
+  /// The far edge raised [rad]. Throws InputError: this device cannot.
   void SetTilt(double tilt);
 
   /// Takes what the loop has felt. `felt`: it counts for the trace.
@@ -58,8 +58,7 @@ class LearnStage {
   LoopSession& session() { return session_; }
   const LoopSession& session() const { return session_; }
   const lesson_action::Show& shown() const { return shown_; }
-  double depth() const { return depth_; }
-  double spacing() const { return spacing_; }
+  const PageForm& form() const { return form_; }
   /// Size of the letters that lie there [m]: smaller than was asked for where they had no room.
   double size() const { return session_.text().set.style.size; }
   bool shrunk() const { return shrunk_; }
@@ -77,7 +76,7 @@ class LearnStage {
   lesson_action::Push push_;
   std::shared_ptr<const GuidancePath> way_;  ///< of Lead
   double way_speed_ = 1;
-  double depth_ = 1, spacing_ = 1;
+  PageForm form_;
   bool shrunk_ = false;
   std::unique_ptr<LearnTrace> trace_;
   std::function<void(const LoopSample&)> tap_;

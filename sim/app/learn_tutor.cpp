@@ -7,7 +7,9 @@
 
 #include "lessons/guidance.h"
 #include "sim/app/learn_tutor_messages.h"
+#include "sim/app/page_messages.h"
 #include "sim/app/tutor_messages.h"
+#include "sim/app/word_messages.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -62,7 +64,8 @@ void TutorDesk::Serve() {
 void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   switch (command.word) {
     case TutorWord::kQuestion:
-      return server_.Answer(line.tutor, say::TutorHelp(TutorWords()));
+      server_.Answer(line.tutor, say::NumberedWords(TutorWords()));
+      return server_.Answer(line.tutor, say::PageWordsHelp());
     case TutorWord::kWhere:
       return server_.Answer(line.tutor, session_.Status());
     case TutorWord::kWho:
@@ -98,23 +101,22 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   try {
     if (!DoToPage(line.tutor, command)) DoToLesson(command);
   } catch (const InputError& error) {
-    session_.teller().Say(Priority::kMessage, say::TutorCannot(error.what()));
+    session_.teller().Say(Priority::kMessage, say::PageStays(error.what()));
   }
 }
 
 /// What changes the page under the hand, or the hand's way on it.
 bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
   LearnStage& stage = session_.stage();
+  if (command.page && command.page->word != PageWord::kSize) {
+    if (command.page->word == PageWord::kTilt) {
+      stage.SetTilt(command.page->value);
+    } else {
+      stage.SetForm(Changed(stage.form(), *command.page));
+    }
+    return true;
+  }
   switch (command.word) {
-    case TutorWord::kDepth:
-      stage.SetForm(command.value, stage.spacing());
-      return true;
-    case TutorWord::kSpacing:
-      stage.SetForm(stage.depth(), command.value);
-      return true;
-    case TutorWord::kTilt:
-      stage.SetTilt(command.value);
-      return true;
     case TutorWord::kPause:
       session_.Pause(true);
       return true;
@@ -137,10 +139,10 @@ void TutorDesk::DoToLesson(const TutorCommand& command) {
   lesson_event::Overrule overrule;
   switch (command.word) {
     case TutorWord::kSize:
-      overrule.size = command.value;
+      overrule.size = command.page->value;
       break;
     case TutorWord::kHelp:
-      overrule.help = static_cast<int>(command.value + 0.5);
+      overrule.help = command.help;
       break;
     case TutorWord::kMode:
       overrule.mode = command.mode;

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "lessons/guidance_mode.h"
+#include "sim/app/page_messages.h"
 #include "sim/app/words.h"
 #include "textures/text_file.h"
 
@@ -16,21 +15,12 @@ std::string TutorGreeting(std::string_view learner) {
 }
 
 std::string TutorDoes(const TutorCommand& command) {
-  const double value = command.value;
+  if (command.page) return fmt::format("Tutor: {}.", PageBecomes(*command.page));
   switch (command.word) {
-    case TutorWord::kSize:
-      return fmt::format("Tutor: letters of {} mm.", Short(kMillimetres * value, 1));
     case TutorWord::kHelp:
-      return fmt::format("Tutor: help {} of 10.", Short(value, 0));
+      return fmt::format("Tutor: help {} of 10.", command.help);
     case TutorWord::kMode:
       return fmt::format("Tutor: push {}.", NameOf(command.mode));
-    case TutorWord::kDepth:
-      return fmt::format("Tutor: depth {} of the usual.", Percent(value));
-    case TutorWord::kSpacing:
-      return fmt::format("Tutor: spaces {} of the usual.", Percent(value));
-    case TutorWord::kTilt:
-      return fmt::format("Tutor: page tilted by {} degrees.",
-                         Short(value * 180 / std::numbers::pi, 1));
     case TutorWord::kPause:
       return "Tutor: pause, no force.";
     case TutorWord::kGo:
@@ -51,18 +41,12 @@ std::string TutorDoes(const TutorCommand& command) {
       return "Tutor takes the device for a stroke.";
     case TutorWord::kPlayback:
       return "Tutor's stroke: let your hand be led.";
-    case TutorWord::kWhere:
-    case TutorWord::kWho:
-    case TutorWord::kQuit:
-    case TutorWord::kQuestion:
+    default:
       break;  // between tutor and program
   }
   return {};
 }
 
-std::string TutorCannot(std::string_view why) {
-  return fmt::format("Stays as it was: {}.", OneLine(why, 300));
-}
 std::string LearnerStopped() { return "The learner has stopped: only the learner goes on."; }
 std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
 std::string LessonNotFound(std::string_view given) {

@@ -13,7 +13,6 @@ namespace moontrace::say {
 std::string TutorGreeting(std::string_view learner);
 /// What the learner is told before a command is done.
 std::string TutorDoes(const TutorCommand& command);
-std::string TutorCannot(std::string_view why);
 std::string LearnerStopped();
 std::string NothingRests();
 std::string LessonNotFound(std::string_view given);

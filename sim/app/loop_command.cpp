@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sim/app/device_choice.h"
 #include "sim/app/help.h"
@@ -74,6 +75,7 @@ Json LoopJson(const LoopSession& session, const LoopReport& report, const std::s
   json["pages"] = session.text().set.pages.size();
   json["device"] = DeviceJson(session);
   json["scale"] = session.scale();
+  json["tilt_deg"] = session.tilt() * 180 / std::numbers::pi;
   json["rate_hz"] = session.rate();
   json["seconds"] = seconds;
   json["ticks"] = report.ticks;

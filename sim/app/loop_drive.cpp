@@ -7,6 +7,8 @@
 #include "sim/app/device_choice.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/loop_words.h"
+#include "sim/app/page_messages.h"
+#include "sim/app/word_messages.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -88,16 +90,45 @@ class Driver {
     if (!options_.sizes) return Say(say::SizeStays());
     try {
       session_.Resize(bigger, newest_.tip_P);
-      const Typeset& set = session_.text().set;
-      Say(say::NowSize(set.style.size, session_.page(), set.pages.size()));
+      SaySize();
     } catch (const InputError& error) {
       Say(say::CannotResize(error.what()));
     }
   }
 
+  void SaySize() {
+    const Typeset& set = session_.text().set;
+    Say(say::NowSize(set.style.size, session_.page(), set.pages.size()));
+  }
+
+  void Change(const PageCommand& command) {
+    if (!options_.sizes) return Say(say::PageStaysWhileScored());
+    try {
+      if (command.word == PageWord::kSize) {
+        session_.SetSize(command.value, newest_.tip_P);
+        return SaySize();
+      }
+      if (command.word == PageWord::kTilt) {
+        session_.Tilt(command.value);
+      } else {
+        session_.SetForm(Changed(session_.form(), command), newest_.tip_P);
+      }
+      Say(say::PageNow(command));
+    } catch (const InputError& error) {
+      Say(say::PageStays(error.what()));
+    }
+  }
+
+  void Help() {
+    Say(say::NumberedWords(LoopWords()));
+    Say(say::PageWordsHelp());
+  }
+
   void Obey(const std::string& line) {
-    switch (ReadLoopWord(line)) {
+    const LoopLine said = ReadLoopLine(line);
+    switch (said.word) {
       case LoopWord::kStop:
+      case LoopWord::kPause:
         return session_.loop().Stop();
       case LoopWord::kGo:
         return session_.loop().GoOn();
@@ -113,17 +144,17 @@ class Driver {
         return Say(WhereNow());
       case LoopWord::kMark:
         return Say(session_.WayToMark(newest_));
+      case LoopWord::kPage:
+        return Change(said.page);
       case LoopWord::kQuit:
         quit_ = true;
         return;
       case LoopWord::kHelp:
-        return Say(say::LoopHelp());
+        return Help();
       case LoopWord::kNothing:
         return;
-      case LoopWord::kUnknown:
-        return Say(say::UnknownWord(line));
-      case LoopWord::kAmbiguous:
-        return Say(say::AmbiguousWord(line, LoopWordsFrom(line)));
+      case LoopWord::kRefused:
+        return Say(said.refusal);
     }
   }
 

@@ -12,7 +12,7 @@ namespace moontrace {
 /// How a running session is led.
 struct DriveOptions {
   std::optional<double> seconds;                  ///< ends by itself; none: by "quit"
-  bool sizes = true;                              ///< "bigger" and "smaller" do something
+  bool sizes = true;                              ///< words that change the page do something
   std::function<void(const LoopSample&)> sample;  ///< is given every tick, off the tick
 };
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "sim/app/loop_words.h"
 #include "sim/app/words.h"
 #include "textures/text_file.h"
 
@@ -88,22 +87,6 @@ std::string CannotSpeak() {
 
 std::string EndedLost(std::string_view why) {
   return fmt::format("the device did not come back: {}", OneLine(why, 300));
-}
-
-std::string LoopHelp() {
-  std::vector<std::string> words;
-  for (const std::string& word : LoopWords()) {
-    words.push_back(fmt::format("{} {}", words.size() + 1, word));
-  }
-  return fmt::format("Words, or their beginning or number: {}.", Joined(words, ", "));
-}
-
-std::string UnknownWord(std::string_view given) {
-  return fmt::format("Unknown: {}. Type ? for the words.", OneLine(given));
-}
-
-std::string AmbiguousWord(std::string_view given, const std::vector<std::string>& words) {
-  return fmt::format("{} could be {}.", OneLine(given), Joined(words, " or "));
 }
 
 std::string Event(const LoopEvent& event) {

@@ -41,9 +41,6 @@ std::string SofterThanUsual(double stiffness);
 std::string HowToSpeak();
 std::string CannotSpeak();
 std::string EndedLost(std::string_view why);
-std::string LoopHelp();
-std::string UnknownWord(std::string_view given);
-std::string AmbiguousWord(std::string_view given, const std::vector<std::string>& words);
 
 std::string Event(const LoopEvent& event);
 /// `why`: Loop::WhyGone.

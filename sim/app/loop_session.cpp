@@ -10,6 +10,7 @@
 #include "lessons/intended_strokes.h"
 #include "sim/app/device_choice.h"
 #include "sim/app/loop_messages.h"
+#include "sim/app/page_messages.h"
 #include "sim/app/trial.h"
 #include "sim/loop/device_feel.h"
 #include "sim/plan/plan.h"
@@ -103,6 +104,9 @@ LoopSession::LoopSession(SessionRequest request, Console& console)
     request_.text.room = RoomOf(limits_, scale());
   }
   text_ = SetUp(request_.text);
+  const std::optional<PaperTexture>& paper = text_.set.style.texture.paper;
+  if (paper) form_.paper = paper->kind;
+  tilt_ = scene_options_.tilt;
   const std::string& model = request_.text.feel.model;
   scene_options_ = HeldBy(limits_, scene_options_, Scene::Load(model, scene_options_).proxy_mass());
   Scene scene = Scene::Load(model, scene_options_);
@@ -194,19 +198,35 @@ bool LoopSession::Turn(bool forward) {
 void LoopSession::Resize(bool bigger, glm::dvec2 tip_P) {
   constexpr double kStep = 1.25;
   constexpr double kSmallest = 0.001, kGreatest = 1;  // [m], as --size-mm
-  const double before = text_.set.style.size;
+  const double size = text_.set.style.size;
+  SetSize(std::clamp(bigger ? size * kStep : size / kStep, kSmallest, kGreatest), tip_P);
+}
+
+void LoopSession::SetSize(double size, glm::dvec2 tip_P) {
   TextRequest request = request_.text;
-  request.text.file.clear();
-  request.text.text = text_.text;  // standard input has been read
-  if (text_.text == "-") request.text.text = "- ";
-  request.style.size = std::clamp(bigger ? before * kStep : before / kStep, kSmallest, kGreatest);
+  request.style.size = size;
+  SetAnew(std::move(request), tip_P);
+}
+
+void LoopSession::SetForm(const PageForm& form, glm::dvec2 tip_P) {
+  TextRequest request = request_.text;
+  request.form = form;
+  SetAnew(std::move(request), tip_P);
+  form_ = form;
+}
+
+/// The same text by another request.
+void LoopSession::SetAnew(TextRequest request, glm::dvec2 tip_P) {
+  const TextOptions given = std::exchange(request.text, {});
+  request.text.text = text_.text == "-" ? "- " : text_.text;  // standard input has been read
   TextSetup next = SetUp(request);
 
   const PlacedGlyph* letter = NearestGlyph(text_, page_, tip_P);
   const Found found = Find(next, letter != nullptr ? letter->source_begin : 0);
   std::optional<PageAnchor> anchor;
   if (letter != nullptr && found.glyph != nullptr) {
-    anchor = PageAnchor{letter->origin_P, found.glyph->origin_P, next.set.style.size / before};
+    const double ratio = next.set.style.size / text_.set.style.size;
+    anchor = PageAnchor{letter->origin_P, found.glyph->origin_P, ratio};
   }
   std::swap(text_, next);
   try {
@@ -215,7 +235,8 @@ void LoopSession::Resize(bool bigger, glm::dvec2 tip_P) {
     std::swap(text_, next);
     throw;
   }
-  request_.text.style.size = text_.set.style.size;
+  request.text = given;
+  request_.text = std::move(request);
 }
 
 void LoopSession::ChangeText(TextRequest request, bool blank) {
@@ -234,16 +255,23 @@ void LoopSession::ChangeText(TextRequest request, bool blank) {
     first_number_ = number_before;
     throw;
   }
+  form_ = request.form.value_or(form_);
   request_.text = std::move(request);
   mark_.reset();
 }
 
 void LoopSession::Tilt(double tilt) {
+  if (!limits_.measures.z) throw InputError(say::NoTiltInPlane());
   PageChange change;
   change.field = FieldOf(page_);
   change.page = number();
-  change.tilt = tilt;
+  if (simulated_) {
+    change.device = StylusFor(page_);  // its arm is tilted with the page: the way is as it was
+  } else {
+    change.tilt = tilt;
+  }
   loop_->ChangePage(std::move(change));
+  tilt_ = tilt;
 }
 
 std::optional<NearLetter> LoopSession::Near(glm::dvec2 tip_P) const {

@@ -55,15 +55,21 @@ class LoopSession {
 
   /// The next or the last page, in the middle of the reach. False if there is none.
   bool Turn(bool forward);
-  /// The letters a quarter larger or a fifth smaller, set anew; the place of the letter that is
-  /// nearest to `tip_P` stays under the tip. Throws InputError, and leaves all as it was: no room
-  /// for such letters.
+  /// The letters a quarter larger or a fifth smaller, as SetSize.
   void Resize(bool bigger, glm::dvec2 tip_P);
+  /// Letters of another size [m], set anew; the place of the letter that is nearest to `tip_P`
+  /// stays under the tip. Throws InputError, and leaves all as it was: no room for such letters.
+  void SetSize(double size, glm::dvec2 tip_P);
+  /// Letters and paper of another form, likewise.
+  void SetForm(const PageForm& form, glm::dvec2 tip_P);
+  const PageForm& form() const { return form_; }
   /// Another text for the same device and loop: its first page is felt from now on, and a simulated
   /// hand begins it. Throws InputError, and leaves all as it was.
   void ChangeText(TextRequest request, bool blank);
-  /// The page raised at its far edge [rad], see PageChange::tilt.
+  /// The page raised at its far edge [rad], see PageChange::tilt; a simulated hand begins it anew,
+  /// and works on it as on a level one. Throws InputError: the device lies in the page's plane.
   void Tilt(double tilt);
+  double tilt() const { return tilt_; }
   /// Of LoopSample::page and LoopSnapshot::page while the present page of this text is felt; no
   /// page of another text has it.
   std::uint32_t number() const { return first_number_ + static_cast<std::uint32_t>(page_); }
@@ -87,12 +93,15 @@ class LoopSession {
   TextSetup SetUp(const TextRequest& request);
   DevicePlace PlaceOfDevice() const;
   void Show(std::size_t page, const std::optional<PageAnchor>& anchor);
+  void SetAnew(TextRequest request, glm::dvec2 tip_P);
 
   SessionRequest request_;
   Console& console_;
   bool simulated_ = true;
   DeviceLimits limits_;
   TextSetup text_;
+  PageForm form_;
+  double tilt_ = 0;
   SceneOptions scene_options_;
   Pose X_WP_;
   double force_bound_ = 0;

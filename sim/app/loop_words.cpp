@@ -1,47 +1,58 @@
 #include "sim/app/loop_words.h"
 
-#include "textures/text_file.h"
+#include <utility>
+#include <variant>
+
+#include "sim/app/word_line.h"
+#include "sim/app/word_messages.h"
+#include "textures/nearest_word.h"
 
 namespace moontrace {
 
 namespace {
 
-std::string Trimmed(std::string_view line) {
-  const auto begin = line.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return LowerCase(line.substr(begin, line.find_last_not_of(" \t") - begin + 1));
+/// How many words come before those of the page.
+constexpr std::size_t kBefore = static_cast<std::size_t>(LoopWord::kPage);
+
+LoopLine Refused(std::string refusal) { return {LoopWord::kRefused, {}, std::move(refusal)}; }
+
+LoopLine ReadPageLine(PageWord word, const std::string& behind) {
+  auto read = ReadPageCommand(word, behind);
+  if (auto* refusal = std::get_if<std::string>(&read)) return Refused(std::move(*refusal));
+  return {LoopWord::kPage, std::get<PageCommand>(std::move(read)), {}};
 }
 
 }  // namespace
 
 const std::vector<std::string>& LoopWords() {
-  static const std::vector<std::string> words = {"stop", "go",    "bigger", "smaller", "next",
-                                                 "back", "where", "mark",   "quit"};
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> all = {"stop", "go",    "bigger", "smaller", "next",
+                                    "back", "where", "mark",   "quit"};
+    all.insert(all.end(), PageWords().begin(), PageWords().end());
+    all.emplace_back("pause");
+    return all;
+  }();
   return words;
 }
 
-std::vector<std::string> LoopWordsFrom(std::string_view line) {
-  const std::string given = Trimmed(line);
-  std::vector<std::string> found;
-  for (const std::string& word : LoopWords()) {
-    if (word.compare(0, given.size(), given) == 0) found.push_back(word);
+LoopLine ReadLoopLine(std::string_view line) {
+  const WordLine said = SplitWord(line);
+  if (said.word.empty()) return {};
+  const bool asks = said.behind.empty() && (said.word == "?" || said.word == "help");
+  if (asks) return {LoopWord::kHelp};
+  const WordChoice choice = ChooseWord(said.word, LoopWords());
+  if (!choice.index) {
+    if (!choice.begun.empty()) return Refused(say::WordAmbiguous(said.word, choice.begun));
+    return Refused(say::WordUnknown(said.word, NearestWord(said.word, LoopWords())));
   }
-  return found;
-}
-
-LoopWord ReadLoopWord(std::string_view line) {
-  const std::string given = Trimmed(line);
-  if (given.empty()) return LoopWord::kNothing;
-  if (given == "?" || given == "help") return LoopWord::kHelp;
-  const std::vector<std::string>& words = LoopWords();
-  std::size_t found = words.size();
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (given == words[i] || given == std::to_string(i + 1)) return static_cast<LoopWord>(i);
-    if (words[i].compare(0, given.size(), given) != 0) continue;
-    if (found < words.size()) return LoopWord::kAmbiguous;
-    found = i;
+  const std::size_t index = *choice.index;
+  const bool is_page = index >= kBefore && index < kBefore + PageWords().size();
+  if (is_page) return ReadPageLine(static_cast<PageWord>(index - kBefore), said.behind);
+  if (!said.behind.empty()) {
+    return Refused(say::WordStandsAlone(LoopWords()[index], said.behind));
   }
-  return found < words.size() ? static_cast<LoopWord>(found) : LoopWord::kUnknown;
+  if (index > kBefore) return {LoopWord::kPause};
+  return {static_cast<LoopWord>(index)};
 }
 
 }  // namespace moontrace

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/app/page_words.h"
+
 namespace moontrace {
 
 /// What people can say to a running loop.
@@ -18,20 +20,25 @@ enum class LoopWord : std::uint8_t {
   kWhere,
   kMark,
   kQuit,
+  kPage,  ///< one of PageWords
+  kPause,
   kHelp,
-  kNothing,    ///< an empty line
-  kUnknown,    ///< no such word
-  kAmbiguous,  ///< the beginning of several
+  kNothing,  ///< an empty line
+  kRefused,  ///< no such word, the beginning of several, or what stands behind it is wrong
+};
+
+/// A line, read.
+struct LoopLine {
+  LoopWord word = LoopWord::kNothing;
+  PageCommand page = {};     ///< of kPage
+  std::string refusal = {};  ///< of kRefused: one line: what is wrong, and the cure
 };
 
 /// The words by their numbers, from 1: stop, go, ...
 const std::vector<std::string>& LoopWords();
 
-/// A word, an unambiguous beginning of one, its number, or "?" for help; capitals and blanks around
-/// do not count.
-LoopWord ReadLoopWord(std::string_view line);
-
-/// The words that begin with `line`.
-std::vector<std::string> LoopWordsFrom(std::string_view line);
+/// A word, an unambiguous beginning of one, its number, or "?" for help; behind those that change
+/// the page what they want (ReadPageCommand). Capitals and blanks around do not count.
+LoopLine ReadLoopLine(std::string_view line);
 
 }  // namespace moontrace

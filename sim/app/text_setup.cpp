@@ -58,7 +58,10 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   setup.script = ScriptOf(request.style, from);
   setup.script_name = request.style.script.value_or(
       from != nullptr && from->script ? *from->script : setup.script.name);
-  const TypeStyle style = StyleOf(request.style, request.layout, setup.script, from);
+  StyleOptions letters = request.style;
+  LayoutOptions layout = request.layout;
+  if (request.form) ApplyForm(*request.form, setup.script, from, letters, layout);
+  const TypeStyle style = StyleOf(letters, layout, setup.script, from);
   PageSpec sheet = PageOf(request.layout);
   const bool margin_given = request.layout.margin.has_value();
   if (model) sheet = CutTo(model->extent, sheet, kLabelMargin, margin_given);

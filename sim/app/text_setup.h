@@ -3,11 +3,13 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "sim/app/console.h"
 #include "sim/app/options.h"
+#include "sim/app/page_form.h"
 #include "textures/script.h"
 #include "textures/typeset.h"
 
@@ -29,7 +31,8 @@ struct TextRequest {
   FeelOptions feel;
   std::string command;            ///< in messages
   std::string default_text = {};  ///< where neither command line nor model bring one; empty: error
-  glm::dvec2 room{INFINITY};      ///< that a device can reach: pages are no larger [m]
+  std::optional<PageForm> form = {};  ///< none: as the others have it
+  glm::dvec2 room{INFINITY};          ///< that a device can reach: pages are no larger [m]
 };
 
 /// Text, script and pages; what the command line leaves open comes from the model's first label.

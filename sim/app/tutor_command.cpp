@@ -1,12 +1,12 @@
 #include "sim/app/tutor_command.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "sim/app/tutor_messages.h"
+#include "sim/app/word_line.h"
+#include "sim/app/word_messages.h"
 #include "textures/nearest_word.h"
 #include "textures/text_file.h"
 
@@ -14,62 +14,44 @@ namespace moontrace {
 
 namespace {
 
-enum class Behind { kNothing, kNumber, kMode, kText, kLessonWord };
+enum class Behind { kNothing, kPage, kHelp, kMode, kText, kLessonWord };
 
-struct Unit {
-  std::string_view name;
-  double factor;  ///< to what the range is told in
-};
-
-/// What stands behind a word. Ranges are in the unit that people use, `scale` makes it SI.
+/// What stands behind a word.
 struct Rule {
   TutorWord word;
   const char* name;
-  Behind behind;
-  const char* wants;
-  double low, high, scale;
-  std::vector<Unit> units;
+  Behind behind = Behind::kNothing;
+  const char* wants = "";
 };
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const std::vector<Rule>& Rules() {
   using W = TutorWord;
-  const std::vector<Unit> shares = {{"%", 0.01}, {"percent", 0.01}, {"times", 1}};
   static const std::vector<Rule> rules = {
-      {W::kSize,
-       "size",
-       Behind::kNumber,
-       "mm of the letters, 1 to 1000",
-       1,
-       1000,
-       1e-3,
-       {{"mm", 1}, {"cm", 10}, {"m", 1000}}},
-      {W::kHelp, "help", Behind::kNumber, "a number from 0 to 10", 0, 10, 1, {}},
-      {W::kMode, "mode", Behind::kMode, kGuidanceModes, 0, 0, 1, {}},
-      {W::kDepth, "depth", Behind::kNumber, "a factor from 0.2 to 2", 0.2, 2, 1, shares},
-      {W::kSpacing, "spacing", Behind::kNumber, "a factor from 1 to 3", 1, 3, 1, shares},
-      {W::kTilt,
-       "tilt",
-       Behind::kNumber,
-       "degrees, -60 to 60",
-       -60,
-       60,
-       kDegree,
-       {{"degrees", 1}, {"degree", 1}, {"deg", 1}}},
-      {W::kPause, "pause", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kGo, "go", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kShow, "show", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kSay, "say", Behind::kText, "a text for the learner", 0, 0, 1, {}},
-      {W::kAgain, "again", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kSkip, "skip", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kNext, "next", Behind::kLessonWord, "", 0, 0, 1, {}},
-      {W::kLesson, "lesson", Behind::kText, "the id of a lesson", 0, 0, 1, {}},
-      {W::kRecord, "record", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kPlayback, "playback", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kWhere, "where", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kWho, "who", Behind::kNothing, "", 0, 0, 1, {}},
-      {W::kQuit, "quit", Behind::kNothing, "", 0, 0, 1, {}},
+      {W::kSize, "size", Behind::kPage},
+      {W::kHelp, "help", Behind::kHelp},
+      {W::kMode, "mode", Behind::kMode, kGuidanceModes},
+      {W::kDepth, "depth", Behind::kPage},
+      {W::kSpacing, "spacing", Behind::kPage},
+      {W::kTilt, "tilt", Behind::kPage},
+      {W::kPause, "pause"},
+      {W::kGo, "go"},
+      {W::kShow, "show"},
+      {W::kSay, "say", Behind::kText, "a text for the learner"},
+      {W::kAgain, "again"},
+      {W::kSkip, "skip"},
+      {W::kNext, "next", Behind::kLessonWord},
+      {W::kLesson, "lesson", Behind::kText, "the id of a lesson"},
+      {W::kRecord, "record"},
+      {W::kPlayback, "playback"},
+      {W::kWhere, "where"},
+      {W::kWho, "who"},
+      {W::kQuit, "quit"},
+      {W::kWidth, "width", Behind::kPage},
+      {W::kPitch, "pitch", Behind::kPage},
+      {W::kEngraved, "engraved", Behind::kPage},
+      {W::kEmbossed, "embossed", Behind::kPage},
+      {W::kForm, "form", Behind::kPage},
+      {W::kPaper, "paper", Behind::kPage},
   };
   return rules;
 }
@@ -92,68 +74,57 @@ std::string Cleaned(std::string_view line) {
   return clean.substr(begin, clean.find_last_not_of(' ') - begin + 1);
 }
 
-/// The rule of a word, its number, or an unambiguous beginning; else the refusal.
-std::variant<const Rule*, TutorRefusal> RuleOf(const std::string& given) {
-  std::vector<std::string> begun;
-  const Rule* found = nullptr;
-  const std::vector<Rule>& rules = Rules();
-  for (std::size_t i = 0; i < rules.size(); ++i) {
-    const std::string name = rules[i].name;
-    if (given == name || given == std::to_string(i + 1)) return &rules[i];
-    if (name.compare(0, given.size(), given) != 0) continue;
-    begun.push_back(name);
-    found = &rules[i];
-  }
-  if (begun.size() == 1) return found;
-  if (!begun.empty()) return TutorRefusal{say::TutorAmbiguous(given, begun)};
-  return TutorRefusal{say::TutorUnknown(given, NearestWord(given, TutorWords()))};
+std::variant<TutorCommand, TutorRefusal> ReadPage(const Rule& rule, const std::string& behind) {
+  const std::vector<std::string>& words = PageWords();
+  const auto word = std::find(words.begin(), words.end(), rule.name) - words.begin();
+  const auto read = ReadPageCommand(static_cast<PageWord>(word), behind);
+  if (const std::string* refusal = std::get_if<std::string>(&read)) return TutorRefusal{*refusal};
+  TutorCommand command{rule.word};
+  command.page = std::get<PageCommand>(read);
+  return command;
 }
 
-/// A number and its unit in the rule's own; nothing if it is none.
-std::optional<double> NumberIn(const Rule& rule, const std::string& text) {
-  const char* begin = text.data();
-  const char* end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
-  double value = 0;
-  const auto [after, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-  std::string_view unit(after, static_cast<std::size_t>(end - after));
-  unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-  if (unit.empty()) return value;
-  for (const Unit& known : rule.units) {
-    if (unit == known.name) return value * known.factor;
-  }
-  return std::nullopt;
+std::variant<TutorCommand, TutorRefusal> ReadHelp(const Rule& rule, const std::string& behind) {
+  static const NumberRule number = {"a number from 0 to 10", 0, 10, 1, {}};
+  const auto read = ReadNumberBehind(rule.name, number, behind);
+  if (const std::string* refusal = std::get_if<std::string>(&read)) return TutorRefusal{*refusal};
+  TutorCommand command{rule.word};
+  command.help = static_cast<int>(std::lround(std::get<double>(read)));
+  return command;
 }
 
-std::variant<TutorCommand, TutorRefusal> ReadNumber(const Rule& rule, const std::string& text) {
-  constexpr double kRounding = 1e-9;  // of "0.1 m" in mm
-  const std::optional<double> value = NumberIn(rule, text);
-  if (!value) return TutorRefusal{say::TutorCannotRead(rule.name, text, rule.wants)};
-  if (*value < rule.low - kRounding || *value > rule.high + kRounding) {
-    return TutorRefusal{say::TutorOutOfRange(rule.name, text, rule.wants)};
-  }
-  return TutorCommand{rule.word, *value * rule.scale, {}, {}};
+std::variant<TutorCommand, TutorRefusal> ReadMode(const Rule& rule, const std::string& behind) {
+  const std::optional<GuidanceMode> mode = GuidanceModeOf(LowerCase(behind));
+  if (!mode) return TutorRefusal{say::WordCannotBe(rule.name, behind, rule.wants)};
+  TutorCommand command{rule.word};
+  command.mode = *mode;
+  return command;
 }
 
 std::variant<TutorCommand, TutorRefusal> ReadBehind(const Rule& rule, const std::string& behind) {
-  const std::string lower = LowerCase(behind);
-  const TutorCommand alone{rule.word, 0, {}, {}};
-  if (rule.behind == Behind::kLessonWord) {
-    const bool is_lesson = std::string_view("lesson").substr(0, lower.size()) == lower;
-    if (!is_lesson) return TutorRefusal{say::TutorNothingBehind(rule.name, behind)};
-    return alone;
+  TutorCommand command{rule.word};
+  const bool wanted = rule.behind == Behind::kMode || rule.behind == Behind::kText;
+  if (wanted && behind.empty()) return TutorRefusal{say::WordWants(rule.name, rule.wants)};
+  switch (rule.behind) {
+    case Behind::kPage:
+      return ReadPage(rule, behind);
+    case Behind::kHelp:
+      return ReadHelp(rule, behind);
+    case Behind::kMode:
+      return ReadMode(rule, behind);
+    case Behind::kText:
+      command.text = behind;
+      return command;
+    case Behind::kLessonWord: {
+      const std::string lower = LowerCase(behind);
+      if (std::string_view("lesson").substr(0, lower.size()) == lower) return command;
+      return TutorRefusal{say::WordStandsAlone(rule.name, behind)};
+    }
+    case Behind::kNothing:
+      break;
   }
-  if (rule.behind == Behind::kNothing) {
-    if (!behind.empty()) return TutorRefusal{say::TutorNothingBehind(rule.name, behind)};
-    return alone;
-  }
-  if (behind.empty()) return TutorRefusal{say::TutorWants(rule.name, rule.wants)};
-  if (rule.behind == Behind::kNumber) return ReadNumber(rule, lower);
-  if (rule.behind == Behind::kText) return TutorCommand{rule.word, 0, {}, behind};
-  const std::optional<GuidanceMode> mode = GuidanceModeOf(lower);
-  if (!mode) return TutorRefusal{say::TutorCannotRead(rule.name, behind, rule.wants)};
-  return TutorCommand{rule.word, 0, *mode, {}};
+  if (!behind.empty()) return TutorRefusal{say::WordStandsAlone(rule.name, behind)};
+  return command;
 }
 
 }  // namespace
@@ -171,11 +142,11 @@ std::variant<TutorCommand, TutorRefusal> ReadTutorCommand(std::string_view line)
   const std::string clean = Cleaned(line);
   if (clean.empty()) return TutorRefusal{say::TutorSaidNothing()};
   if (clean == "?") return TutorCommand{};
-  const std::size_t end = std::min(clean.find(' '), clean.size());
-  const auto rule = RuleOf(LowerCase(clean.substr(0, end)));
-  if (const TutorRefusal* refusal = std::get_if<TutorRefusal>(&rule)) return *refusal;
-  const std::size_t behind = std::min(clean.find_first_not_of(' ', end), clean.size());
-  return ReadBehind(*std::get<const Rule*>(rule), clean.substr(behind));
+  const WordLine said = SplitWord(clean);
+  const WordChoice choice = ChooseWord(said.word, TutorWords());
+  if (choice.index) return ReadBehind(Rules()[*choice.index], said.behind);
+  if (!choice.begun.empty()) return TutorRefusal{say::WordAmbiguous(said.word, choice.begun)};
+  return TutorRefusal{say::WordUnknown(said.word, NearestWord(said.word, TutorWords()))};
 }
 
 }  // namespace moontrace

@@ -1,23 +1,25 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "lessons/guidance_mode.h"
+#include "sim/app/page_words.h"
 
 namespace moontrace {
 
 /// What a tutor can say to a running lesson, in the order of their numbers from 1.
 enum class TutorWord : std::uint8_t {
-  kSize,      ///< value: letters [m], 1 to 1000 mm
-  kHelp,      ///< value: 0-10
+  kSize,      ///< page
+  kHelp,      ///< help
   kMode,      ///< mode
-  kDepth,     ///< value: factor on the letters' usual depth, 0.2 to 2
-  kSpacing,   ///< value: factor on the usual way from letter to letter and line to line, 1 to 3
-  kTilt,      ///< value: far edge raised [rad], -60 to 60 degrees
+  kDepth,     ///< page
+  kSpacing,   ///< page
+  kTilt,      ///< page
   kPause,     ///< the push and the page's force rest
   kGo,        ///< on after a pause; never after the learner's own stop
   kShow,      ///< leads the learner's hand along what lies there
@@ -31,15 +33,22 @@ enum class TutorWord : std::uint8_t {
   kWhere,     ///< lesson, step, item, size, help, what the tip feels
   kWho,       ///< learner and tutors
   kQuit,      ///< this tutor leaves; the lesson goes on
+  kWidth,     ///< page
+  kPitch,     ///< page
+  kEngraved,  ///< page
+  kEmbossed,  ///< page
+  kForm,      ///< page
+  kPaper,     ///< page
   kQuestion,  ///< "?": what can be said
 };
 
 /// One command, read.
 struct TutorCommand {
   TutorWord word = TutorWord::kQuestion;
-  double value = 0;  ///< SI units, within the range of the word
+  int help = 0;  ///< 0-10
   GuidanceMode mode = GuidanceMode::kOff;
-  std::string text;  ///< without control characters; not empty where the word wants one
+  std::string text = {};  ///< without control characters; not empty where the word wants one
+  std::optional<PageCommand> page = {};  ///< of words that change the page: the change
 };
 
 /// A line that is no command: one line for the tutor: what is wrong, and the cure.
@@ -50,9 +59,9 @@ struct TutorRefusal {
 /// The words by their numbers, from 1: size, help, ...
 const std::vector<std::string>& TutorWords();
 
-/// Reads a line: a word, an unambiguous beginning of one, or its number; behind it a number with
-/// its unit or without ("20", "20 mm", "2 cm"; "50 %", "0.5"; "10 degrees"), a mode, or a text.
-/// Capitals count in texts only. Any bytes may be given. An empty line is a refusal too.
+/// Reads a line: a word, an unambiguous beginning of one, or its number; behind it what the word
+/// wants: a change of the page as ReadPageCommand takes it, a number, a mode, or a text. Capitals
+/// count in texts only. Any bytes may be given. An empty line is a refusal too.
 std::variant<TutorCommand, TutorRefusal> ReadTutorCommand(std::string_view line);
 
 }  // namespace moontrace

@@ -7,42 +7,7 @@
 
 namespace moontrace::say {
 
-std::string TutorHelp(const std::vector<std::string>& words) {
-  std::vector<std::string> numbered;
-  numbered.reserve(words.size());
-  for (const std::string& word : words) {
-    numbered.push_back(fmt::format("{} {}", numbered.size() + 1, word));
-  }
-  return fmt::format("Words, or their beginning or number: {}.", Joined(numbered, ", "));
-}
-
 std::string TutorSaidNothing() { return "Nothing was said. Type ? for the words."; }
-
-std::string TutorUnknown(std::string_view given, std::string_view nearest) {
-  return fmt::format("Unknown: {}. {}Type ? for the words.", OneLine(given),
-                     nearest.empty() ? std::string() : fmt::format("Did you mean {}? ", nearest));
-}
-
-std::string TutorAmbiguous(std::string_view given, const std::vector<std::string>& words) {
-  return fmt::format("{} could be {}.", OneLine(given), Joined(words, " or "));
-}
-
-std::string TutorWants(std::string_view word, std::string_view wants) {
-  return fmt::format("{} lacks what it wants: {}.", word, wants);
-}
-
-std::string TutorCannotRead(std::string_view word, std::string_view given, std::string_view wants) {
-  return fmt::format("{} cannot be {}: it wants {}.", word, OneLine(given, 20), wants);
-}
-
-std::string TutorOutOfRange(std::string_view word, std::string_view given, std::string_view wants) {
-  return fmt::format("{} cannot be {}, out of range: it wants {}.", word, OneLine(given, 20),
-                     wants);
-}
-
-std::string TutorNothingBehind(std::string_view word, std::string_view given) {
-  return fmt::format("{} stands alone: leave out {}.", word, OneLine(given));
-}
 
 std::string TutorCame(std::size_t tutor) {
   return fmt::format("Tutor {} is here, and sees what you are told.", tutor);

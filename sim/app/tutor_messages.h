@@ -15,16 +15,8 @@ inline constexpr const char* kTutorLearner =
     "the learner whose lesson it is. Default: the one whose lesson runs.";
 }  // namespace help
 
-// Lines that are no command.
-std::string TutorHelp(const std::vector<std::string>& words);
+/// A line that is no command.
 std::string TutorSaidNothing();
-std::string TutorUnknown(std::string_view given, std::string_view nearest);
-std::string TutorAmbiguous(std::string_view given, const std::vector<std::string>& words);
-/// `wants`: what stands behind the word, "a number from 0 to 10".
-std::string TutorWants(std::string_view word, std::string_view wants);
-std::string TutorCannotRead(std::string_view word, std::string_view given, std::string_view wants);
-std::string TutorOutOfRange(std::string_view word, std::string_view given, std::string_view wants);
-std::string TutorNothingBehind(std::string_view word, std::string_view given);
 
 // What comes and goes, for the learner and for the tutor.
 std::string TutorCame(std::size_t tutor);

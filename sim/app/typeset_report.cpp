@@ -127,6 +127,9 @@ Json TypesetJson(const Typeset& set, const Script& script) {
   json["depth_mm"] = kMillimetres * set.style.depth;
   json["rounding_mm"] = kMillimetres * set.style.rounding;
   json["embossed"] = set.style.relief == Relief::kEmbossed;
+  json["line_pitch_mm"] = kMillimetres * set.style.line_pitch;
+  json["letter_gap_mm"] = kMillimetres * set.style.letter_gap;
+  json["h_form"] = set.style.h_form;
   json["grade"] = set.style.grade;
   json["slant_deg"] = set.style.form.slant * 180 / std::numbers::pi;
   json["stretch"] = set.style.form.stretch;

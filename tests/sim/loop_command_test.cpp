@@ -73,11 +73,42 @@ TEST_F(LoopCommand, ObeysWordsUntilQuit) {
   EXPECT_TRUE(Holds(outcome.out, "1 stop, 2 go, 3 bigger"));
   EXPECT_TRUE(Holds(outcome.out, "Page 2 of")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "This is the first page."));
-  EXPECT_TRUE(Holds(outcome.out, "s could be stop or smaller."));
+  EXPECT_TRUE(Holds(outcome.out, "s could be stop, smaller, size or spacing."));
   EXPECT_TRUE(Holds(outcome.out, "Unknown: fly."));
   // 40 mm less two margins of 10 hold letters of 20 mm and none that are a quarter larger
   EXPECT_TRUE(Holds(outcome.out, "The size stays:")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Letters of 16 mm")) << outcome.out;
+}
+
+TEST_F(LoopCommand, ChangesThePageWhileItIsFelt) {
+  const Outcome outcome =
+      RunLine({"loop", "OH", "--page", "120x90", "--size-mm", "20"},
+              "size 10 mm\ndepth 50 %\nwidth 120 %\nspacing 120 %\npitch 150 %\ntilt 10\nembossed\n"
+              "engraved\nform arc\nform star\npaper sine\npaper smooth\nsize 900\ndepth 9\nquit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  ExpectTextFace(outcome.out);
+  for (const char* told :
+       {"Letters of 10 mm, page 1 of 1", "Depth 50 percent of", "Width 120 percent", "Spaces 120",
+        "Lines apart 150 percent", "Page tilted by 10 degrees.", "Embossed,", "Engraved,",
+        "H has the form arc.", "Stays as it was: script moon has no h 'star'", "Paper sine.",
+        "Paper smooth.", "Stays as it was: ", "No depth 9, out of range: it wants 20 to 200 %."}) {
+    EXPECT_TRUE(Holds(outcome.out, told)) << told << "\n" << outcome.out;
+  }
+}
+
+TEST_F(LoopCommand, TellsTheChangedPageInItsFigures) {
+  const Outcome outcome =
+      RunLine({"loop", "OH", "--page", "120x90", "--size-mm", "20", "--json"},
+              "size 10 mm\ndepth 50 %\nwidth 120 %\ntilt 10\nform arc\npaper sine\nquit\n");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = outcome.Json();
+  EXPECT_EQ(json["size_mm"], 10);
+  // 0.1165 em wide and half as deep, times 1.2, and the depth times 0.5
+  EXPECT_NEAR(json["width_mm"], 1.2 * 1.165, 1e-9);
+  EXPECT_NEAR(json["depth_mm"], 0.5 * 1.2 * 1.165 / 2, 1e-9);
+  EXPECT_NEAR(json["tilt_deg"], 10, 1e-9);
+  EXPECT_EQ(json["h_form"], "arc");
+  EXPECT_EQ(json["texture"]["kind"], "sine");
 }
 
 TEST_F(LoopCommand, StopsWhenAskedAndTellsIt) {

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "textures/error.h"
+
 namespace moontrace {
 namespace {
 
@@ -42,6 +44,49 @@ TEST_F(LoopSessionTest, TheBookmarkStaysAtItsPlaceOfTheLetterAtAnotherSize) {
   // a quarter larger: 5 mm and 12.5 mm from the letter's origin
   EXPECT_EQ(session_.WayToMark(TipAt({letter_P.x, letter_P.y, 0})),
             "Bookmark at O, page 1 of 1: 5 mm right, 12.5 mm up.");
+}
+
+TEST_F(LoopSessionTest, TakesAnyFormAndSizeAndKeepsThemTogether) {
+  const TypeStyle before = session_.text().set.style;
+  PageForm form;
+  form.depth = 0.5;
+  form.paper = PaperKind::kGrid;
+  session_.SetForm(form, {0, 0});
+  EXPECT_EQ(session_.form(), form);
+  EXPECT_DOUBLE_EQ(session_.text().set.style.depth, 0.5 * before.depth);
+  session_.SetSize(0.01, {0, 0});
+  const TypeStyle& style = session_.text().set.style;
+  EXPECT_DOUBLE_EQ(style.size, 0.01);
+  EXPECT_DOUBLE_EQ(style.depth, 0.5 * before.depth / 2);  // of letters half as large
+  ASSERT_TRUE(style.texture.paper);
+  EXPECT_EQ(style.texture.paper->kind, PaperKind::kGrid);
+  session_.Tilt(0.2);
+  EXPECT_EQ(session_.tilt(), 0.2);
+}
+
+TEST_F(LoopSessionTest, StaysAsItWasWhereAFormCannotBe) {
+  const PageForm before = session_.form();
+  PageForm form;
+  form.h_form = "star";
+  EXPECT_THROW(session_.SetForm(form, {0, 0}), InputError);
+  EXPECT_EQ(session_.form(), before);
+  EXPECT_THROW(session_.SetSize(1, {0, 0}), InputError);  // no room on A4
+  EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.02);
+}
+
+TEST(LoopSessionForm, BeginsAsTheCommandLineHasIt) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  Console console(in, out, err);
+  SessionRequest request;
+  request.text.text.text = "MOON";
+  request.text.layout.sheet.texture = "noise";
+  LoopSession session(request, console);
+  EXPECT_EQ(session.form().paper, PaperKind::kNoise);
+  PageForm form = session.form();
+  form.depth = 0.5;
+  session.SetForm(form, {0, 0});
+  EXPECT_TRUE(session.text().set.style.texture.paper);
 }
 
 TEST_F(LoopSessionTest, WithoutABookmarkItSaysHowToSetOne) {

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace moontrace {
+
+/// A line of the text face: a word, and what stands behind it, without blanks at their ends.
+struct WordLine {
+  std::string word;  ///< in small letters
+  std::string behind;
+};
+WordLine SplitWord(std::string_view line);
+
+/// What a word among several was meant.
+struct WordChoice {
+  std::optional<std::size_t> index;  ///< of the word; none: unknown or ambiguous
+  std::vector<std::string> begun;    ///< the words that begin with what was given
+};
+/// A word, an unambiguous beginning of one, or its number from 1. `given` in small letters.
+WordChoice ChooseWord(std::string_view given, const std::vector<std::string>& words);
+
+/// A unit that may stand behind a number.
+struct NumberUnit {
+  std::string_view name;
+  double factor = 1;  ///< to the unit that the range is told in
+};
+
+/// The number that a word wants behind it.
+struct NumberRule {
+  const char* wants = "";  ///< for messages: "mm, 1 to 1000"
+  double low = 0, high = 0;
+  double scale = 1;  ///< to SI
+  std::vector<NumberUnit> units;
+};
+
+/// The number in SI units; else one line: what is wrong, and the cure. A number alone is in the
+/// unit that the range is told in.
+std::variant<double, std::string> ReadNumberBehind(std::string_view word, const NumberRule& rule,
+                                                   std::string_view behind);
+
+}  // namespace moontrace
