@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "sim/scene/idle_stages.h"
 #include "sim/scene/mjcf.h"
 #include "textures/error.h"
 #include "textures/nearest_word.h"
@@ -189,6 +190,7 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
   if (m.opt.integrator == mjINT_RK4) {
     loaded.remarks.push_back("the model asks for RK4: here it is integrated by Euler");
   }
+  SkipIdleStages(m);
   return loaded;
 }
 
