@@ -39,6 +39,8 @@
 #include "sim/app/trace_command.h"
 #include "sim/app/tutor_client.h"
 #include "sim/app/tutor_messages.h"
+#include "sim/app/view_command.h"
+#include "sim/app/view_messages.h"
 #include "sim/scene/mujoco_compat.h"
 #include "textures/error.h"
 #include "textures/nearest_word.h"
@@ -127,6 +129,7 @@ constexpr Command kCommands[] = {
     {"trace", say::help::kTrace, RunCommand<TraceOptions>},
     {"learn", say::help::kLearn, RunCommand<LearnOptions>},
     {"loop", say::help::kLoop, RunCommand<LoopCommandOptions>},
+    {"view", say::help::kViewCommand, RunCommand<ViewCommandOptions>},
     {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
     {"script", say::help::kScriptCommand, RunCommand<ScriptOptions>},
     {"gallery", say::help::kGallery, RunCommand<GalleryOptions>},

@@ -13,6 +13,7 @@
 #include "sim/app/touch_energy.h"
 #include "sim/app/trace_report.h"
 #include "sim/app/typeset_report.h"
+#include "sim/app/view_feed.h"
 #include "sim/view/picture_file.h"
 #include "sim/view/trace_picture.h"
 
@@ -128,7 +129,10 @@ void Tell(const TraceOptions& options, const Trace& trace, double scale, bool to
 
 int TraceWithDevice(const TraceOptions& options, Console& console) {
   RefuseOthers(options);
-  LoopSession session(RequestOf(options), console);
+  SessionRequest request = RequestOf(options);
+  request.aims = AimsFor(options.live.device, options.view);
+  const std::unique_ptr<ViewFeed> view = ViewFeed::Open(options.view, request.aims, console);
+  LoopSession session(std::move(request), console);
   Trace trace;
   trace.text = session.text();
   trace.blank = options.blank;
@@ -147,6 +151,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   DriveOptions drive;
   drive.seconds = options.live.seconds;
   drive.sizes = false;
+  drive.view = view.get();
   const double tick = 1 / session.rate();
   drive.sample = [&scores, tick](const LoopSample& s) { scores.at(s.page).Add(s, tick); };
   Drive(session, drive, console);
@@ -165,6 +170,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
     trace.pages.push_back(std::move(result));
   }
   Tell(options, trace, session.scale(), touched, console);
+  if (view && !options.output.json) SayView(*view, options.view, console);
   RequireDevice(session);
   return exit_code::kGood;
 }

@@ -21,9 +21,11 @@
 #include "sim/app/learn_sound.h"
 #include "sim/app/learn_stage.h"
 #include "sim/app/learn_tutor.h"
+#include "sim/app/learn_view.h"
 #include "sim/app/loop_drive.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
+#include "sim/app/view_messages.h"
 #include "sim/view/picture_file.h"
 #include "textures/error.h"
 
@@ -50,6 +52,7 @@ bool AtTerminal(Console& console) {
 }
 
 void CheckTogether(const LearnOptions& options) {
+  CheckTogether(options.view);
   if (options.days > 0 && !options.simulate) {
     throw UsageError(say::NeedsOther("--days", "--simulate"));
   }
@@ -68,6 +71,7 @@ void SayBeginning(LearnStage& stage, const LearnOptions& options, LearnTeller& t
     teller.Say(Priority::kText, say::DemonstrationCounts());
   } else {
     teller.Say(Priority::kText, say::WithDevice(options.live.device));
+    if (session.mouse()) teller.Say(Priority::kText, say::MouseIsSeen());
     if (!stage.pushes()) teller.Say(Priority::kText, say::NotFelt());
   }
   if (session.scale() != 1) teller.Say(Priority::kText, say::LearnScaled());
@@ -102,11 +106,20 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   LearnMemory& memory = *opened;
   teller.EndTurn();
 
-  LearnStage stage({options.live, options.press, options.seed, memory.keeps_tracks()}, console);
+  const auto aims = AimsFor(options.live.device, options.view);
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, aims, console);
+  LearnStage stage({options.live, options.press, options.seed, aims, memory.keeps_tracks()},
+                   console);
   SayBeginning(stage, options, teller);
   LearnSession session(course, memory, stage, teller, options.seed, keys.has_value());
   std::unique_ptr<TutorDesk> tutor;
-  if (options.tutor) tutor = std::make_unique<TutorDesk>(session);
+  if (options.tutor || feed) {
+    TutorDesk::Told window;
+    if (feed) window = [&feed](std::string_view line) { feed->Told(line); };
+    tutor = std::make_unique<TutorDesk>(session, options.tutor, std::move(window));
+  }
+  std::unique_ptr<LearnView> view;
+  if (feed) view = std::make_unique<LearnView>(*feed, session, *tutor, console);
   std::unique_ptr<PathListener> path;
   if (sound) path = std::make_unique<PathListener>(*sound);
   std::unique_ptr<LearnInput> input;
@@ -118,7 +131,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   memory.Admit();
   session.Begin();
   try {
-    Drive(session, *input, {tutor.get(), path.get()}, options.live.seconds, console);
+    Drive(session, *input, {tutor.get(), path.get(), view.get()}, options.live.seconds, console);
   } catch (const Interrupted&) {
     input.reset();  // the terminal first
     session.End();
@@ -126,6 +139,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   }
   input.reset();
   const std::size_t lost = session.End();
+  if (feed) SayView(*feed, options.view, console);
   if (lost > 0) throw LackError(say::NeverKept(lost));
   RequireDevice(session.stage().session());
   return exit_code::kGood;
@@ -144,6 +158,7 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
   app.add_flag("--speak", options.speak, say::help::kSpeak);
   app.add_flag("--sound", options.sound, say::help::kSound);
   app.add_flag("--tutor", options.tutor, say::help::kLetTutor);
+  AddOptions(app, options.view);
   app.add_flag("--keys", options.keys, say::help::kKeys);
   app.add_flag("--simulate", options.simulate, say::help::kSimulate);
   std::function<void(const std::string&)> read_days = [&options](const std::string& given) {

@@ -5,6 +5,7 @@
 #include "sim/app/learn_messages.h"
 #include "sim/app/learn_sound.h"
 #include "sim/app/learn_tutor.h"
+#include "sim/app/learn_view.h"
 
 namespace moontrace {
 
@@ -22,6 +23,8 @@ void Drive(LearnSession& session, LearnInput& input, const LearnCompany& company
     session.Look();
     if (company.sound != nullptr) company.sound->Hear(session);
     if (company.tutor != nullptr) company.tutor->Serve();
+    if (company.view != nullptr) company.view->Look();
+    if (session.over()) break;
     const Asked asked = session.asked();
     if (const auto line = input.Next(kPoll, asked != Asked::kNothing)) session.Obey(*line);
     if (input.ended() && !seconds) {

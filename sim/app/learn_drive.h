@@ -10,11 +10,13 @@ namespace moontrace {
 
 class TutorDesk;
 class PathListener;
+class LearnView;
 
 /// Who takes part in a lesson beside the learner; null: nobody.
 struct LearnCompany {
   TutorDesk* tutor = nullptr;
   PathListener* sound = nullptr;
+  LearnView* view = nullptr;
 };
 
 /// Leads a lesson until it is over, `seconds` have passed, or input has ended (which counts only

@@ -288,7 +288,8 @@ std::vector<std::string> LearningWithoutDevice() {
       "the pages; nothing is felt and nothing counts.",
       "Printing works: moontrace learn --print lesson.svg writes a lesson's pages for swell "
       "paper in true size.",
-      "Mouse or pen with sound comes with the viewer, which is not here yet.",
+      "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "
+      "--sound. Nothing is felt and nothing counts.",
       "To see which devices this machine knows: moontrace devices."};
 }
 std::string NoDeviceGiven() { return "no force device: name one with --device when there is one"; }

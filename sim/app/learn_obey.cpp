@@ -102,7 +102,7 @@ void LearnSession::Speak(LearnWord word) {
     case LearnWord::kWord:
       return Letter(word);
     case LearnWord::kStop:
-      return Stop();
+      return Stop(false);
     case LearnWord::kPause:
       if (stopped_) return teller_.Say(Priority::kText, say::AlreadyStopped());
       Pause(false);
@@ -182,13 +182,13 @@ void LearnSession::Letter(LearnWord word) {
   teller_.Spell(say::Spelled(names), letter->word);
 }
 
-void LearnSession::Stop() {
+void LearnSession::Stop(bool by_tutor) {
   if (stopped_ && !stopped_by_tutor_) return teller_.Say(Priority::kText, say::AlreadyStopped());
-  Pause(false);
+  Pause(by_tutor);
   teller_.Hush();
   teller_.Say(Priority::kImportant, say::Event(SafetyTold(SafetyEvent::kStopped)));
   teller_.Play(Earcon::kSafetyStop);
-  memory_.Note(Now(), "stop", "learner");
+  memory_.Note(Now(), "stop", by_tutor ? "tutor" : "learner");
 }
 
 }  // namespace moontrace

@@ -6,6 +6,7 @@
 
 #include "sim/app/device_choice.h"
 #include "sim/app/options.h"
+#include "sim/app/view_options.h"
 
 namespace moontrace {
 
@@ -19,6 +20,7 @@ struct LearnOptions {
   std::optional<double> press;  ///< [N]
   std::uint64_t seed = 1;
   bool speak = false, sound = false, tutor = false;
+  ViewOptions view;
   std::string keys;  ///< empty: off; "true": the usual keys; else a file
 
   bool simulate = false;  ///< a simulated learner goes through the course, unattended

@@ -41,6 +41,8 @@ class LearnSession {
   void Pause(bool by_tutor);
   /// False: nothing rests, or the learner's own stop stands.
   bool GoOn(bool by_tutor);
+  /// As Pause, and all sound and speech end.
+  void Stop(bool by_tutor);
   bool stopped() const { return stopped_; }
   /// Leads the hand along a way once; nothing of it counts, then the trace begins anew.
   void Lead(std::shared_ptr<const GuidancePath> path);
@@ -51,6 +53,7 @@ class LearnSession {
   const LearnStage& stage() const { return stage_; }
   const Course& course() const { return course_; }
   LearnMemory& memory() { return memory_; }
+  const LearnMemory& memory() const { return memory_; }
   LearnTeller& teller() { return teller_; }
   const LoopSnapshot& newest() const { return newest_; }
 
@@ -69,7 +72,6 @@ class LearnSession {
   void EndTrace();
   void Where();
   void Letter(LearnWord word);
-  void Stop();
   void LookAtEvents();
   void LookAtStop();
   void LookAtTrace();

@@ -28,6 +28,7 @@ SessionRequest EmptyPage(const StageOptions& options) {
   request.blank = true;
   request.centred = true;
   request.seed = options.seed;
+  request.aims = options.aims;
   return request;
 }
 
@@ -142,10 +143,13 @@ void LearnStage::TakeSamples(bool felt) {
   LoopSample sample;
   while (session_.loop().TakeSample(sample)) {
     if (tap_) tap_(sample);
+    if (watch_) watch_(sample);
     if (felt && sample.page == session_.number()) trace_->Add(sample);
   }
 }
 
-bool LearnStage::pushes() const { return !simulated() && glm::any(session_.limits().pushes); }
+bool LearnStage::pushes() const {
+  return !simulated() && !session_.mouse() && glm::any(session_.limits().pushes);
+}
 
 }  // namespace moontrace

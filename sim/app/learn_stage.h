@@ -16,8 +16,9 @@ namespace moontrace {
 
 struct StageOptions {
   LiveOptions live;
-  std::optional<double> press;  ///< [N]
-  std::uint64_t seed = 1;       ///< of the simulated hand
+  std::optional<double> press;                    ///< [N]
+  std::uint64_t seed = 1;                         ///< of the simulated hand
+  std::shared_ptr<Mailbox<StylusAim>> aims = {};  ///< see SessionRequest
   bool keep_tracks = false;
 };
 
@@ -50,6 +51,8 @@ class LearnStage {
   void TakeSamples(bool felt);
   /// Is given every sample too; none: nobody.
   void SetTap(std::function<void(const LoopSample&)> tap) { tap_ = std::move(tap); }
+  /// Likewise, for a view.
+  void SetWatch(std::function<void(const LoopSample&)> watch) { watch_ = std::move(watch); }
 
   const LearnTrace& trace() const { return *trace_; }
   /// A hand can be pushed here.
@@ -79,7 +82,7 @@ class LearnStage {
   PageForm form_;
   bool shrunk_ = false;
   std::unique_ptr<LearnTrace> trace_;
-  std::function<void(const LoopSample&)> tap_;
+  std::function<void(const LoopSample&)> tap_, watch_;
 };
 
 }  // namespace moontrace

@@ -16,6 +16,9 @@ namespace moontrace {
 
 namespace {
 
+/// Tutors who come in through the door have numbers from 1.
+constexpr std::size_t kAtWindow = 0;
+
 /// The lesson whose id it is, or the only one whose id begins so; empty: none, or several.
 std::string LessonOf(const Course& course, const std::string& given) {
   std::string found;
@@ -30,10 +33,14 @@ std::string LessonOf(const Course& course, const std::string& given) {
 
 }  // namespace
 
-TutorDesk::TutorDesk(LearnSession& session)
-    : session_(session),
-      server_(session.memory().name(), say::TutorGreeting(session.memory().name())) {
-  session_.teller().SetListener([this](std::string_view line) { server_.Tell(line); });
+TutorDesk::TutorDesk(LearnSession& session, bool door, Told window)
+    : session_(session), window_(std::move(window)) {
+  const std::string& name = session_.memory().name();
+  if (door) server_.emplace(name, say::TutorGreeting(name));
+  session_.teller().SetListener([this](std::string_view line) {
+    if (server_) server_->Tell(line);
+    if (window_) window_(line);
+  });
 }
 
 TutorDesk::~TutorDesk() {
@@ -43,51 +50,72 @@ TutorDesk::~TutorDesk() {
 
 void TutorDesk::Serve() {
   LearnTeller& teller = session_.teller();
-  for (const std::string& sentence : server_.TakeSentences()) {
-    teller.Say(Priority::kMessage, sentence);
-  }
-  while (const std::optional<TutorServer::Line> line = server_.Next()) {
-    const auto read = ReadTutorCommand(line->text);
-    if (const auto* refusal = std::get_if<TutorRefusal>(&read)) {
-      server_.Answer(line->tutor, refusal->line);
-    } else {
-      Do(*line, std::get<TutorCommand>(read));
+  if (server_) {
+    for (const std::string& sentence : server_->TakeSentences()) {
+      teller.Say(Priority::kMessage, sentence);
     }
+    while (const std::optional<TutorServer::Line> line = server_->Next()) Take(*line);
   }
   if (recorder_ && recorder_->full()) {
     teller.Say(Priority::kMessage, say::TutorGaveBack());
-    Record(0);
+    Record(kAtWindow);
   }
   teller.EndTurn();
+}
+
+void TutorDesk::Hear(const std::string& line, const Told& answer) {
+  answer_ = answer;
+  Take({kAtWindow, line});
+  answer_ = nullptr;
+  session_.teller().EndTurn();
+}
+
+void TutorDesk::Take(const TutorServer::Line& line) {
+  const auto read = ReadTutorCommand(line.text);
+  if (const auto* refusal = std::get_if<TutorRefusal>(&read)) {
+    Answer(line.tutor, refusal->line);
+  } else {
+    Do(line, std::get<TutorCommand>(read));
+  }
+}
+
+void TutorDesk::Answer(std::size_t tutor, std::string_view line) {
+  if (tutor != kAtWindow) {
+    server_->Answer(tutor, line);
+  } else if (answer_) {
+    answer_(line);
+  }
 }
 
 void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   switch (command.word) {
     case TutorWord::kQuestion:
-      server_.Answer(line.tutor, say::NumberedWords(TutorWords()));
-      return server_.Answer(line.tutor, say::PageWordsHelp());
+      Answer(line.tutor, say::NumberedWords(TutorWords()));
+      return Answer(line.tutor, say::PageWordsHelp());
     case TutorWord::kWhere:
-      return server_.Answer(line.tutor, session_.Status());
+      return Answer(line.tutor, session_.Status());
     case TutorWord::kWho:
-      return server_.Answer(line.tutor, say::WhoIsHere(session_.memory().name(), server_.tutors()));
+      return Answer(line.tutor,
+                    say::WhoIsHere(session_.memory().name(), server_ ? server_->tutors() : 0));
     case TutorWord::kQuit:
-      server_.Answer(line.tutor, say::TutorGone());
-      return server_.Dismiss(line.tutor);
+      Answer(line.tutor, say::TutorGone());
+      if (line.tutor != kAtWindow) server_->Dismiss(line.tutor);
+      return;
     case TutorWord::kGo:
-      if (!session_.stopped()) return server_.Answer(line.tutor, say::NothingRests());
-      if (!session_.GoOn(true)) return server_.Answer(line.tutor, say::LearnerStopped());
+      if (!session_.stopped()) return Answer(line.tutor, say::NothingRests());
+      if (!session_.GoOn(true)) return Answer(line.tutor, say::LearnerStopped());
       break;
     case TutorWord::kShow:
     case TutorWord::kPlayback:
       // the learner must not wait for a push that cannot come
-      if (!session_.stage().pushes()) return server_.Answer(line.tutor, say::CannotLead());
+      if (!session_.stage().pushes()) return Answer(line.tutor, say::CannotLead());
       if (command.word == TutorWord::kPlayback && !stroke_) {
-        return server_.Answer(line.tutor, say::NoStrokeYet());
+        return Answer(line.tutor, say::NoStrokeYet());
       }
       break;
     case TutorWord::kLesson:
       if (LessonOf(session_.course(), command.text).empty()) {
-        return server_.Answer(line.tutor, say::LessonNotFound(command.text));
+        return Answer(line.tutor, say::LessonNotFound(command.text));
       }
       break;
     default:
@@ -171,15 +199,15 @@ void TutorDesk::Record(std::size_t tutor) {
     stage.SetTap([this](const LoopSample& sample) {
       recorder_->Add(sample.time, sample.tip_P, sample.in_contact);
     });
-    return server_.Answer(tutor, say::Recording());
+    return Answer(tutor, say::Recording());
   }
   stage.SetTap(nullptr);
   std::optional<RecordedStroke> stroke = recorder_->Stroke();
   recorder_.reset();
   stage.Restart();  // what the tutor's hand did is not the learner's
-  if (!stroke) return server_.Answer(tutor, say::NothingRecorded());
+  if (!stroke) return Answer(tutor, say::NothingRecorded());
   stroke_ = std::move(stroke);
-  server_.Answer(tutor, say::RecordedStrokeIs(stroke_->times.back()));
+  Answer(tutor, say::RecordedStrokeIs(stroke_->times.back()));
 }
 
 void TutorDesk::PlayBack() {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/app/learn_session.h"
 #include "sim/app/tutor_command.h"
@@ -15,16 +17,22 @@ namespace moontrace {
 /// never undone.
 class TutorDesk {
  public:
-  /// Throws LackError: no door can be opened (tutor_server.h).
-  explicit TutorDesk(LearnSession& session);
+  using Told = std::function<void(std::string_view line)>;
+  /// `door`: tutors may come in from other terminals; throws LackError: none can be opened
+  /// (tutor_server.h). `window`: is told, beside them, what the learner is told; may be empty.
+  TutorDesk(LearnSession& session, bool door, Told window = {});
   ~TutorDesk();
   TutorDesk(const TutorDesk&) = delete;
   TutorDesk& operator=(const TutorDesk&) = delete;
 
   /// Everything that tutors have said since the last call.
   void Serve();
+  /// A line of the tutor at the window, whom `answer` reaches.
+  void Hear(const std::string& line, const Told& answer);
 
  private:
+  void Take(const TutorServer::Line& line);
+  void Answer(std::size_t tutor, std::string_view line);
   void Do(const TutorServer::Line& line, const TutorCommand& command);
   bool DoToPage(std::size_t tutor, const TutorCommand& command);
   void DoToLesson(const TutorCommand& command);
@@ -32,7 +40,8 @@ class TutorDesk {
   void PlayBack();  ///< there is a stroke, and it can be felt
 
   LearnSession& session_;
-  TutorServer server_;
+  std::optional<TutorServer> server_;
+  Told window_, answer_;
   std::optional<StrokeRecorder> recorder_;
   std::optional<RecordedStroke> stroke_;
 };

@@ -112,6 +112,11 @@ SessionRequest RequestOf(const LoopCommandOptions& options) {
 }  // namespace
 
 void AddOptions(CLI::App& app, LoopCommandOptions& options) {
+  AddLoopOptions(app, options);
+  AddOptions(app, options.view);
+}
+
+void AddLoopOptions(CLI::App& app, LoopCommandOptions& options) {
   AddOptions(app, options.text);
   app.get_option("TEXT")->description(say::help::kLoopText);
   AddOptions(app, options.live);
@@ -124,7 +129,16 @@ void AddOptions(CLI::App& app, LoopCommandOptions& options) {
 }
 
 int Run(const LoopCommandOptions& options, Console& console) {
-  LoopSession session(RequestOf(options), console);
+  const auto aims = AimsFor(options.live.device, options.view);
+  const std::unique_ptr<ViewFeed> view = ViewFeed::Open(options.view, aims, console);
+  return RunLoop(options, view.get(), aims, console);
+}
+
+int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
+            const std::shared_ptr<Mailbox<StylusAim>>& aims, Console& console) {
+  SessionRequest request = RequestOf(options);
+  request.aims = aims;
+  LoopSession session(std::move(request), console);
   SayReplacements(session.text().set,
                   [&console](const std::string& line) { console.Remark(line); });
   const std::string why_not = session.loop().not_realtime();
@@ -133,12 +147,15 @@ int Run(const LoopCommandOptions& options, Console& console) {
   Felt felt;
   DriveOptions drive;
   drive.seconds = options.live.seconds;
+  drive.view = view;
   drive.sample = [&felt](const LoopSample& sample) { felt.Add(sample); };
   Drive(session, drive, console);
 
   const LoopReport& report = session.loop().report();
   if (options.output.json) {
-    console.Json(Dump(LoopJson(session, report, why_not, felt)));
+    Json json = LoopJson(session, report, why_not, felt);
+    if (view != nullptr) json["view"] = ViewJson(*view);
+    console.Json(Dump(json));
     RequireDevice(session);
     return exit_code::kGood;
   }
@@ -148,6 +165,7 @@ int Run(const LoopCommandOptions& options, Console& console) {
   console.Result(say::Realtime(why_not));
   console.Result(say::Touched(felt.Share(), felt.Mean(), felt.peak_force));
   console.Result(say::SafetyActed(report));
+  if (view != nullptr) SayView(*view, options.view, console);
   RequireDevice(session);
   return exit_code::kGood;
 }

@@ -5,6 +5,8 @@
 
 #include "sim/app/device_choice.h"
 #include "sim/app/options.h"
+#include "sim/app/view_feed.h"
+#include "sim/app/view_options.h"
 
 namespace moontrace {
 
@@ -18,8 +20,15 @@ struct LoopCommandOptions {
   LiveOptions live;
   std::optional<double> press;  ///< [N]
   std::uint64_t seed = 1;
+  ViewOptions view;
 };
 void AddOptions(CLI::App& app, LoopCommandOptions& options);
 int Run(const LoopCommandOptions& options, Console& console);
+
+/// All but the view's.
+void AddLoopOptions(CLI::App& app, LoopCommandOptions& options);
+/// With a view that is there already, or null. `aims`: see SessionRequest.
+int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
+            const std::shared_ptr<Mailbox<StylusAim>>& aims, Console& console);
 
 }  // namespace moontrace

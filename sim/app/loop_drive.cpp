@@ -8,6 +8,8 @@
 #include "sim/app/loop_messages.h"
 #include "sim/app/loop_words.h"
 #include "sim/app/page_messages.h"
+#include "sim/app/view_messages.h"
+#include "sim/app/view_panels.h"
 #include "sim/app/word_messages.h"
 #include "textures/error.h"
 
@@ -24,13 +26,15 @@ class Driver {
       : session_(session), options_(options), console_(console), lines_(console.in()) {}
 
   void Run() {
+    if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
     const auto begin = std::chrono::steady_clock::now();
     while (!quit_) {
       console_.CheckStop();
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
       if (options_.seconds && passed.count() >= *options_.seconds) break;
       Look();
-      if (const std::optional<std::string> line = lines_.Next(kPoll)) Obey(*line);
+      LookAtWindow();
+      if (const std::optional<std::string> line = lines_.Next(quit_ ? 0 : kPoll)) Obey(*line);
       if (lines_.ended() && !told_end_ && !options_.seconds) {
         told_end_ = true;
         console_.Remark(say::CannotSpeak());
@@ -43,7 +47,9 @@ class Driver {
 
  private:
   void Say(const std::string& line) {
-    if (!line.empty()) console_.Result(line);
+    if (line.empty()) return;
+    console_.Result(line);
+    if (options_.view != nullptr) options_.view->Told(line);
   }
 
   /// What nobody asked for is left out by --quiet, but not what takes the force away.
@@ -51,7 +57,21 @@ class Driver {
     const bool asked = event.kind == LoopEventKind::kBookmark ||
                        (event.kind == LoopEventKind::kSafety && TakesForceAway(event.safety));
     if (asked) return Say(line);
-    if (!line.empty()) console_.Happening(line);
+    if (line.empty()) return;
+    console_.Happening(line);
+    if (options_.view != nullptr) options_.view->Told(line);
+  }
+
+  /// What is said in the window is as if it were typed.
+  void LookAtWindow() {
+    ViewFeed* view = options_.view;
+    if (view == nullptr) return;
+    while (const std::optional<std::string> line = view->NextLine()) Obey(*line);
+    const std::string failure = view->TakeFailure();
+    if (!failure.empty()) console_.Remark(failure);
+    if (!view->closed() || quit_) return;
+    quit_ = true;
+    console_.Happening(say::WindowClosed());
   }
 
   /// Takes what the loop has left.
@@ -69,6 +89,7 @@ class Driver {
     LoopSample sample;
     while (loop.TakeSample(sample)) {
       if (options_.sample) options_.sample(sample);
+      if (options_.view != nullptr) options_.view->Add(sample);
     }
     for (const std::string& sentence : session_.TakeSentences()) Say(sentence);
     if (loop.silent() && !silent_) Say(say::LoopSilent());
@@ -76,6 +97,9 @@ class Driver {
     const std::string why = loop.WhyLost();
     if (why != why_lost_ && !why.empty()) Say(say::StillLost(why));
     why_lost_ = why;
+    if (options_.view == nullptr) return;
+    options_.view->Look(session_, newest_);
+    options_.view->SetValues(LoopPanelValues(session_, newest_));
   }
 
   std::string WhereNow() { return session_.Where(newest_); }
@@ -125,6 +149,9 @@ class Driver {
   }
 
   void Obey(const std::string& line) {
+    if (options_.view != nullptr) {
+      if (const std::optional<std::string> done = options_.view->Obey(line)) return Say(*done);
+    }
     const LoopLine said = ReadLoopLine(line);
     switch (said.word) {
       case LoopWord::kStop:
@@ -190,13 +217,19 @@ void SayBeginning(const LoopSession& session, Console& console) {
   console.Happening(
       say::LoopBegins(simulated ? "simulated stylus" : request.live.device, session.rate()));
   const Typeset& set = session.text().set;
-  if (!simulated) console.Happening(say::SetFor(set.page, set.pages.size()));
+  if (!simulated && !session.mouse()) {
+    console.Happening(say::SetFor(set.page, set.pages.size()));
+  }
   if (session.scale() != 1) console.Happening(say::Scaled(session.scale()));
   const double usual = request.text.feel.scene.coupling_stiffness;
   if (session.coupling_stiffness() < usual) {
     console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
   }
-  if (!simulated && !glm::any(session.limits().pushes)) console.Happening(say::NoMotors());
+  if (session.mouse()) {
+    console.Happening(say::MouseIsSeen());
+  } else if (!simulated && !glm::any(session.limits().pushes)) {
+    console.Happening(say::NoMotors());
+  }
   const bool text_read = request.text.text.text == "-";
   console.Remark(text_read ? say::CannotSpeak() : say::HowToSpeak());
   console.out().flush();

@@ -6,6 +6,7 @@
 #include "sim/app/console.h"
 #include "sim/app/line_reader.h"
 #include "sim/app/loop_session.h"
+#include "sim/app/view_feed.h"
 
 namespace moontrace {
 
@@ -14,6 +15,7 @@ struct DriveOptions {
   std::optional<double> seconds;                  ///< ends by itself; none: by "quit"
   bool sizes = true;                              ///< words that change the page do something
   std::function<void(const LoopSample&)> sample;  ///< is given every tick, off the tick
+  ViewFeed* view = nullptr;                       ///< shows it; closing its window ends it
 };
 
 /// Leads a running session from the text face until it ends: reads words, tells events, hands the

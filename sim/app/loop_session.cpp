@@ -12,6 +12,7 @@
 #include "sim/app/loop_messages.h"
 #include "sim/app/page_messages.h"
 #include "sim/app/trial.h"
+#include "sim/app/view_messages.h"
 #include "sim/loop/device_feel.h"
 #include "sim/plan/plan.h"
 #include "sim/scene/bound.h"
@@ -88,13 +89,19 @@ LoopSession::LoopSession(SessionRequest request, Console& console)
     : request_(std::move(request)),
       console_(console),
       simulated_(IsSimulated(request_.live.device)),
+      mouse_(IsMouse(request_.live.device)),
       scene_options_(request_.text.feel.scene) {
   const double tick = 1 / rate();
   request_.text.feel.scene.tick = scene_options_.tick = tick;
   const double press = request_.press.value_or(kPress);
   std::unique_ptr<Device> device;
-  if (simulated_ && request_.live.scale) throw UsageError(say::OnlyWithDevice("--scale"));
-  if (!simulated_) {
+  if ((simulated_ || mouse_) && request_.live.scale) {
+    throw UsageError(say::OnlyWithDevice("--scale"));
+  }
+  if (mouse_) {
+    device = MouseStylus();
+    limits_ = device->Limits();
+  } else if (!simulated_) {
     const auto tell = [&console](std::string_view sentence) {
       console.Result(sentence);
       console.out().flush();
@@ -160,11 +167,22 @@ std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) {
   return MakeSimulatedStylus(hand, plan.path_W, scene_options_.tick, request_.seed);
 }
 
+/// The hand that the window's mouse leads; its frame is the page's.
+std::unique_ptr<Device> LoopSession::MouseStylus() const {
+  if (request_.aims == nullptr) throw UsageError(say::MouseNeedsWindow());
+  return MakeAimedStylus(ShippedHand(), request_.aims, {0, 0, -1}, scene_options_.tick);
+}
+
 /// The page lies in the middle of what the device reaches; for one that reaches everywhere, its
 /// origin is where the text begins. A device without a third axis lies in the page's plane.
 DevicePlace LoopSession::PlaceOfDevice() const {
   DevicePlace place;
   if (simulated_) return place;
+  if (mouse_) {
+    place.R_WD = X_WP_.R;
+    place.origin_W = ToWorld(X_WP_, glm::dvec3(0, 0, 0));
+    return place;
+  }
   place.scale = scale();
   if (!limits_.measures.z) place.R_WD = X_WP_.R;
   const PageSpec& sheet = text_.set.page;
@@ -182,11 +200,12 @@ void LoopSession::Show(std::size_t page, const std::optional<PageAnchor>& anchor
   change.page = first_number_ + static_cast<std::uint32_t>(page);
   if (simulated_) {
     change.device = StylusFor(page);
-  } else {
+  } else if (!mouse_) {  // a window's page stays where it is seen
     change.anchor = anchor;
   }
   loop_->ChangePage(std::move(change));
   page_ = page;
+  ++shown_;
 }
 
 bool LoopSession::Turn(bool forward) {
@@ -268,7 +287,7 @@ void LoopSession::Tilt(double tilt) {
   if (simulated_) {
     change.device = StylusFor(page_);  // its arm is tilted with the page: the way is as it was
   } else {
-    change.tilt = tilt;
+    if (!mouse_) change.tilt = tilt;  // it lies in the page's plane
   }
   loop_->ChangePage(std::move(change));
   tilt_ = tilt;

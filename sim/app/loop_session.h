@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/aimed_stylus.h"
 #include "devices/device.h"
 #include "sim/app/console.h"
 #include "sim/app/device_choice.h"
@@ -26,6 +27,8 @@ struct SessionRequest {
   /// A text of one line lies in the sheet's middle, not at its upper left.
   bool centred = false;
   std::uint64_t seed = 1;  ///< of the simulated hand
+  /// Of the device "mouse", where a window's mouse means the tip to be, frame P; none: no window.
+  std::shared_ptr<Mailbox<StylusAim>> aims = {};
 };
 
 /// The letter that is nearest to a place.
@@ -73,9 +76,13 @@ class LoopSession {
   /// Of LoopSample::page and LoopSnapshot::page while the present page of this text is felt; no
   /// page of another text has it.
   std::uint32_t number() const { return first_number_ + static_cast<std::uint32_t>(page_); }
+  /// Changes whenever another page, or the same in another form, is let be felt.
+  std::uint64_t shown() const { return shown_; }
   /// How long the simulated hand takes for the page once [s]; 0 of a device.
   double round() const { return round_; }
   bool simulated() const { return simulated_; }
+  /// A mouse moves the tip, in the page's plane, and nothing can be felt of it.
+  bool mouse() const { return mouse_; }
   /// None on an empty page.
   std::optional<NearLetter> Near(glm::dvec2 tip_P) const;
   /// What opening a lost device again has to say, since the last call.
@@ -90,6 +97,7 @@ class LoopSession {
  private:
   std::unique_ptr<TextureField> FieldOf(std::size_t page) const;
   std::unique_ptr<Device> StylusFor(std::size_t page);
+  std::unique_ptr<Device> MouseStylus() const;
   TextSetup SetUp(const TextRequest& request);
   DevicePlace PlaceOfDevice() const;
   void Show(std::size_t page, const std::optional<PageAnchor>& anchor);
@@ -97,7 +105,7 @@ class LoopSession {
 
   SessionRequest request_;
   Console& console_;
-  bool simulated_ = true;
+  bool simulated_ = true, mouse_ = false;
   DeviceLimits limits_;
   TextSetup text_;
   PageForm form_;
@@ -106,6 +114,7 @@ class LoopSession {
   Pose X_WP_;
   double force_bound_ = 0;
   std::size_t page_ = 0;
+  std::uint64_t shown_ = 0;
   std::uint32_t first_number_ = 0;
   double round_ = 0;
   /// A place of the text, which stays the same at another size.

@@ -7,6 +7,8 @@
 #include "sim/app/trial.h"
 #include "sim/app/trial_parameters.h"
 #include "sim/app/typeset_report.h"
+#include "sim/app/view_messages.h"
+#include "sim/app/view_trial.h"
 #include "sim/scene/record.h"
 #include "textures/error.h"
 #include "textures/fallback.h"
@@ -20,8 +22,9 @@ namespace {
 struct Rebuilt {
   TextureField field;
   std::optional<GuidancePlan> push;
+  std::shared_ptr<const ViewPage> seen;  ///< with `view`
 };
-Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder) {
+Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder, bool view) {
   const bool alone = parameters.fallback_script.empty();
   Script script = FindScript(parameters.script, alone ? parameters.text : "");
   if (!parameters.fallback_script.empty()) Borrow(script, parameters.fallback_script);
@@ -32,7 +35,11 @@ Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder
     throw InputError(say::BadParameters(folder, "page"));
   }
   const TextPage& page = set.pages[parameters.page];
-  Rebuilt rebuilt{PageField(page, script, set.style, parameters.blank), std::nullopt};
+  Rebuilt rebuilt{PageField(page, script, set.style, parameters.blank), std::nullopt, nullptr};
+  if (view) {
+    rebuilt.seen = MakeViewPage(page, set.page, script, set.style, parameters.text,
+                                parameters.blank, static_cast<std::uint32_t>(parameters.page));
+  }
   if (parameters.guidance.on()) {
     rebuilt.push = PlanOf(parameters.guidance, IntendedStrokes(page, script, set.style));
   }
@@ -57,18 +64,30 @@ void SayResult(const Record& record, Console& console) {
 void AddOptions(CLI::App& app, ReplayOptions& options) {
   AddPath(app, "FOLDER", "FOLDER", options.folder, say::help::kFolder);
   app.add_flag("--check", options.check, say::help::kCheck);
+  AddOptions(app, options.view);
   AddOptions(app, options.output);
 }
 
 int Run(const ReplayOptions& options, Console& console) {
   if (options.folder.empty()) throw UsageError(say::NoFolder());
+  CheckTogether(options.view);
   const Record record = ReadRecord(options.folder, options.check);
   const TrialParameters parameters = ReadParameters(record.head.parameters_json, options.folder);
-  const Rebuilt page = RebuiltFrom(parameters, options.folder);
+  const Rebuilt page = RebuiltFrom(parameters, options.folder, options.view.asked());
   if (page.field.Hash() != record.head.field_hash) {
     throw InputError(say::OtherField(options.folder));
   }
-  const ReplayResult replay = Replay(record, page.field, page.push ? &*page.push : nullptr);
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
+  std::optional<TrialView> view;
+  TickWatch watch;
+  if (feed) {
+    view.emplace(*feed, console);
+    view->Begin(page.seen, {parameters.text, parameters.style.size, {}, {}});
+    watch = [&view](double time, const TickResult& felt, const GuidanceResult& push) {
+      view->Look(time, felt, push);
+    };
+  }
+  const ReplayResult replay = Replay(record, page.field, page.push ? &*page.push : nullptr, watch);
   // An altered record is bad input, whatever the replay gives: bit-equal to what was altered is no
   // success, and not every column decides what is computed.
   if (!record.altered.empty()) throw InputError(say::Altered(record.altered, replay));
@@ -81,6 +100,7 @@ int Run(const ReplayOptions& options, Console& console) {
     if (!equal) json["first_difference"] = replay.first_difference;
     if (!equal) json["column"] = replay.column;
     json["total"] = ResultOf(record);
+    if (feed) json["view"] = ViewJson(*feed);
     console.Json(Dump(json));
   } else {
     console.Result(equal
@@ -88,6 +108,7 @@ int Run(const ReplayOptions& options, Console& console) {
                        : say::ReplayDiffers(replay.first_difference, replay.ticks, replay.column));
     console.Result(say::ReplayWhat(parameters.text, parameters.style.size, parameters.blank));
     if (!options.check) SayResult(record, console);
+    if (feed) SayView(*feed, options.view, console);
   }
   return options.check && !equal ? exit_code::kFailed : exit_code::kGood;
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim/app/options.h"
+#include "sim/app/view_options.h"
 
 namespace moontrace {
 
@@ -11,6 +12,7 @@ struct ReplayOptions {
   OutputOptions output;
   std::string folder;
   bool check = false;
+  ViewOptions view;
 };
 void AddOptions(CLI::App& app, ReplayOptions& options);
 int Run(const ReplayOptions& options, Console& console);

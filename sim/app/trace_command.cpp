@@ -15,6 +15,8 @@
 #include "sim/app/trial.h"
 #include "sim/app/trial_parameters.h"
 #include "sim/app/typeset_report.h"
+#include "sim/app/view_messages.h"
+#include "sim/app/view_trial.h"
 #include "sim/view/picture_file.h"
 #include "sim/view/trace_picture.h"
 
@@ -47,9 +49,23 @@ TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t 
   return setup;
 }
 
-void TracePage(const TraceOptions& options, std::size_t page, Console& console, Trace& trace) {
+/// The page's trial is seen while it runs.
+void Watch(TrialSetup& setup, TrialView& view, const Trace& trace, std::size_t page) {
+  const Typeset& set = trace.text.set;
+  const std::string& text = trace.text.text;
+  view.Begin(MakeViewPage(*setup.page, set.page, *setup.script, setup.style, text, setup.blank,
+                          static_cast<std::uint32_t>(page)),
+             {text, setup.style.size, say::PanelPage(page, set.pages.size()), {}});
+  setup.watch = [&view](double time, const TickResult& felt, const GuidanceResult& push) {
+    view.Look(time, felt, push);
+  };
+}
+
+void TracePage(const TraceOptions& options, std::size_t page, TrialView* view, Console& console,
+               Trace& trace) {
   const std::size_t pages = trace.text.set.pages.size();
-  const TrialSetup setup = SetupOf(options, trace, page, console);
+  TrialSetup setup = SetupOf(options, trace, page, console);
+  if (view != nullptr) Watch(setup, *view, trace, page);
   RecordRequest request;
   if (!options.record.empty()) {
     request.folder = pages == 1 ? options.record : options.record + "-" + std::to_string(page + 1);
@@ -104,6 +120,7 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
   AddPath(app, "--record", "DIR", options.record, say::help::kRecord);
   app.add_flag("--csv", options.csv, say::help::kCsv);
   AddPicture(app, options.picture, say::help::kPicture);
+  AddOptions(app, options.view);
   AddOptions(app, options.live);
   AddOptions(app, options.output);
 }
@@ -127,6 +144,7 @@ int Run(const TraceOptions& options, Console& console) {
     throw UsageError(say::NeedsOther("--csv", "--record"));
   }
   if (!options.picture.empty()) CheckPicturePath(options.picture);
+  CheckTogether(options.view);
   if (!IsSimulated(options.live.device)) return TraceWithDevice(options, console);
   RefuseDeviceOptions(options);
   const TrialGuidance guidance = GuidanceOf(options.guide);
@@ -137,8 +155,11 @@ int Run(const TraceOptions& options, Console& console) {
   trace.guidance = guidance;
   SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
   WarnOfDirect(options, trace, console);
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
+  std::optional<TrialView> view;
+  if (feed) view.emplace(*feed, console);
   for (std::size_t page = 0; page < trace.text.set.pages.size(); ++page) {
-    TracePage(options, page, console, trace);
+    TracePage(options, page, view ? &*view : nullptr, console, trace);
   }
   const TypeStyle& style = trace.text.set.style;
   const bool ridges =
@@ -154,9 +175,11 @@ int Run(const TraceOptions& options, Console& console) {
   if (options.output.json) {
     Json json = TraceJson(trace, options.feel.scene, all);
     json["seed"] = options.seed;
+    if (feed) json["view"] = ViewJson(*feed);
     console.Json(Dump(json));
   } else {
     SayTrace(trace, all, say::Time(all), console);
+    if (feed) SayView(*feed, options.view, console);
   }
   if (all.faults > 0) throw WorkFailed(say::Faults(all));
   return exit_code::kGood;

@@ -7,6 +7,7 @@
 #include "sim/app/device_choice.h"
 #include "sim/app/guide_options.h"
 #include "sim/app/options.h"
+#include "sim/app/view_options.h"
 
 namespace moontrace {
 
@@ -28,6 +29,7 @@ struct TraceOptions {
   bool csv = false;
   std::string picture;
 
+  ViewOptions view;
   LiveOptions live;  ///< device empty or "simulated": the rest counts for nothing and is refused
 };
 void AddOptions(CLI::App& app, TraceOptions& options);

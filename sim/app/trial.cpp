@@ -95,14 +95,16 @@ class TrialPush {
   TrialPush(const TrialSetup& setup, const std::vector<IntendedStroke>& strokes) {
     if (setup.guidance.on()) push_.emplace(PlanOf(setup.guidance, strokes), setup.scene.tick);
   }
-  void Add(const Scene& scene, TickResult& output) {
+  GuidanceResult Add(const Scene& scene, TickResult& output) {
     ++ticks_;
-    if (!push_) return;
+    if (!push_) return {};
     // the force of the last tick stood while the tip came here
     work_ += glm::dot(force_P_, output.tip_P - tip_P_);
-    force_P_ = push_->Add(scene.X_WP(), output).force_P;
+    const GuidanceResult push = push_->Add(scene.X_WP(), output);
+    force_P_ = push.force_P;
     tip_P_ = output.tip_P;
     sum_ += glm::length(force_P_);
+    return push;
   }
   void Tell(TrialResult& result) const {
     result.mean_guidance = ticks_ > 0 ? sum_ / static_cast<double>(ticks_) : 0;
@@ -121,14 +123,16 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
               TraceScorer& scorer, LiftCounter lifts, TrialPush push, Recorder* recorder,
               TrialResult& result) {
   PhaseClock clock(plan.spans);
-  const auto ticks = static_cast<std::size_t>(std::ceil(plan.duration / setup.scene.tick));
+  const double duration = std::min(plan.duration, setup.longest);
+  const auto ticks = static_cast<std::size_t>(std::ceil(duration / setup.scene.tick));
   const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
   for (std::size_t n = 0; n < ticks; ++n) {
     if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
     DeviceState input;
     stylus.Read(input);
     TickResult output = scene.Tick(input);
-    push.Add(scene, output);
+    const GuidanceResult pushed = push.Add(scene, output);
+    if (setup.watch) setup.watch(input.time, output, pushed);
     stylus.Write(output.force_W);
 
     const Plan::Span& span = clock.At(input.time);

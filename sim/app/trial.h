@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "sim/plan/plan.h"
 #include "sim/scene/page_field.h"
 #include "sim/scene/scene_options.h"
+#include "sim/scene/tick_watch.h"
 #include "textures/field.h"
 #include "textures/script.h"
 #include "textures/typeset.h"
@@ -37,6 +39,8 @@ struct TrialSetup {
   double path_spacing = 0;  ///< keep the tip's way at this spacing for a picture [m]; 0 = keep none
   const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
   std::function<void(double done)> alive;   ///< told each simulated second the share done, 0..1
+  TickWatch watch;                          ///< none: costs nothing
+  double longest = std::numeric_limits<double>::infinity();  ///< ends then, if not before [s]
 };
 
 /// Asks for the trial to be recorded (sim/scene/record.h).

@@ -2,12 +2,60 @@
 
 #include <fmt/format.h>
 
+#include "textures/text_file.h"
+
 namespace moontrace::say {
 
 std::string MouseNeedsWindow() { return "--device mouse needs a window: add --view"; }
 
 std::string MouseIsSeen() {
-  return "The mouse moves the stylus; the wheel presses. Forces are seen, not felt.";
+  return "The mouse moves the stylus, its wheel presses. Forces are seen, not felt.";
 }
+
+std::string NoWindow(std::string_view why) {
+  return fmt::format("No window: {}. It goes on without.", OneLine(why, 300));
+}
+
+std::string ViewEnded(std::string_view why) {
+  return fmt::format("The view has ended: {}. All else goes on.", OneLine(why, 300));
+}
+
+std::string WindowClosed() { return "Window closed: this ends."; }
+
+std::string RunsOnUnseen() { return "Window closed: the rest runs without it."; }
+
+std::string WindowOrFrames() { return "--view opens a window, --frames draws without: take one"; }
+
+std::string TakesViewWordsOnly() { return "It runs by itself: only the view takes words here."; }
+
+std::string PictureIsSimulated() {
+  return "--picture shows the simulated stylus: leave out --device";
+}
+
+std::string OnlyInView(std::string_view option) {
+  return fmt::format("{} goes with --picture alone: leave out the other", option);
+}
+
+std::string FramesIn(std::size_t drawn) {
+  return fmt::format("Drawn: {} {} in", drawn, drawn == 1 ? "picture" : "pictures");
+}
+
+std::string ViewPictureIn() { return "Picture in"; }
+
+std::string ViewKeptUp(std::size_t frames, double median_ms, double slowest_ms) {
+  return fmt::format("View: {} frames, {:.1f} ms each, {:.1f} ms the slowest.", frames, median_ms,
+                     slowest_ms);
+}
+
+std::string PanelPage(std::size_t page, std::size_t pages) {
+  return fmt::format("{} of {}", page + 1, pages);
+}
+
+std::string PanelState(bool stopped, bool touching) {
+  if (stopped) return "stopped";
+  return touching ? "touching" : "in the air";
+}
+
+std::string PanelSeconds(double time) { return fmt::format("{:.1f} s", time); }
 
 }  // namespace moontrace::say

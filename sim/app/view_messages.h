@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,45 @@ namespace moontrace::say {
 std::string MouseNeedsWindow();
 /// What the mouse does, and that it cannot push a hand.
 std::string MouseIsSeen();
+/// A window was asked for, and there is none; `why`: the viewer's sentence.
+std::string NoWindow(std::string_view why);
+/// The view has ended in the middle, and nothing else.
+std::string ViewEnded(std::string_view why);
+std::string WindowClosed();
+/// What runs on without its window.
+std::string RunsOnUnseen();
+std::string WindowOrFrames();
+/// Of a trace by itself: nothing can be said to it.
+std::string TakesViewWordsOnly();
+std::string PictureIsSimulated();
+std::string OnlyInView(std::string_view option);
+/// `drawn`: pictures; the folder's path follows on a line of its own.
+std::string FramesIn(std::size_t drawn);
+std::string ViewPictureIn();
+/// How the view kept up.
+std::string ViewKeptUp(std::size_t frames, double median_ms, double slowest_ms);
+
+// What stands in the panel.
+std::string PanelPage(std::size_t page, std::size_t pages);
+std::string PanelState(bool stopped, bool touching);
+std::string PanelSeconds(double time);
+
+namespace help {
+inline constexpr const char* kViewCommand =
+    "shows a page in a window: felt with the mouse, or traced";
+inline constexpr const char* kView =
+    "show it in a window: page, stylus, forces, plots, and a panel that changes them.";
+inline constexpr const char* kFrames =
+    "draw it, without a display, as pictures into this folder, 30 a second.";
+inline constexpr const char* kContrast = "of the view: high contrast, nothing but black and white.";
+inline constexpr const char* kLargeText = "of the view: large letters in panel and plots.";
+inline constexpr const char* kViewPicture =
+    "one picture of the view as .png, without a display, and nothing more; with --seconds N of a "
+    "page that the simulated stylus has traced for so long.";
+inline constexpr const char* kViewText = "the text; - reads standard input. Default: some words.";
+inline constexpr const char* kViewDevice =
+    "what moves the tip: mouse, simulated, or a name that devices lists. Default the mouse in a "
+    "window, else simulated.";
+}  // namespace help
 
 }  // namespace moontrace::say

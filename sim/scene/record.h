@@ -9,6 +9,7 @@
 #include "devices/device.h"
 #include "lessons/guidance.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/tick_watch.h"
 
 namespace moontrace {
 
@@ -76,6 +77,6 @@ struct ReplayResult {
   std::string column;  ///< first that differs, by its name in samples.f64
 };
 ReplayResult Replay(const Record& record, const TextureField& field,
-                    const GuidancePlan* push = nullptr);
+                    const GuidancePlan* push = nullptr, const TickWatch& watch = {});
 
 }  // namespace moontrace

@@ -24,7 +24,8 @@ std::size_t FirstDifference(const RecordColumns& a, const RecordColumns& b) noex
 
 }  // namespace
 
-ReplayResult Replay(const Record& record, const TextureField& field, const GuidancePlan* push) {
+ReplayResult Replay(const Record& record, const TextureField& field, const GuidancePlan* push,
+                    const TickWatch& watch) {
   if (field.Hash() != record.head.field_hash) {
     throw InputError(fmt::format("record: page digest {} here, {} recorded: use the script of then",
                                  ToHex(field.Hash()), ToHex(record.head.field_hash)));
@@ -48,7 +49,9 @@ ReplayResult Replay(const Record& record, const TextureField& field, const Guida
   for (std::size_t tick = 0; tick < record.rows.size(); ++tick) {
     RecordRow again = record.rows[tick];
     again.output = scene.Tick(again.input);
-    if (pushing) pushing->Add(scene.X_WP(), again.output);
+    GuidanceResult pushed;
+    if (pushing) pushed = pushing->Add(scene.X_WP(), again.output);
+    if (watch) watch(again.input.time, again.output, pushed);
     const std::size_t column = FirstDifference(ToColumns(again), ToColumns(record.rows[tick]));
     if (column == kAfterOutputs) continue;
     result.first_difference = tick;

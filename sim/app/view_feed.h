@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "devices/aimed_stylus.h"
+#include "devices/mailbox.h"
+#include "sim/app/console.h"
+#include "sim/app/loop_session.h"
+#include "sim/app/metrics_json.h"
+#include "sim/app/view_options.h"
+#include "sim/view/viewer.h"
+
+namespace moontrace {
+
+/// The view of what a command runs: is given pages, instants, the panel and what is said, and gives
+/// lines that were said in its window. Once it has failed or was closed it takes everything and
+/// does nothing. All calls from one thread.
+class ViewFeed {
+ public:
+  /// None: no view was asked for, or there is no display, which is said. `aims`: the mouse moves
+  /// the tip; then, and for frames, what is lacking is thrown. Throws LackError, InputError,
+  /// UsageError.
+  static std::unique_ptr<ViewFeed> Open(const ViewOptions& options,
+                                        const std::shared_ptr<Mailbox<StylusAim>>& aims,
+                                        Console& console);
+  explicit ViewFeed(const ViewerOptions& options) : viewer_(options) {}
+
+  /// The page that a session lets be felt, if it is another than it was, and its newest instant.
+  void Look(LoopSession& session, const LoopSnapshot& newest);
+  /// An instant between; in order of time, before the newest.
+  void Add(const LoopSample& sample);
+
+  void Show(std::shared_ptr<const ViewPage> page) { viewer_.Show(std::move(page)); }
+  void Tell(const ViewMoment& moment) { viewer_.Tell(moment); }
+  void SetPanel(std::vector<PanelControl> controls);
+  void SetValues(std::vector<PanelValue> values);
+  /// A line of the text face.
+  void Told(std::string_view line) { viewer_.Tell(line); }
+
+  /// The next line that was said in the window.
+  std::optional<std::string> NextLine() { return viewer_.NextLine(); }
+  /// A word that concerns the view alone: done; what is answered.
+  std::optional<std::string> Obey(std::string_view line) { return viewer_.Obey(line); }
+  /// The window was closed by its user.
+  bool closed() const { return viewer_.closed(); }
+  /// Why nothing is drawn any more, one sentence, once; else empty.
+  std::string TakeFailure();
+  /// Nothing is shown any more.
+  bool ended() const { return closed() || !viewer_.failure().empty(); }
+  ViewerReport report() const { return viewer_.report(); }
+
+ private:
+  Viewer viewer_;
+  std::optional<std::uint64_t> shown_;  ///< LoopSession::shown
+  std::vector<PanelValue> values_;
+  bool failed_ = false;
+};
+
+/// What the mouse moves, if it is the device. Throws UsageError: there will be no window.
+std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const ViewOptions& options);
+
+/// How a view kept up.
+Json ViewJson(const ViewFeed& feed);
+/// The outcome of a view in words: where its frames are, how it kept up.
+void SayView(const ViewFeed& feed, const ViewOptions& options, Console& console);
+
+/// The page that lies there now.
+std::shared_ptr<const ViewPage> ViewPageOf(const LoopSession& session);
+ViewMoment MomentOf(const LoopSnapshot& snapshot);
+ViewMoment MomentOf(const LoopSample& sample);
+
+}  // namespace moontrace
