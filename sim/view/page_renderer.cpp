@@ -164,6 +164,9 @@ struct PageRenderer::State {
     mjv_defaultScene(&scene);
     mjv_makeScene(m.get(), &scene, kMostGeoms);
     mjv_defaultOption(&option);
+    for (const mjtRndFlag flag : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_SKYBOX, mjRND_HAZE}) {
+      scene.flags[flag] = 0;
+    }
     mjr_defaultContext(&context);
     mjr_makeContext(m.get(), &context, size.font);
   }
@@ -185,7 +188,8 @@ struct PageRenderer::State {
     eye.elevation = -90 + camera.lean * kDegrees;
     mjv_updateScene(m.get(), d.get(), &option, nullptr, &eye, mjCAT_ALL, &scene);
     if (scene.ngeom > 0) LaySurface(scene.geoms[0]);
-    LayDesk();
+    const Box seen = VisibleBox(camera, static_cast<double>(rect.width) / rect.height);
+    if (!Contains(surface_P, seen.min) || !Contains(surface_P, seen.max)) LayDesk();
     AddMarks(scene, camera, marks);
     mjr_render(rect, &scene, &context);
     for (const ViewMarks::Print& print : marks.print) Write(print, camera, rect);

@@ -10,11 +10,11 @@ namespace moontrace {
 namespace {
 
 constexpr double kKeptWay = 20, kKeptPoints = 10;  // [s]
-constexpr std::size_t kMostWay = 3000;
+constexpr std::size_t kMostWay = 1500;
 constexpr double kBin = 0.02;        // of a plotted point [s]
 constexpr double kLookEvery = 4e-3;  // between searches for the nearest stroke [s]
 constexpr double kReach = 1.5e-3;    // beyond a groove's width [m]
-constexpr double kWayStep = 0.1;     // of a groove's width
+constexpr double kWayStep = 0.15;    // of a groove's width
 constexpr double kWayLeap = 3;       // widths that no hand goes between two instants
 constexpr double kMillimetres = 1e3;
 

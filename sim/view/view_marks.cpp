@@ -1,5 +1,6 @@
 #include "sim/view/view_marks.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "sim/view/view_text.h"
@@ -8,7 +9,8 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kGap = 0.25;  // of the em, from the base line to the middle of the print below
+constexpr double kWayPoints = 4;  // least length of a drawn piece of the way [points]
+constexpr double kGap = 0.25;     // of the em, from the base line to the middle of the print below
 
 void AddHand(const ViewMoment& moment, ViewMarks& marks) {
   marks.tip_P = moment.tip_P;
@@ -19,6 +21,23 @@ void AddHand(const ViewMoment& moment, ViewMarks& marks) {
   marks.bead_P = moment.bead_P;
 }
 
+/// Without points that lie nearer to the one before than `step` [m]; where it turns from good to
+/// bad stays within a step.
+std::vector<ViewMarks::WayPoint> Thinned(const std::vector<ViewMarks::WayPoint>& way, double step) {
+  std::vector<ViewMarks::WayPoint> thin;
+  thin.reserve(way.size());
+  for (const ViewMarks::WayPoint& point : way) {
+    const bool near =
+        !thin.empty() && !point.begins && glm::distance(thin.back().p_P, point.p_P) < step;
+    if (!near) {
+      thin.push_back(point);
+    } else {
+      thin.back().off = std::max(thin.back().off, point.off);
+    }
+  }
+  return thin;
+}
+
 }  // namespace
 
 ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCamera& camera,
@@ -27,7 +46,8 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
   ViewMarks marks;
   const std::optional<ViewMoment>& now = history.newest();
   if (now && now->present && now->page == page.number) AddHand(*now, marks);
-  marks.way = history.Way();
+  const double points = picture_height / camera.height;  // a metre of page
+  marks.way = Thinned(history.Way(), kWayPoints / points);
   if (const std::optional<std::size_t> stroke = history.stroke()) {
     const IntendedStroke& current = page.strokes[*stroke];
     marks.stroke_P.push_back(current.spine_P);
@@ -36,7 +56,6 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
     }
   }
   if (!print) return marks;
-  const double points = picture_height / camera.height;  // a metre of page
   const Box seen = VisibleBox(camera, aspect);
   for (const ViewPage::Letter& letter : page.letters) {
     const glm::dvec2 size = letter.box_P.max - letter.box_P.min;

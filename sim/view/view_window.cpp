@@ -9,6 +9,8 @@
 #include <GLFW/glfw3.h>
 #include <dlfcn.h>
 #include <unistd.h>
+
+#include <atomic>
 #endif
 
 namespace moontrace {
@@ -37,9 +39,12 @@ constexpr int kLeastWidth = 320, kLeastHeight = 240;
 
 /// The one whose window is open, for Xlib's handlers.
 std::function<void()>* told_when_lost = nullptr;
+/// A display was lost: what holds its connection stands still, and GLFW knows no other.
+std::atomic<bool> display_lost{false};
 
 /// Xlib ends the program after this returns: so it never does.
 int DisplayLost(void* /*display*/) {
+  display_lost = true;
   if (told_when_lost != nullptr && *told_when_lost) (*told_when_lost)();
   for (;;) pause();
 }
@@ -184,6 +189,7 @@ void ViewWindow::State::Listen() {
 }
 
 ViewWindow::State::~State() {
+  if (display_lost) return;
   if (window != nullptr) glfwDestroyWindow(window);
   glfwTerminate();
   told_when_lost = nullptr;
@@ -191,6 +197,7 @@ ViewWindow::State::~State() {
 
 ViewWindow::ViewWindow(const std::string& title, int width, int height, std::function<void()> lost)
     : state_(std::make_unique<State>()) {
+  if (display_lost) throw LackError("the display was lost: start again to open a window");
   state_->lost = std::move(lost);
   told_when_lost = &state_->lost;
   state_->Open(title, width, height);

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/view/panel.h"
+#include "sim/view/view_page.h"
+#include "textures/typeset.h"
+
+namespace moontrace {
+
+inline std::shared_ptr<const ViewPage> PageOf(const std::string& text, std::uint32_t number = 1) {
+  const Script script = FindScript("moon");
+  const PageSpec sheet{"custom", 0.12, 0.06, 0.005};
+  const Typeset set = SetText(text, script, DefaultStyle(0.012, Relief::kEngraved, script), sheet);
+  return MakeViewPage(set.pages.at(0), sheet, script, set.style, text, false, number);
+}
+
+/// A heading, then one control of each kind that says something.
+inline std::vector<PanelControl> SmallPanel() {
+  PanelControl heading, slider, choice, button;
+  heading.label = "Letters";
+  slider.kind = PanelControl::Kind::kSlider;
+  slider.label = "Size";
+  slider.word = "size";
+  slider.low = 5;
+  slider.high = 40;
+  slider.step = 1;
+  slider.unit = "mm";
+  choice.kind = PanelControl::Kind::kChoice;
+  choice.label = "Mode";
+  choice.word = "mode";
+  choice.choices = {"attract", "bead", "rail"};
+  button.kind = PanelControl::Kind::kButton;
+  button.label = "Again";
+  button.word = "again";
+  return {heading, slider, choice, button};
+}
+
+/// Size 12, mode attract.
+inline std::vector<PanelValue> SmallValues() {
+  std::vector<PanelValue> values(4);
+  values[1].number = 12;
+  values[2].choice = 0;
+  return values;
+}
+
+}  // namespace moontrace
