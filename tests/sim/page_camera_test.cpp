@@ -45,6 +45,18 @@ TEST(PageCamera, ZoomKeepsThePointUnderTheMouse) {
   EXPECT_EQ(Zoomed(camera, 1.6, share, 1e9).height, 2);
 }
 
+TEST(PageCamera, WhatIsSeenAtAPointLiesUnderIt) {
+  for (const double lean : {0.0, 0.6}) {
+    const PageCamera camera{{0.05, 0.02}, 0.1, lean};
+    for (const glm::dvec2 share : {glm::dvec2(0.5, 0.5), glm::dvec2(0.1, 0.9)}) {
+      const auto seen = ShareOf(camera, 1.6, PointUnder(camera, 1.6, share));
+      ASSERT_TRUE(seen);
+      EXPECT_LT(glm::distance(*seen, share), 1e-12);
+    }
+  }
+  EXPECT_FALSE(ShareOf({{0, 0}, 0.1, 1.2}, 1, {0, -10}));  // behind the eye
+}
+
 TEST(PageCamera, ShowsAWholeBox) {
   for (const double aspect : {0.5, 1.0, 3.0}) {
     const Box box{{0.01, 0.02}, {0.15, 0.06}};

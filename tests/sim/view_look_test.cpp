@@ -1,0 +1,33 @@
+#include "sim/view/view_look.h"
+
+#include <gtest/gtest.h>
+
+namespace moontrace {
+namespace {
+
+TEST(ViewLayout, PartsFillThePictureWithoutOverlap) {
+  const ViewLayout layout = LayoutOf(1280, 720, 330, 280, 60);
+  EXPECT_EQ(layout.panel, (PixelBox{0, 0, 330, 720}));
+  EXPECT_EQ(layout.page, (PixelBox{330, 60, 670, 660}));
+  EXPECT_EQ(layout.plots, (PixelBox{1000, 60, 280, 660}));
+  EXPECT_EQ(layout.text, (PixelBox{330, 0, 950, 60}));
+}
+
+TEST(ViewLayout, ThePageOutlastsPlotsThenPanelThenText) {
+  EXPECT_TRUE(LayoutOf(700, 400, 330, 280, 60).plots.empty());
+  EXPECT_FALSE(LayoutOf(700, 400, 330, 280, 60).panel.empty());
+  EXPECT_TRUE(LayoutOf(400, 400, 330, 280, 60).panel.empty());
+  EXPECT_FALSE(LayoutOf(400, 400, 330, 280, 60).text.empty());
+  EXPECT_TRUE(LayoutOf(100, 100, 330, 280, 60).text.empty());
+  EXPECT_EQ(LayoutOf(1, 1, 330, 280, 60).page, (PixelBox{0, 0, 1, 1}));
+}
+
+TEST(ViewLayout, APixelBelongsToOneBox) {
+  const ViewLayout layout = LayoutOf(1280, 720, 330, 280, 60);
+  EXPECT_TRUE(layout.panel.Has(329.5, 10));
+  EXPECT_FALSE(layout.panel.Has(330, 10));
+  EXPECT_TRUE(layout.page.Has(330, 60));
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,40 @@
+#include "sim/view/view_words.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/view/view_messages.h"
+#include "sim/view/view_text.h"
+#include "sim/view/viewer.h"
+
+namespace moontrace {
+namespace {
+
+TEST(ViewWords, AreKnownWithSpacesAndCapitals) {
+  EXPECT_EQ(ViewWordOf("zoom in"), ViewWord::kZoomIn);
+  EXPECT_EQ(ViewWordOf("  Whole Page "), ViewWord::kWholePage);
+  EXPECT_EQ(ViewWordOf("zoom"), std::nullopt);
+  EXPECT_EQ(ViewWordOf("zoom into"), std::nullopt);
+  EXPECT_EQ(ViewWordOf(" "), std::nullopt);
+}
+
+TEST(ViewWords, EachHasItsOwnSentence) {
+  std::vector<std::string> sentences;
+  for (const std::string& text : ViewWords()) {
+    const auto word = ViewWordOf(text);
+    ASSERT_TRUE(word) << text;
+    const std::string sentence = say::ViewObeys(*word);
+    EXPECT_LE(sentence.size(), 80U);
+    EXPECT_EQ(sentence.back(), '.');
+    for (const std::string& other : sentences) EXPECT_NE(sentence, other);
+    sentences.push_back(sentence);
+  }
+}
+
+TEST(ViewText, ShowsWhatMujocosLettersCan) {
+  EXPECT_EQ(AsciiOf("size 20 mm", "?"), "size 20 mm");
+  EXPECT_EQ(AsciiOf("caf\xc3\xa9 \xe2\x82\xac", "?"), "caf? ?");
+  EXPECT_EQ(AsciiOf("a\tb\n", ""), "ab");
+}
+
+}  // namespace
+}  // namespace moontrace
