@@ -16,7 +16,7 @@ namespace moontrace {
 
 namespace {
 
-constexpr int kNice = 10;
+constexpr int kNice = 5;
 constexpr unsigned kMostThreads = 4;
 
 std::size_t Threads() { return std::clamp(std::thread::hardware_concurrency(), 1U, kMostThreads); }

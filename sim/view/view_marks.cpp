@@ -38,6 +38,16 @@ std::vector<ViewMarks::WayPoint> Thinned(const std::vector<ViewMarks::WayPoint>&
   return thin;
 }
 
+/// Of a letter's strokes.
+Box BoundsOf(const ViewPage& page, std::size_t glyph) {
+  Box box;
+  for (const IntendedStroke& stroke : page.strokes) {
+    if (stroke.glyph != glyph) continue;
+    for (const Piece& piece : stroke.spine_P) Include(box, moontrace::BoundsOf(piece));
+  }
+  return box;
+}
+
 }  // namespace
 
 ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCamera& camera,
@@ -51,9 +61,7 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
   if (const std::optional<std::size_t> stroke = history.stroke()) {
     const IntendedStroke& current = page.strokes[*stroke];
     marks.stroke_P.push_back(current.spine_P);
-    if (current.glyph < page.letters.size()) {
-      marks.letter_P = Grown(page.letters[current.glyph].box_P, page.width);
-    }
+    marks.letter_P = Grown(BoundsOf(page, current.glyph), 1.5 * page.width);
   }
   if (!print) return marks;
   const Box seen = VisibleBox(camera, aspect);

@@ -10,6 +10,8 @@
 #include <deque>
 #include <utility>
 
+#include "sim/view/panel_theme.h"
+#include "sim/view/view_text.h"
 #include "textures/text_file.h"
 
 namespace moontrace {
@@ -19,7 +21,6 @@ namespace {
 constexpr double kKeep = 0.7;      // a change made here outweighs what is told [s]
 constexpr double kSayEvery = 0.1;  // of a dragged slider [s]
 constexpr int kAux = 0, kRect = 1;
-constexpr int kWidth = 330, kLabel = 112;  // at 100 % [points]
 
 using Kind = PanelControl::Kind;
 
@@ -27,12 +28,6 @@ template <std::size_t N>
 void Copy(char (&to)[N], const std::string& text) {
   std::memset(to, 0, N);
   std::strncpy(to, text.c_str(), N - 1);
-}
-
-void Set(float (&to)[3], const Color& color) {
-  to[0] = static_cast<float>(color.red);
-  to[1] = static_cast<float>(color.green);
-  to[2] = static_cast<float>(color.blue);
 }
 
 bool CanFocus(Kind kind) {
@@ -63,6 +58,7 @@ struct ViewPanel::State {
   double said_at = -1;
   std::deque<std::string> lines;
   std::optional<std::size_t> focus;
+  int height = 0;  // of the panel when it was drawn last [points]
   ViewColors colors;
   mjrContext* context = nullptr;  // it was prepared for
   bool redraw = true;             // the picture of the controls
@@ -70,7 +66,6 @@ struct ViewPanel::State {
 
   void Build();
   void AddItem(std::size_t index, int section);
-  void Theme();
   void Apply();
   std::optional<std::size_t> ControlOf(const mjuiItem* item) const;
   const mjuiItem& ItemOf(std::size_t control) const {
@@ -80,35 +75,12 @@ struct ViewPanel::State {
   PanelValue Now(std::size_t control) const { return {numbers[control], choices[control], {}}; }
   void Touched(std::size_t control, bool dragged, double now);
   void SayPending(double now);
-  void ShowFocus(int height);
+  void ShowFocus();
+  int BottomOf(std::size_t control) const {
+    return height - ui->height + ui->scroll + ItemOf(control).rect.bottom;
+  }
+  void Reveal(std::size_t control);
 };
-
-void ViewPanel::State::Theme() {
-  ui->spacing = mjui_themeSpacing(0);
-  ui->spacing.total = kWidth;
-  ui->spacing.label = kLabel;
-  ui->spacing.samples = 0;  // smooth edges cost software rendering dear
-  ui->color = mjui_themeColor(0);
-  mjuiThemeColor& theme = ui->color;
-  Set(theme.master, colors.back);
-  Set(theme.sectpane, colors.back);
-  Set(theme.secttitle, colors.title);
-  Set(theme.sectfont, {1, 1, 1});
-  Set(theme.sectsymbol, {1, 1, 1});
-  Set(theme.thumb, colors.button);
-  Set(theme.fontactive, colors.text);
-  Set(theme.fontinactive, colors.text);
-  Set(theme.decorinactive, colors.button);
-  Set(theme.decorinactive2, colors.button);
-  Set(theme.button, colors.button);
-  Set(theme.radio, colors.chosen);
-  Set(theme.check, colors.chosen);
-  Set(theme.select, colors.button);
-  Set(theme.select2, colors.back);
-  Set(theme.slider, colors.button);
-  Set(theme.slider2, colors.chosen);
-  Set(theme.edit, colors.pane);
-}
 
 void ViewPanel::State::AddItem(std::size_t index, int section) {
   const PanelControl& control = controls[index];
@@ -156,7 +128,7 @@ void ViewPanel::State::Build() {
   ui->rectid = kRect;
   ui->auxid = kAux;
   ui->radiocol = 2;
-  Theme();
+  SetTheme(*ui, colors);
   places.assign(controls.size(), {});
   for (std::size_t i = 0; i < controls.size(); ++i) {
     const bool heading = controls[i].kind == Kind::kHeading;
@@ -216,6 +188,15 @@ void ViewPanel::State::SayPending(double now) {
   lines.push_back(std::move(line));
 }
 
+/// Scrolls as far as it must so that all of a control is seen.
+void ViewPanel::State::Reveal(std::size_t control) {
+  constexpr int kMargin = 12;
+  const int bottom = BottomOf(control), top = bottom + ItemOf(control).rect.height;
+  if (bottom < kMargin) ui->scroll += kMargin - bottom;
+  if (top > height - kMargin) ui->scroll -= top - (height - kMargin);
+  ui->scroll = std::clamp(ui->scroll, 0, std::max(ui->height - height, 0));
+}
+
 ViewPanel::ViewPanel() : state_(std::make_unique<State>()) {}
 ViewPanel::~ViewPanel() = default;
 
@@ -251,7 +232,7 @@ void ViewPanel::Prepare(mjrContext_& context, const ViewColors& colors) {
   s.context = &context;
   s.colors = colors;
   if (empty()) return;
-  s.Theme();
+  SetTheme(*s.ui, colors);
   mjui_resize(s.ui.get(), &context);
   mjr_addAux(kAux, s.ui->width, s.ui->maxheight, s.ui->spacing.samples, &context);
   s.redraw = s.changed = true;
@@ -265,32 +246,21 @@ void ViewPanel::Draw(const PixelBox& box, const mjrContext_& context) {
   State& s = *state_;
   s.changed = false;
   if (empty() || box.empty()) return;
+  s.height = box.height;
   const mjrRect rect = {box.x, box.y, box.width, box.height};
   s.mouse.nrect = 2;
   s.mouse.rect[0] = s.mouse.rect[kRect] = rect;
   if (s.redraw) mjui_update(-1, -1, s.ui.get(), &s.mouse, &context);
   s.redraw = false;
-  const Color& back = s.colors.back;
-  mjr_rectangle(rect, static_cast<float>(back.red), static_cast<float>(back.green),
-                static_cast<float>(back.blue), 1);
+  FillBox(box, s.colors.back);
   mjui_render(s.ui.get(), &s.mouse, &context);
-  s.ShowFocus(box.height);
+  s.ShowFocus();
 }
 
-/// A frame round the focused control.
-void ViewPanel::State::ShowFocus(int height) {
+void ViewPanel::State::ShowFocus() {
   if (!focus || places[*focus].section < 0) return;
   const mjrRect& item = ItemOf(*focus).rect;
-  const int x = item.left, y = height - ui->height + ui->scroll + item.bottom;
-  const auto bar = [this](int left, int bottom, int width, int tall) {
-    mjr_rectangle({left, bottom, width, tall}, static_cast<float>(colors.focus.red),
-                  static_cast<float>(colors.focus.green), static_cast<float>(colors.focus.blue), 1);
-  };
-  constexpr int kThick = 3;
-  bar(x - kThick, y - kThick, item.width + 2 * kThick, kThick);
-  bar(x - kThick, y + item.height, item.width + 2 * kThick, kThick);
-  bar(x - kThick, y, kThick, item.height);
-  bar(x + item.width, y, kThick, item.height);
+  FrameBox({item.left, BottomOf(*focus), item.width, item.height}, 3, colors.focus);
 }
 
 void ViewPanel::Handle(const WindowEvent& event, const PixelBox& box, const mjrContext_& context,
@@ -361,6 +331,7 @@ void ViewPanel::MoveFocus(int by) {
       if (s.context != nullptr) mjui_resize(s.ui.get(), s.context);
       s.redraw = true;
     }
+    s.Reveal(index);
     break;
   }
   s.changed = true;

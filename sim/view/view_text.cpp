@@ -44,4 +44,11 @@ void FillBox(const PixelBox& box, const Color& color) {
                 static_cast<float>(color.green), static_cast<float>(color.blue), 1);
 }
 
+void FrameBox(const PixelBox& box, int thick, const Color& color) {
+  FillBox({box.x - thick, box.y - thick, box.width + 2 * thick, thick}, color);
+  FillBox({box.x - thick, box.y + box.height, box.width + 2 * thick, thick}, color);
+  FillBox({box.x - thick, box.y, thick, box.height}, color);
+  FillBox({box.x + box.width, box.y, thick, box.height}, color);
+}
+
 }  // namespace moontrace

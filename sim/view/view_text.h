@@ -21,5 +21,7 @@ void WriteText(const std::string& ascii, int x, int y, int room, bool big, const
                const mjrContext_& context);
 
 void FillBox(const PixelBox& box, const Color& color);
+/// Round a box, outside it, so many points thick.
+void FrameBox(const PixelBox& box, int thick, const Color& color);
 
 }  // namespace moontrace
