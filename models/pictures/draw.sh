@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Draws the pictures of README's chapter on the viewer, without a display: draw.sh PROGRAM, where
+# PROGRAM is the built moontrace.
+set -euo pipefail
+program=$(realpath "${1:?the program, build/release/sim/moontrace}")
+here=$(dirname "$(realpath "$0")")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$program" view abcdefghijklmnopqrstuvwxyz --size-mm 14 --page 200x105 --margin-mm 12 \
+  --line-pitch-mm 28 --picture "$here/alphabet.png"
+"$program" view 'The moon is bright tonight, and the sea is still. A page is read by touch.' \
+  --size-mm 10 --page 190x150 --margin-mm 12 --seconds 16 --picture "$here/page.png"
+
+# A lesson, some seconds of it: a tutor goes to the first letters, and gives help.
+export XDG_RUNTIME_DIR=$work
+"$program" learn --device simulated --learner anna --records "$work/records.sqlite" --tutor \
+  --frames "$work/frames" --seconds 24 < <(sleep 1; echo n; sleep 40) &
+lesson=$!
+until [ -S "$work/moontrace/tutor-anna.sock" ]; do sleep 0.2; done
+(echo 'lesson 05'; sleep 2; echo 'size 30'
+ sleep 1; echo 'help 6'; echo 'mode rail'; sleep 1; echo 'depth 120 %'; sleep 20) |
+  "$program" tutor --learner anna > "$work/tutor.txt" || true
+wait "$lesson"
+# not the very last, which says that it has ended
+cp "$(find "$work/frames" -name '*.png' | sort | tail -60 | head -1)" "$here/lesson.png"
