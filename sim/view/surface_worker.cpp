@@ -32,7 +32,6 @@ void GiveWayToTheLoop() noexcept {
 }
 
 struct SurfaceWorker::State {
-  std::function<void()> ready;
   std::mutex mutex;
   std::condition_variable changed;
   std::optional<SurfaceWish> wish;
@@ -56,13 +55,11 @@ struct SurfaceWorker::State {
       done = Surface{std::move(raster), std::move(now)};
       working = false;
       changed.notify_all();
-      if (ready) ready();
     }
   }
 };
 
-SurfaceWorker::SurfaceWorker(std::function<void()> ready) : state_(std::make_unique<State>()) {
-  state_->ready = std::move(ready);
+SurfaceWorker::SurfaceWorker() : state_(std::make_unique<State>()) {
   state_->thread = std::thread([state = state_.get()] { state->Run(); });
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -24,8 +23,7 @@ struct SurfaceWish {
 /// between are dropped.
 class SurfaceWorker {
  public:
-  /// `ready` is told by the worker's thread when a surface can be taken.
-  explicit SurfaceWorker(std::function<void()> ready = {});
+  SurfaceWorker();
   /// Waits for the surface that is being worked on.
   ~SurfaceWorker();
   SurfaceWorker(const SurfaceWorker&) = delete;

@@ -131,7 +131,6 @@ void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
     const Seconds after(static_cast<double>(frame) / options.frames_per_second);
     return begin + std::chrono::duration_cast<Clock::duration>(after);
   };
-  bool first = true;
   for (std::size_t number = 1; number <= options.most_frames; ++number) {
     {
       std::unique_lock<std::mutex> lock(mailbox->mutex);
@@ -145,7 +144,7 @@ void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
       continue;
     }
     const Clock::time_point start = Clock::now();
-    if (std::exchange(first, false)) painter.Await();
+    painter.Await();  // each frame is whole
     painter.Draw();
     const Raster picture = painter.Picture();
     Timed(*mailbox, start, painter);
