@@ -80,7 +80,7 @@ std::vector<PanelControl> LearnPanel() {
   std::vector<PanelControl> panel = {HeadingControl("Lesson"), TextControl("Learner"),
                                      TextControl("Lesson"), TextControl("Sign"),
                                      TextControl("The tip")};
-  Append(panel, {HeadingControl("Help"), SliderControl("Help, 0 to 10", "help", "", 0, 10, 1),
+  Append(panel, {HeadingControl("Help"), SliderControl("Help", "help", "", 0, 10, 1),
                  ChoiceControl("Mode", "mode", Modes())});
   Append(panel, {HeadingControl("Do"), ButtonControl("Stop", "stop"),
                  ButtonControl("Pause", "pause"), ButtonControl("Go on", "go"),

@@ -111,7 +111,7 @@ int Run(const ViewCommandOptions& given, Console& console) {
       options.live.device = "mouse";
     } catch (const LackError& error) {
       aims.reset();
-      console.Remark(say::NoWindow(error.what()));
+      console.Remark(say::ViewSays(error.what()));
     }
   } else {
     view = ViewFeed::Open(options.view, aims, console);

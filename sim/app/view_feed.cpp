@@ -26,7 +26,7 @@ std::unique_ptr<ViewFeed> ViewFeed::Open(const ViewOptions& options,
     return std::make_unique<ViewFeed>(viewer);
   } catch (const LackError& error) {
     if (!options.window || aims != nullptr) throw;
-    console.Remark(say::NoWindow(error.what()));
+    console.Remark(say::ViewSays(error.what()));
     return nullptr;
   }
 }
@@ -62,7 +62,7 @@ std::string ViewFeed::TakeFailure() {
   const std::string why = viewer_.failure();
   if (why.empty()) return {};
   failed_ = true;
-  return say::ViewEnded(why);
+  return say::ViewSays(why);
 }
 
 std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const ViewOptions& options) {
@@ -74,7 +74,7 @@ std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const Vie
 void SayView(const ViewFeed& feed, const ViewOptions& options, Console& console) {
   const ViewerReport report = feed.report();
   if (!options.frames.empty()) {
-    console.Result(say::FramesIn(report.frames));
+    console.Result(say::FramesIn());
     console.Path(options.frames);
   }
   console.Result(say::ViewKeptUp(report.frames, report.median_frame_ms, report.slowest_frame_ms));

@@ -9,15 +9,17 @@ namespace moontrace::say {
 std::string MouseNeedsWindow() { return "--device mouse needs a window: add --view"; }
 
 std::string MouseIsSeen() {
-  return "The mouse moves the stylus, its wheel presses. Forces are seen, not felt.";
+  return "The mouse moves the stylus: its button presses, its wheel says how hard. Forces are "
+         "seen, "
+         "not felt.";
 }
 
-std::string NoWindow(std::string_view why) {
-  return fmt::format("No window: {}. It goes on without.", OneLine(why, 300));
-}
-
-std::string ViewEnded(std::string_view why) {
-  return fmt::format("The view has ended: {}. All else goes on.", OneLine(why, 300));
+std::string ViewSays(std::string_view why) {
+  std::string line = OneLine(why, 300);
+  if (!line.empty() && line[0] >= 'a' && line[0] <= 'z') {
+    line[0] = static_cast<char>(line[0] - 'a' + 'A');
+  }
+  return line.append(".");
 }
 
 std::string WindowClosed() { return "Window closed: this ends."; }
@@ -36,9 +38,7 @@ std::string OnlyInView(std::string_view option) {
   return fmt::format("{} goes with --picture alone: leave out the other", option);
 }
 
-std::string FramesIn(std::size_t drawn) {
-  return fmt::format("Drawn: {} {} in", drawn, drawn == 1 ? "picture" : "pictures");
-}
+std::string FramesIn() { return "Pictures in"; }
 
 std::string ViewPictureIn() { return "Picture in"; }
 

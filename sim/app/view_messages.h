@@ -11,10 +11,8 @@ namespace moontrace::say {
 std::string MouseNeedsWindow();
 /// What the mouse does, and that it cannot push a hand.
 std::string MouseIsSeen();
-/// A window was asked for, and there is none; `why`: the viewer's sentence.
-std::string NoWindow(std::string_view why);
-/// The view has ended in the middle, and nothing else.
-std::string ViewEnded(std::string_view why);
+/// Why there is no window, or none any more, as the viewer has it: a clause.
+std::string ViewSays(std::string_view why);
 std::string WindowClosed();
 /// What runs on without its window.
 std::string RunsOnUnseen();
@@ -23,8 +21,8 @@ std::string WindowOrFrames();
 std::string TakesViewWordsOnly();
 std::string PictureIsSimulated();
 std::string OnlyInView(std::string_view option);
-/// `drawn`: pictures; the folder's path follows on a line of its own.
-std::string FramesIn(std::size_t drawn);
+/// The folder's path follows on a line of its own.
+std::string FramesIn();
 std::string ViewPictureIn();
 /// How the view kept up.
 std::string ViewKeptUp(std::size_t frames, double median_ms, double slowest_ms);

@@ -26,7 +26,7 @@ const std::vector<std::string> kPapers = {"smooth", "sine", "grid", "noise"};
 std::string FormOfH(const TextSetup& text) {
   if (!text.set.style.h_form.empty()) return text.set.style.h_form;
   const auto forms = text.script.forms.find("h");
-  if (forms == text.script.forms.end()) return {};
+  if (forms == text.script.forms.end()) return kForms.front();  // there is no H to be seen
   for (const auto& [form, glyph] : forms->second) {
     if (glyph == "h") return form;
   }
@@ -36,13 +36,13 @@ std::string FormOfH(const TextSetup& text) {
 }  // namespace
 
 std::vector<PanelControl> PageControls() {
-  return {SliderControl("Size, mm", "size", "mm", 4, 60, 1),
-          SliderControl("Depth, %", "depth", "%", 20, 200, 10),
-          SliderControl("Width, %", "width", "%", 50, 200, 10),
+  return {SliderControl("Size", "size", "mm", 4, 60, 1),
+          SliderControl("Depth", "depth", "%", 20, 200, 10),
+          SliderControl("Width", "width", "%", 50, 200, 10),
           ChoiceControl("Letters", "", kReliefs),
           ChoiceControl("Form of H", "form", kForms),
-          SliderControl("Line pitch, %", "pitch", "%", 100, 300, 10),
-          SliderControl("Tilt, degrees", "tilt", "degrees", -60, 60, 5),
+          SliderControl("Line pitch", "pitch", "%", 100, 300, 10),
+          SliderControl("Tilt", "tilt", "degrees", -60, 60, 5),
           ChoiceControl("Paper", "paper", kPapers)};
 }
 
