@@ -41,6 +41,8 @@ class PaperField {
 
  private:
   void AddCells();
+  /// Of several patches, for a point in the box of all.
+  Sample SampleCell(glm::dvec2 p_P) const noexcept;
 
   Box box_;  // of all [m]
   glm::dvec2 cells_per_m_{0, 0};
