@@ -71,8 +71,8 @@ void Add(Digest& digest, const PaperField& paper) {
   }
 }
 
-template <class T>
-std::size_t Bytes(const std::vector<T>& values) {
+template <class T, class Allocator>
+std::size_t Bytes(const std::vector<T, Allocator>& values) {
   return values.capacity() * sizeof(T);
 }
 
@@ -108,7 +108,8 @@ std::size_t TextureField::memory_bytes() const noexcept {
   for (const CompiledLayer& layer : layers_) {
     bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.rows.of_band) +
              Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) +
-             Bytes(layer.heights) + Bytes(layer.blocks) + Bytes(layer.cells) + Bytes(layer.items) +
+             Bytes(layer.reaches) + Bytes(layer.heights) + Bytes(layer.blocks) +
+             Bytes(layer.blend_radii) + Bytes(layer.cells) + Bytes(layer.items) +
              Bytes(layer.elements) + Bytes(layer.fills) + Bytes(layer.fades) +
              Bytes(layer.profiles);
     for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
@@ -126,7 +127,7 @@ std::uint64_t TextureField::Hash() const noexcept {
       digest.Add(leaf.origin);
       digest.Add(std::uint64_t{leaf.block});
     }
-    for (const Block& block : layer.blocks) digest.Add(block.blend_radius);
+    for (const Block& block : layer.blocks) digest.Add(layer.blend_radii[block.blend]);
     for (const FlatElement& element : layer.elements) Add(digest, element);
     for (const FlatFade& fade : layer.fades) {
       Add(digest, fade.spine);

@@ -51,6 +51,13 @@ std::uint16_t ProfileNumber(const Profile& profile, CompiledLayer& layer) {
   return static_cast<std::uint16_t>(layer.profiles.size() - 1);
 }
 
+std::uint16_t BlendNumber(double radius, CompiledLayer& layer) {
+  std::vector<double>& radii = layer.blend_radii;
+  const auto number = std::find(radii.begin(), radii.end(), radius) - radii.begin();
+  if (number == std::ssize(radii)) radii.push_back(radius);
+  return static_cast<std::uint16_t>(number);
+}
+
 FlatElement FlattenRound(glm::dvec2 center, double radius) {
   FlatElement flat;
   flat.kind = radius > 0 ? FlatKind::kRing : FlatKind::kDot;
@@ -172,10 +179,10 @@ void AddCells(const Group& group, double blend_reach, Block& block, CompiledLaye
     finest = std::min(finest, element.profile.width);
   }
   // coarser for what is not a letter of the plain page: links are many and stand mostly alone
-  const double share = block.plain || block.blend_radius > 0 ? 0.33 : 1.0;
+  const double share = block.plain || block.blend > 0 ? 0.33 : 1.0;
   const auto count = [finest, share](double length) {
     const double wanted = std::ceil(length / (share * finest));
-    return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 40.0));
+    return static_cast<std::uint8_t>(std::clamp(wanted, 1.0, 40.0));
   };
   block.columns = count(size.x);
   block.rows = count(size.y);
@@ -199,7 +206,7 @@ Block MakeBlock(const Group& group, CompiledLayer& layer) {
   if (group.elements.size() > 65534) throw InputError("a group of more than 65534 elements");
   Block block;
   block.first_element = static_cast<std::uint32_t>(layer.elements.size());
-  block.blend_radius = group.blend_radius;
+  block.blend = BlendNumber(group.blend_radius, layer);
   block.plain = group.blend_radius == 0;
   std::size_t blending = 0;
   for (const Element& element : group.elements) {

@@ -6,6 +6,7 @@
 
 #include "textures/field.h"
 #include "textures/fill.h"
+#include "textures/large_array.h"
 
 namespace moontrace {
 
@@ -66,17 +67,36 @@ struct Cell {
 };
 
 /// The elements of one group, shared by all its placements, behind a small grid that says which of
-/// them can matter where.
+/// them can matter where; a cache line.
 struct Block {
   Box box;
   glm::dvec2 cells_per_m{0, 0};
-  std::uint32_t columns = 1, rows = 1;
   std::uint32_t first_cell = 0;
   std::uint32_t first_element = 0;
-  double blend_radius = 0;
   std::uint16_t profile = 0;
+  std::uint16_t blend = 0;  ///< number of the blend radius; 0: nothing is blended
+  std::uint8_t columns = 1, rows = 1;
   bool plain = true;  ///< strokes of one profile, nothing blended: the nearest spine decides
 };
+
+/// Where a leaf's box lies in its band, coarsely and never less than it does: four numbers of 15
+/// bits, a spare bit above each. Its left and lower edge are kept as they are, its right and upper
+/// one counted backwards, so that a point lies in the box only if none of the point's own four
+/// numbers is less: one subtraction tells, and eight bytes a leaf stay in the cache.
+using Reach = std::uint64_t;
+
+inline constexpr std::uint64_t kReachSteps = 0x7ffe;          // along a side
+inline constexpr Reach kReachSpare = 0x8000'8000'8000'8000u;  // the spare bits
+inline constexpr Reach kReachBegun = 0x8000u;                 // that of the left edge
+inline constexpr Reach kReachNowhere = 0x7fffu;               // right of every point
+/// How many leaves a query looks at together.
+inline constexpr std::size_t kLeavesAtOnce = 4;
+
+/// Edges in steps, each at most kReachSteps. A point is a box without size.
+inline Reach PackReach(std::uint64_t left, std::uint64_t low, std::uint64_t right,
+                       std::uint64_t high) noexcept {
+  return left | low << 16 | (kReachSteps - right) << 32 | (kReachSteps - high) << 48;
+}
 
 /// A placed block in a bucket's list. Each band's leaves end with one that stands infinitely far to
 /// the right.
@@ -113,7 +133,7 @@ struct Rows {
   double slots_per_m = 0;    ///< [1/m]
   double slot_count = 0;     ///< in a row, a whole number; a point beyond it meets nothing
   std::uint32_t length = 0;  ///< slots stored of each row
-  std::vector<Letters> slots;
+  LargeArray<Letters> slots;
   std::array<Code, 256> codes{};
   std::vector<double> y;  ///< of each row's letters [m]
   /// The row that each band meets, where lines are unevenly spaced; else empty: bands are rows.
@@ -129,6 +149,7 @@ struct TextureField::CompiledLayer {
   glm::dvec2 origin{0, 0};   ///< of the first band's first bucket [m]
   double bands_per_m = 0;    ///< [1/m]
   double buckets_per_m = 0;  ///< [1/m]
+  double reach_per_m = 0;    ///< steps of Reach in x [1/m]
   Box hole;                  ///< a rectangle within which there is nothing; empty: not known
   double band_count = 0,
          bucket_count = 0;  ///< buckets in a band, 0 with rows; whole numbers, compared as doubles
@@ -137,11 +158,13 @@ struct TextureField::CompiledLayer {
   std::vector<std::uint32_t> bands;  ///< first leaf of each
   std::vector<std::uint16_t> buckets;
   std::vector<Leaf> leaves;         ///< of each band from left to right
+  LargeArray<Reach> reaches;        ///< of each leaf, and some beyond the last that cover nothing
   std::vector<glm::dvec2> heights;  ///< from and to where groups fill a band [m]; where few blocks
-  std::vector<Block> blocks;
-  std::vector<Cell> cells;
+  LargeArray<Block> blocks;
+  std::vector<double> blend_radii{0.0};  ///< [m]
+  LargeArray<Cell> cells;
   std::vector<std::uint16_t> items;
-  std::vector<FlatElement> elements;
+  LargeArray<FlatElement> elements;  ///< each in one cache line
   std::vector<FlatFill> fills;
   std::vector<FlatFade> fades;
   std::vector<FlatProfile> profiles;

@@ -50,17 +50,33 @@ void ChooseBuckets(std::size_t leaf_count, std::size_t longest_band, const Box& 
   layer.origin.x = all.min.x;
   layer.buckets_per_m = std::clamp(most, 1.0, wanted) / (all.max.x - all.min.x);
   layer.bucket_count = std::floor((all.max.x - layer.origin.x) * layer.buckets_per_m) + 1;
+  layer.reach_per_m = kReachSteps / (all.max.x - all.min.x);
   while ((longest_band >> layer.bucket_shift) > 65535) ++layer.bucket_shift;
+}
+
+/// Computed as a query computes its own, so that rounding cannot part them.
+Reach ReachOf(const Box& box, double band, const CompiledLayer& layer) {
+  const auto step = [](double share) {
+    return static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0 * kReachSteps));
+  };
+  const auto across = [&](double x) { return step((x - layer.origin.x) * layer.reach_per_m); };
+  const auto up = [&](double y) {
+    const double v = (y - layer.origin.y) * layer.bands_per_m;
+    return step((v - band) * kReachSteps);
+  };
+  return PackReach(across(box.min.x), up(box.min.y), across(box.max.x), up(box.max.y));
 }
 
 /// Writes one band's leaves, already sorted by their left edges, and the buckets that find them.
 void AddBand(const std::vector<const PlacedGroup*>& leaves, CompiledLayer& layer) {
+  const auto band = static_cast<double>(layer.bands.size());
   layer.bands.push_back(static_cast<std::uint32_t>(layer.leaves.size()));
   std::size_t filled = 0;
   const auto buckets = static_cast<std::size_t>(layer.bucket_count);
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const PlacedGroup& leaf = *leaves[i];
     layer.leaves.push_back({leaf.origin, leaf.order, leaf.block});
+    layer.reaches.push_back(ReachOf(leaf.box, band, layer));
     // computed as a query computes it, so that rounding cannot part them
     const auto last =
         static_cast<std::size_t>((leaf.box.max.x - layer.origin.x) * layer.buckets_per_m);
@@ -72,6 +88,7 @@ void AddBand(const std::vector<const PlacedGroup*>& leaves, CompiledLayer& layer
     layer.buckets.push_back(static_cast<std::uint16_t>(leaves.size() >> layer.bucket_shift));
   }
   layer.leaves.push_back({{std::numeric_limits<double>::infinity(), 0.0}, 0, 0});
+  layer.reaches.push_back(kReachNowhere);
 }
 
 /// What each band holds in height, where blocks are few, as of rules: text has more, and is asked
@@ -121,7 +138,9 @@ void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
   for (const auto& band : bands) longest = std::max(longest, band.size());
   ChooseBuckets(places.size(), longest, all, layer);
   for (const auto& band : bands) AddBand(band, layer);
+  layer.reaches.insert(layer.reaches.end(), kLeavesAtOnce - 1, kReachNowhere);
   layer.buckets.shrink_to_fit();
+  layer.reaches.shrink_to_fit();
   layer.leaves.shrink_to_fit();
   AddHeights(places, layer);
 }

@@ -1,6 +1,7 @@
 // The query of the compiled field: everything here runs in the tick.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "textures/blend.h"
@@ -228,7 +229,8 @@ Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Ce
     if (i < foot_count && element.kind <= FlatKind::kRing) {
       if (feet[i].distance < 0) continue;
       const FlatProfile& profile = layer.profiles[element.profile];
-      const BlendedDistance blended = Blend({feet.data(), foot_count}, i, block.blend_radius);
+      const BlendedDistance blended =
+          Blend({feet.data(), foot_count}, i, layer.blend_radii[block.blend]);
       const double d = PositivePart(blended.distance);
       if (d < profile.half) member = FromSpine(profile, d, blended.gradient);
     } else {
@@ -244,12 +246,12 @@ inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
                              glm::dvec2 p) noexcept {
   const auto column = static_cast<std::uint32_t>((p.x - block.box.min.x) * block.cells_per_m.x);
   const auto row = static_cast<std::uint32_t>((p.y - block.box.min.y) * block.cells_per_m.y);
-  const Cell& cell = layer.cells[block.first_cell + std::min(row, block.rows - 1) * block.columns +
-                                 std::min(column, block.columns - 1)];
+  const Cell& cell = layer.cells[block.first_cell + std::min(row, block.rows - 1u) * block.columns +
+                                 std::min(column, block.columns - 1u)];
   if (cell.count == 0) return {};
   if (block.plain) return SamplePlain(layer, block, cell, p);
-  return block.blend_radius > 0 ? SampleBlended(layer, block, cell, p)
-                                : SampleMixed(layer, block, cell, p);
+  return block.blend > 0 ? SampleBlended(layer, block, cell, p)
+                         : SampleMixed(layer, block, cell, p);
 }
 
 /// `p` relative to a placed block's origin; nothing if it lies beside the block.
@@ -287,25 +289,54 @@ inline Magnitude SampleRow(const CompiledLayer& layer, std::uint32_t band, glm::
   return IsIn(block.box, local) ? SampleBlock(layer, block, local) : Magnitude{};
 }
 
-Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, glm::dvec2 p) noexcept {
+/// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
+/// it.
+struct Met {
+  unsigned leaves = 0;
+  bool all_begun = true;
+};
+inline Met LeavesMet(const Reach* reaches, Reach point) noexcept {
+  // without a branch: which of them is met changes from point to point
+  Met met;
+  Reach begun = kReachSpare;
+  for (std::size_t k = 0; k < kLeavesAtOnce; ++k) {
+    const Reach not_less = ((point | kReachSpare) - reaches[k]) & kReachSpare;
+    met.leaves |= (not_less == kReachSpare ? 1u : 0u) << k;
+    begun &= not_less;
+  }
+  met.all_begun = (begun & kReachBegun) != 0;
+  return met;
+}
+
+/// `up` is the point's share of the band's height.
+Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, double up,
+                        glm::dvec2 p) noexcept {
   const double u = (p.x - layer.origin.x) * layer.buckets_per_m;
   if (!(u >= 0 && u < layer.bucket_count)) return {};
   const std::uint32_t bucket = layer.buckets[band * static_cast<std::uint32_t>(layer.bucket_count) +
                                              static_cast<std::uint32_t>(u)];
+  const auto column = static_cast<std::uint32_t>((p.x - layer.origin.x) * layer.reach_per_m);
+  const std::uint64_t x = std::min<std::uint64_t>(column, kReachSteps);
+  const auto y = static_cast<std::uint32_t>(up * kReachSteps);
+  const Reach point = PackReach(x, y, x, y);
   Magnitude greatest;
   std::uint32_t order = 0;
-  for (std::uint32_t i = layer.bands[band] + (bucket << layer.bucket_shift);; ++i) {
-    const Leaf& leaf = layer.leaves[i];
-    const Block& block = layer.blocks[leaf.block];
-    const glm::dvec2 local = p - leaf.origin;
-    if (local.x < block.box.min.x) return greatest;
-    if (!IsIn(block.box, local)) continue;
-    const Magnitude member = SampleBlock(layer, block, local);
-    if (member.height > greatest.height ||
-        (member.height == greatest.height && member.height > 0 && leaf.order < order)) {
-      greatest = member;
-      order = leaf.order;
+  for (std::size_t i = layer.bands[band] + (bucket << layer.bucket_shift);; i += kLeavesAtOnce) {
+    // leaves of the next band may be among them: what is met of those is met in this one too
+    Met met = LeavesMet(&layer.reaches[i], point);
+    for (; met.leaves != 0; met.leaves &= met.leaves - 1) {
+      const Leaf& leaf = layer.leaves[i + static_cast<std::size_t>(std::countr_zero(met.leaves))];
+      const Block& block = layer.blocks[leaf.block];
+      const glm::dvec2 local = p - leaf.origin;
+      if (!IsIn(block.box, local)) continue;
+      const Magnitude member = SampleBlock(layer, block, local);
+      if (member.height > greatest.height ||
+          (member.height == greatest.height && member.height > 0 && leaf.order < order)) {
+        greatest = member;
+        order = leaf.order;
+      }
     }
+    if (!met.all_begun) return greatest;
   }
 }
 
@@ -324,7 +355,7 @@ inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept 
   const double v = (p.y - layer.origin.y) * layer.bands_per_m;
   if (!(v >= 0 && v < layer.band_count)) return {};
   const auto band = static_cast<std::uint32_t>(v);
-  if (layer.rows.length == 0) return SampleBuckets(layer, band, p);
+  if (layer.rows.length == 0) return SampleBuckets(layer, band, v - band, p);
   const std::vector<std::uint32_t>& of_band = layer.rows.of_band;
   return SampleRow(layer, of_band.empty() ? band : of_band[band], p);
 }
