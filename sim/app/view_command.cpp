@@ -52,8 +52,8 @@ std::vector<ViewMoment> Traced(const ViewCommandOptions& options, const TextSetu
   std::vector<ViewMoment> moments;
   double next = 0;
   setup.watch = [&](double time, const TickResult& felt, const GuidanceResult& push) {
-    if (time < next) return;
-    next = time + kMomentEvery;
+    if (time < next - 0.5 * setup.scene.tick) return;  // times are rounded
+    next += kMomentEvery;
     moments.push_back(MomentOf(time, felt, push));
   };
   RunTrial(setup);

@@ -35,6 +35,8 @@ class ViewCommand : public CliTest {
   std::string display_;
 };
 
+class SlowViewCommand : public ViewCommand {};
+
 /// Width and height in a PNG's first chunk.
 std::pair<int, int> SizeOfPng(const std::string& bytes) {
   const auto number = [&bytes](std::size_t at) {
@@ -71,7 +73,7 @@ TEST_F(ViewCommand, PictureShowsWhatWasTracedSoFar) {
   EXPECT_EQ(ReadAll(In("b.png")), ReadAll(In("c.png")));
 }
 
-TEST_F(ViewCommand, ContrastAndLargeTextLookOtherwise) {
+TEST_F(SlowViewCommand, ContrastAndLargeTextLookOtherwise) {
   const std::vector<std::string> args = {"view", "moon", "--picture"};
   if (!CanDraw(RunLine(With(args, {In("a.png")})))) return;
   ASSERT_EQ(RunLine(With(args, {In("b.png"), "--contrast"})).code, 0);
@@ -95,7 +97,7 @@ TEST_F(ViewCommand, WritesFramesOfARunningLoop) {
 }
 
 /// Being looked at changes nothing but how long it takes.
-TEST_F(ViewCommand, ATraceThatIsSeenIsTheSameTrace) {
+TEST_F(SlowViewCommand, ATraceThatIsSeenIsTheSameTrace) {
   const std::vector<std::string> args = {"trace", "i", "--json"};
   const Outcome seen = RunLine(With(args, {"--frames", In("f")}));
   if (!CanDraw(seen)) return;
@@ -107,7 +109,7 @@ TEST_F(ViewCommand, ATraceThatIsSeenIsTheSameTrace) {
   EXPECT_EQ(with, without);
 }
 
-TEST_F(ViewCommand, AReplayThatIsSeenIsEqualToTheBit) {
+TEST_F(SlowViewCommand, AReplayThatIsSeenIsEqualToTheBit) {
   ASSERT_EQ(RunLine({"trace", "i", "--record", In("r")}).code, 0);
   const Outcome seen = RunLine({"replay", In("r"), "--check", "--frames", In("f"), "--json"});
   if (!CanDraw(seen)) return;
