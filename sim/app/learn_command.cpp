@@ -53,6 +53,7 @@ bool AtTerminal(Console& console) {
 
 void CheckTogether(const LearnOptions& options) {
   CheckTogether(options.view);
+  AimsFor(options.live.device, options.view);  // refuses a mouse without a window
   if (options.days > 0 && !options.simulate) {
     throw UsageError(say::NeedsOther("--days", "--simulate"));
   }
