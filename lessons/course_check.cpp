@@ -99,6 +99,17 @@ void CheckWords(const Course& course, const std::string& table,
 
 }  // namespace
 
+std::vector<CourseFault> CheckReach(const Course& course) {
+  CourseFaults faults(course);
+  std::vector<std::string> ids;
+  ids.reserve(course.lessons.size());
+  for (const Lesson& lesson : course.lessons) ids.push_back(lesson.id);
+  for (const std::size_t index : OrderOf(course).unreachable) {
+    CheckNeeds(course, index, ids, faults);
+  }
+  return faults.Take();
+}
+
 std::vector<CourseFault> CheckCourse(const Course& course, double smallest) {
   CourseFaults faults(course);
   CheckSizes(course, smallest, faults);

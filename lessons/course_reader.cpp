@@ -9,6 +9,7 @@
 
 #include "lessons/fault_list.h"
 #include "lessons/item_text.h"
+#include "lessons/lesson_order.h"
 #include "textures/error.h"
 #include "textures/nearest_word.h"
 #include "textures/resources.h"
@@ -267,6 +268,7 @@ CourseReading ReadCourse(const std::string& name_or_path) {
 
 Course LoadCourse(const std::string& name_or_path) {
   CourseReading reading = ReadCourse(name_or_path);
+  if (reading.faults.empty()) reading.faults = CheckReach(reading.course);
   if (!reading.faults.empty()) throw InputError(LineOf(reading.faults.front()));
   return std::move(reading.course);
 }

@@ -8,6 +8,7 @@
 
 #include "textures/error.h"
 #include "textures/text_file.h"
+#include "textures/toml_range.h"
 #include "textures/toml_reader.h"
 
 namespace moontrace {
@@ -17,13 +18,6 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 constexpr int kMostTrials = 10000;
 constexpr int kMostLearners = 100000;
 constexpr std::size_t kMostNames = 1000;
-
-double InRange(const TomlTable& table, const char* key, double value, double low, double high) {
-  if (!(value >= low && value <= high)) {
-    table.Fail(key, fmt::format("{:.6g} is out of range: give {:.6g} to {:.6g}", value, low, high));
-  }
-  return value;
-}
 
 int Count(const TomlTable& table, const char* key, std::int64_t otherwise, int most) {
   const auto value = static_cast<double>(table.Integer(key, otherwise));

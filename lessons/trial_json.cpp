@@ -11,6 +11,7 @@
 
 #include "lessons/trial_fields.h"
 #include "textures/error.h"
+#include "textures/hidden_character.h"
 #include "textures/nearest_word.h"
 #include "textures/text_file.h"
 #include "textures/utf8_check.h"
@@ -222,17 +223,10 @@ void RequireFormat(const ReadJson& json, const std::string& name) {
 
 void RequirePseudonym(std::string_view pseudonym) {
   const std::size_t length = CountCharacters(pseudonym);
-  bool good = length >= 1 && length <= kLongestPseudonym && !FirstBadUtf8(pseudonym) &&
-              pseudonym.find_first_not_of(' ') != std::string_view::npos;
-  for (std::size_t i = 0; i < pseudonym.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(pseudonym[i]);
-    const bool second_control_set =  // U+0080 to U+009F
-        byte == 0xc2 && i + 1 < pseudonym.size() &&
-        static_cast<unsigned char>(pseudonym[i + 1]) < 0xa0;
-    if (byte < 0x20 || byte == 0x7f || byte == '/' || byte == '\\' || second_control_set) {
-      good = false;
-    }
-  }
+  const bool good = length >= 1 && length <= kLongestPseudonym && !FirstBadUtf8(pseudonym) &&
+                    !HasHidden(pseudonym) &&
+                    pseudonym.find_first_of("/\\") == std::string_view::npos &&
+                    pseudonym.find_first_not_of(' ') != std::string_view::npos;
   if (good) return;
   throw InputError(
       fmt::format("learner \"{}\": choose a name of 1 to {} printable characters "

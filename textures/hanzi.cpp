@@ -14,6 +14,7 @@
 #include "textures/fold.h"
 #include "textures/polyline.h"
 #include "textures/text_file.h"
+#include "textures/text_pipe.h"
 #include "textures/utf8_check.h"
 
 namespace moontrace {
@@ -142,6 +143,7 @@ std::vector<Stroke> ParseMedians(std::string_view json, const std::string& where
 Script LoadHanziFile(const std::string& path, const std::set<char32_t>& needed) {
   Script script = EmptyScript(fs::path(path).stem().string(),
                               fs::path(path).replace_extension(".toml").string());
+  RequireRegularFile(path);
   std::error_code error;
   const std::uintmax_t size = fs::file_size(path, error);
   if (!error && size > kLargestFile) {

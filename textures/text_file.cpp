@@ -1,14 +1,10 @@
 #include "textures/text_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
-#include <system_error>
+#include <optional>
 
-#include "textures/error.h"
+#include "textures/hidden_character.h"
+#include "textures/text_pipe.h"
 #include "textures/utf8_check.h"
 
 namespace moontrace {
@@ -31,11 +27,8 @@ std::string OneLine(std::string_view text, std::size_t limit) {
     line.resize(cut);
     line += "...";
   }
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20U || c == '\x7f') c = '?';
-  }
   while (const std::optional<std::size_t> bad = FirstBadUtf8(line)) line[*bad] = '?';
-  return line;
+  return HiddenShown(line);
 }
 
 std::size_t CountCharacters(std::string_view utf8) noexcept {
@@ -53,31 +46,8 @@ std::string LowerCase(std::string_view text) {
 }
 
 std::string ReadTextFile(const std::string& path, std::size_t max_bytes) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError(path + ": is a folder; name a file in it");
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
-  if (file == nullptr) {
-    throw InputError(path + ": cannot be opened (" + std::strerror(errno) + "): check the path");
-  }
-  std::string text;
-  char block[65536];
-  for (;;) {
-    const std::size_t count = std::fread(block, 1, sizeof block, file.get());
-    text.append(block, count);
-    if (text.size() > max_bytes) {
-      throw InputError(path + ": holds more than " + std::to_string(max_bytes) +
-                       " bytes; split it or name another file");
-    }
-    if (count < sizeof block) break;
-  }
-  if (std::ferror(file.get()) != 0) {
-    throw InputError(path + ": cannot be read (" + std::strerror(errno) +
-                     "); check the file and the permissions");
-  }
-  return text;
+  RequireRegularFile(path);
+  return ReadTextOrPipe(path, max_bytes);
 }
 
 }  // namespace moontrace

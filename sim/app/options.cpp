@@ -19,6 +19,7 @@
 #include "textures/layout.h"
 #include "textures/taught.h"
 #include "textures/text_file.h"
+#include "textures/text_pipe.h"
 
 namespace moontrace {
 
@@ -259,7 +260,7 @@ std::string ReadText(const TextOptions& options, const std::string& command, Con
     return text;
   }
   try {
-    return ReadTextFile(options.file, kMaxTextBytes);
+    return ReadTextOrPipe(options.file, kMaxTextBytes);
   } catch (const InputError&) {
     console.CheckStop();  // the signal ended a wait for a pipe: that is no fault of the file
     throw;

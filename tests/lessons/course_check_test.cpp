@@ -72,6 +72,14 @@ TEST_F(CourseCheck, FindsNeedsInACircle) {
             "one need out\n");
 }
 
+TEST_F(CourseCheck, SuchACourseIsNotBegun) {
+  Write("one", Replaced(kOne, "new =", "needs = [\"two\"]\nnew ="));
+  EXPECT_EQ(LoadError(), File("one") + ":2:9: unreachable: needs go round in a circle: one needs " +
+                             "two needs one; take one need out");
+  Write("one", Replaced(kOne, "new =", "needs = [\"twoo\"]\nnew ="));
+  EXPECT_NE(LoadError().find("unreachable: it needs 'twoo'"), std::string::npos) << LoadError();
+}
+
 TEST_F(CourseCheck, FindsLessonsThatCannotBeReached) {
   Write("one", Replaced(kOne, "new =", "needs = [\"twoo\"]\nnew ="));
   EXPECT_EQ(Faults(),

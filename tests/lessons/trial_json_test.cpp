@@ -140,6 +140,16 @@ TEST(ResearchExport, CannotBeImported) {
             "f.json: an anonymous export has no learner; import one made without --anonymous");
 }
 
+TEST(Pseudonym, IsANameThatCanBeSeen) {
+  for (const char* name : {"ann", "J\xC3\xA9r\xC3\xB4me", "\xE6\x9C\x88", "a b"}) {
+    EXPECT_NO_THROW(RequirePseudonym(name)) << name;
+  }
+  for (const char* name : {"", "  ", "a/b", "a\\b", "a\nb", "a\xC2\x9B", "a\xFF", "ann\xE2\x80\xAE",
+                           "an\xE2\x80\x8Bn", "\xEE\x80\x80"}) {
+    EXPECT_THROW(RequirePseudonym(name), InputError) << name;
+  }
+}
+
 class RecordsImport : public RecordsTest {};
 
 TEST_F(RecordsImport, GivesRecordsThatExportTheSame) {
