@@ -6,6 +6,7 @@
 
 #include "lessons/nearest_stroke.h"
 #include "lessons/scoring.h"
+#include "sim/app/learn_trace.h"
 #include "sim/app/loop_drive.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/loop_session.h"
@@ -44,11 +45,7 @@ class PageScore {
 
   /// `tick` is the time that a sample stands for [s].
   void Add(const LoopSample& sample, double tick) {
-    TraceSample scored;
-    scored.time = sample.time;
-    scored.tip_P = sample.tip_P;
-    scored.force_P = sample.force_P;
-    scored.in_contact = sample.in_contact;
+    TraceSample scored = ToScore(sample);
     nearest_.Assign(scored);
     scorer_.Add(scored);
     ++result_.ticks;

@@ -25,6 +25,7 @@
 #include "sim/app/loop_drive.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
+#include "sim/app/sound_messages.h"
 #include "sim/app/view_messages.h"
 #include "sim/view/picture_file.h"
 #include "textures/error.h"
@@ -56,6 +57,9 @@ void CheckTogether(const LearnOptions& options) {
   AimsFor(options.live.device, options.view);  // refuses a mouse without a window
   if (options.days > 0 && !options.simulate) {
     throw UsageError(say::NeedsOther("--days", "--simulate"));
+  }
+  if (!options.sounds.empty() && !options.sound) {
+    throw UsageError(say::NeedsOther("--sounds", "--sound"));
   }
   if (options.print.empty()) {
     if (!options.lesson.empty()) throw UsageError(say::OnlyWithPrint("--lesson"));
@@ -98,7 +102,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
     speech = std::make_unique<Speech>(voice);
   }
   std::unique_ptr<Sound> sound;
-  if (options.sound) sound = std::make_unique<Sound>(LoadSounds());
+  if (options.sound) sound = std::make_unique<Sound>(LoadSounds(options.sounds));
   LearnTeller teller(console, speech.get(), sound.get());
   LineReader lines(console.in());
   std::optional<LearnMemory> opened =
@@ -158,6 +162,7 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
   app.add_flag("--speak", options.speak, say::help::kSpeak);
   app.add_flag("--sound", options.sound, say::help::kSound);
+  AddPath(app, "--sounds", "FILE", options.sounds, say::help::kOwnSounds);
   app.add_flag("--tutor", options.tutor, say::help::kLetTutor);
   AddOptions(app, options.view);
   app.add_flag("--keys", options.keys, say::help::kKeys);

@@ -34,8 +34,9 @@ KeyMap UsualKeys() {
   return keys;
 }
 
-KeyMap LoadKeys(const std::string& path) {
-  const TomlTable table = TomlTable::Read(path);
+namespace {
+
+KeyMap KeysOf(const TomlTable& table) {
   KeyMap keys;
   std::vector<std::string> conflicts;
   std::string place;
@@ -52,6 +53,14 @@ KeyMap LoadKeys(const std::string& path) {
   if (!conflicts.empty()) table.Fail(place, say::KeyConflicts(conflicts));
   keys.emplace("F1", "help");
   return keys;
+}
+
+}  // namespace
+
+KeyMap LoadKeys(const std::string& path) { return KeysOf(TomlTable::Read(path)); }
+
+KeyMap ParseKeys(std::string_view text, const std::string& name) {
+  return KeysOf(TomlTable::Parse(text, name));
 }
 
 KeyLines::Result KeyLines::Take(const std::string& key, bool asked) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/app/console.h"
@@ -22,6 +23,8 @@ KeyMap UsualKeys();
 /// file:line:column, cause, nearest word; with all keys that two words would have. Escape always
 /// stops.
 KeyMap LoadKeys(const std::string& path);
+/// The same of a file's text. `name` stands in messages.
+KeyMap ParseKeys(std::string_view text, const std::string& name);
 
 /// Keys made lines, without a terminal. While an answer is awaited, signs gather until Enter.
 class KeyLines {

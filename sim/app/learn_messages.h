@@ -50,7 +50,10 @@ std::string DemonstrationSentence(const Course& course, const lesson_action::Say
 std::string Called(const Course& course, std::string_view item);
 
 /// What the lesson waits for, as a person asks for it; said on an empty line.
-std::string Awaited(lesson_action::Await await, Question question, bool stopped);
+std::string Awaited(lesson_action::Await await, Question question);
+/// The same while a hand is led, or the program's own traces.
+std::string LedNow();
+std::string ProgramTraces();
 
 // What words are answered by.
 std::vector<std::string> LearnHelp(bool keys);

@@ -27,12 +27,6 @@ std::vector<std::string> CharactersOf(std::string_view utf8) {
   return characters;
 }
 
-LoopEvent SafetyTold(SafetyEvent safety) {
-  LoopEvent event;
-  event.safety = safety;
-  return event;
-}
-
 }  // namespace
 
 void LearnSession::Obey(const std::string& line) {
@@ -58,9 +52,17 @@ void LearnSession::Obey(const std::string& line) {
       break;
   }
   if (teller_.told() == before && !over_) {
-    teller_.Say(Priority::kText, say::Awaited(await_, state_.question, stopped_));
+    teller_.Say(Priority::kText, Awaited());
   }
   teller_.EndTurn();
+}
+
+std::string LearnSession::Awaited() const {
+  if (stopped_) return paused_ ? say::Pausing() : say::Event(SafetyEvent::kStopped);
+  if (lent_) return say::LedNow();
+  if (await_ == Await::kTrace && stage_.simulated()) return say::ProgramTraces();
+  if (await_ == Await::kTrace && leading_ && stage_.pushes()) return say::LedNow();
+  return say::Awaited(await_, state_.question);
 }
 
 void LearnSession::Answer(const std::string& text) {
@@ -185,8 +187,9 @@ void LearnSession::Letter(LearnWord word) {
 void LearnSession::Stop(bool by_tutor) {
   if (stopped_ && !stopped_by_tutor_) return teller_.Say(Priority::kText, say::AlreadyStopped());
   Pause(by_tutor);
+  paused_ = false;
   teller_.Hush();
-  teller_.Say(Priority::kImportant, say::Event(SafetyTold(SafetyEvent::kStopped)));
+  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped));
   teller_.Play(Earcon::kSafetyStop);
   memory_.Note(Now(), "stop", by_tutor ? "tutor" : "learner");
 }

@@ -20,6 +20,7 @@ struct LearnOptions {
   std::optional<double> press;  ///< [N]
   std::uint64_t seed = 1;
   bool speak = false, sound = false, tutor = false;
+  std::string sounds;  ///< with `sound`: a file of the user's, see LoadSounds
   ViewOptions view;
   std::string keys;  ///< empty: off; "true": the usual keys; else a file
 

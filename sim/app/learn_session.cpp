@@ -31,12 +31,6 @@ std::vector<std::string> LinesOf(const std::string& text) {
   return lines;
 }
 
-LoopEvent SafetyTold(SafetyEvent safety) {
-  LoopEvent event;
-  event.safety = safety;
-  return event;
-}
-
 }  // namespace
 
 LearnSession::LearnSession(const Course& course, LearnMemory& memory, LearnStage& stage,
@@ -149,12 +143,12 @@ void LearnSession::Pause(bool by_tutor) {
   stage_.session().loop().Stop();
   ordered_ = Clock::now();
   stopped_by_tutor_ = by_tutor && (!stopped_ || stopped_by_tutor_);
-  stopped_ = true;
+  stopped_ = paused_ = true;
 }
 
 bool LearnSession::GoOn(bool by_tutor) {
   if (!stopped_ || (by_tutor && !stopped_by_tutor_)) return false;
-  stage_.session().loop().GoOn();
+  stage_.GoOn();
   ordered_ = Clock::now();
   stopped_ = false;
   return true;
@@ -188,10 +182,10 @@ void LearnSession::LookAtStop() {
   const double since = std::chrono::duration<double>(Clock::now() - ordered_).count();
   if (newest_.stopped == stopped_ || since < kObeysWithin) return;
   stopped_ = newest_.stopped;
-  stopped_by_tutor_ = false;
+  stopped_by_tutor_ = paused_ = false;
   if (!stopped_) return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
   teller_.Hush();
-  teller_.Say(Priority::kImportant, say::Event(SafetyTold(SafetyEvent::kStopped)));
+  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped));
   teller_.Play(Earcon::kSafetyStop);
   memory_.Note(Now(), "stop", "button");
 }

@@ -33,6 +33,8 @@ class LearnSession {
   bool over() const { return over_; }
   /// What is asked now.
   Asked asked() const;
+  /// What is waited for: the answer to an empty line.
+  std::string Awaited() const;
 
   // For the tutor. Each is told to the learner by the caller first.
   void TutorSays(lesson_event::Said said) { Take(said); }
@@ -92,6 +94,7 @@ class LearnSession {
   bool lent_ = false;     ///< led by the tutor meanwhile
   bool shown_ = false;    ///< in this turn
   bool stopped_ = false, stopped_by_tutor_ = false;
+  bool paused_ = false;  ///< stopped by "pause", not by "stop"
   bool silent_ = false;
   bool over_ = false;
   double felt_ = 0;  ///< time that the page could be felt [s]

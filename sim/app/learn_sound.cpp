@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/app/sound_messages.h"
+
 namespace moontrace {
 
 PathSound SoundOf(const std::vector<IntendedStroke>& strokes, glm::dvec2 tip_P, bool in_contact) {
@@ -30,7 +32,7 @@ PathSound SoundOf(const std::vector<IntendedStroke>& strokes, glm::dvec2 tip_P, 
   return sound;
 }
 
-void PathListener::Hear(const LearnSession& session) {
+void PathListener::Hear(LearnSession& session) {
   const LoopSnapshot& now = session.newest();
   const LearnStage& stage = session.stage();
   const bool heard =
@@ -38,17 +40,14 @@ void PathListener::Hear(const LearnSession& session) {
   const bool touching = heard && now.depth > 0;
   const PathSound sound = SoundOf(stage.trace().strokes(), now.tip_P, touching);
   sound_.Follow(sound);
-  if (touching != touching_) {
-    sound_.Play(touching ? Earcon::kStrokeStart : Earcon::kStrokeEnd);
-    off_ = false;
-  } else if (touching && !off_ && sound.off_line >= 0.5) {
-    off_ = true;
-    sound_.Play(Earcon::kOffLine);
-  } else if (touching && off_ && sound.off_line <= 0) {
-    off_ = false;
-    sound_.Play(Earcon::kBackOn);
-  }
-  touching_ = touching;
+  const TextSetup& text = stage.session().text();
+  const TextPage& page = text.set.pages[stage.session().page()];
+  const PassedEnd end = PassedEndOf(page, text.script, text.set.style, now.tip_P);
+  const auto happened = events_.Take({now.time, touching, sound.off_line, end});
+  if (!happened) return;
+  sound_.Play(*happened);
+  const std::string line = say::OnTheWay(*happened);
+  if (!line.empty()) session.teller().Happening(Priority::kNotification, line);
 }
 
 }  // namespace moontrace

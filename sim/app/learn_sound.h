@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/app/learn_session.h"
+#include "sim/app/path_events.h"
 #include "sim/app/sound.h"
 
 namespace moontrace {
@@ -11,11 +12,13 @@ namespace moontrace {
 class PathListener {
  public:
   explicit PathListener(Sound& sound) : sound_(sound) {}
-  void Hear(const LearnSession& session);
+  /// What happens on the way is told as a line too, but begin and end of touch, which the path's
+  /// own tone has.
+  void Hear(LearnSession& session);
 
  private:
   Sound& sound_;
-  bool touching_ = false, off_ = false;
+  PathEvents events_;
 };
 
 /// Where a tip is within the box of strokes, and how far off: 0 on a centre line, 1 a stroke's

@@ -85,6 +85,11 @@ void LearnStage::Restart() {
   Guide();
 }
 
+void LearnStage::GoOn() {
+  session_.GoOn();
+  if (simulated()) Restart();
+}
+
 void LearnStage::SetTilt(double tilt) {
   session_.Tilt(tilt);
   Restart();

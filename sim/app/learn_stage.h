@@ -41,6 +41,8 @@ class LearnStage {
   bool Turn(bool forward);
   /// The hand begins anew on the page that lies there.
   void Restart();
+  /// Force again after a stop; what a simulated hand did counts from now on.
+  void GoOn();
   /// How letters and paper are from now on; the page is set anew. Throws InputError, and leaves all
   /// as it was.
   void SetForm(const PageForm& form);

@@ -20,12 +20,17 @@ LearnTrace::LearnTrace(std::vector<IntendedStroke> strokes, std::size_t glyph_co
       keep_track_(keep_track),
       longest_track_(kColumns * static_cast<std::size_t>(kLongestTrack / tick)) {}
 
-void LearnTrace::Add(const LoopSample& sample) {
+TraceSample ToScore(const LoopSample& sample) {
   TraceSample scored;
   scored.time = sample.time;
   scored.tip_P = sample.tip_P;
   scored.force_P = sample.force_P;
   scored.in_contact = sample.in_contact;
+  return scored;
+}
+
+void LearnTrace::Add(const LoopSample& sample) {
+  TraceSample scored = ToScore(sample);
   nearest_.Assign(scored);
   meter_.Add(scored, sample.guidance_P);
   now_ = sample.time;

@@ -12,6 +12,9 @@
 
 namespace moontrace {
 
+/// What scoring takes of a sample of the loop; its stroke is not assigned yet.
+TraceSample ToScore(const LoopSample& sample);
+
 /// A hand on one page of a lesson, from when it is shown: what it did so far, and whether a trace
 /// has ended.
 class LearnTrace {

@@ -31,6 +31,11 @@ std::string LessonOf(const Course& course, const std::string& given) {
   return found;
 }
 
+/// The lesson machine says what became of it, before the page shows it.
+bool LessonTells(TutorWord word) {
+  return word == TutorWord::kSize || word == TutorWord::kHelp || word == TutorWord::kMode;
+}
+
 }  // namespace
 
 TutorDesk::TutorDesk(LearnSession& session, bool door, Told window)
@@ -113,6 +118,10 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
         return Answer(line.tutor, say::NoStrokeYet());
       }
       break;
+    case TutorWord::kRecord:
+      // the program's hand is on the page, not the tutor's
+      if (session_.stage().simulated()) return Answer(line.tutor, say::CannotRecord());
+      break;
     case TutorWord::kLesson:
       if (LessonOf(session_.course(), command.text).empty()) {
         return Answer(line.tutor, say::LessonNotFound(command.text));
@@ -122,9 +131,11 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       break;
   }
   const bool gives_back = command.word == TutorWord::kRecord && recorder_;
-  session_.teller().Say(Priority::kMessage,
-                        gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
-  session_.teller().Flush();
+  if (!LessonTells(command.word)) {
+    session_.teller().Say(Priority::kMessage,
+                          gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
+    session_.teller().Flush();
+  }
   session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
   try {
     if (!DoToPage(line.tutor, command)) DoToLesson(command);

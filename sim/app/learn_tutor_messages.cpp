@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "lessons/guidance_mode.h"
 #include "sim/app/page_messages.h"
 #include "sim/app/words.h"
 #include "textures/text_file.h"
@@ -17,10 +16,6 @@ std::string TutorGreeting(std::string_view learner) {
 std::string TutorDoes(const TutorCommand& command) {
   if (command.page) return fmt::format("Tutor: {}.", PageBecomes(*command.page));
   switch (command.word) {
-    case TutorWord::kHelp:
-      return fmt::format("Tutor: help {} of 10.", command.help);
-    case TutorWord::kMode:
-      return fmt::format("Tutor: push {}.", NameOf(command.mode));
     case TutorWord::kPause:
       return "Tutor: pause, no force.";
     case TutorWord::kGo:
@@ -63,6 +58,9 @@ std::string RecordedStrokeIs(double seconds) {
 }
 std::string NothingRecorded() { return "Nothing recorded: the page was not touched."; }
 std::string NoStrokeYet() { return "No stroke yet: say record first."; }
+std::string CannotRecord() {
+  return "No recording in a demonstration: take a device, with learn --device.";
+}
 std::string CannotLead() { return "Nothing can lead a hand here: the device has no motors."; }
 
 }  // namespace moontrace::say

@@ -11,7 +11,7 @@ namespace moontrace::say {
 
 /// Each tutor is met with it, whenever they come.
 std::string TutorGreeting(std::string_view learner);
-/// What the learner is told before a command is done.
+/// What the learner is told before a command is done; empty: the lesson tells it.
 std::string TutorDoes(const TutorCommand& command);
 std::string LearnerStopped();
 std::string NothingRests();
@@ -22,6 +22,7 @@ std::string Recording();
 std::string RecordedStrokeIs(double seconds);
 std::string NothingRecorded();
 std::string NoStrokeYet();
+std::string CannotRecord();
 std::string CannotLead();
 
 }  // namespace moontrace::say

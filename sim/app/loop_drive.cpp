@@ -158,7 +158,7 @@ class Driver {
       case LoopWord::kPause:
         return session_.loop().Stop();
       case LoopWord::kGo:
-        return session_.loop().GoOn();
+        return session_.GoOn();
       case LoopWord::kBigger:
         return Resize(true);
       case LoopWord::kSmaller:

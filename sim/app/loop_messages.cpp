@@ -15,38 +15,6 @@ namespace {
 std::string Figure(double microseconds) { return Short(microseconds, microseconds < 10 ? 1 : 0); }
 std::string Micro(double microseconds) { return Figure(microseconds) + " microseconds"; }
 
-std::string SafetySentence(SafetyEvent event) {
-  switch (event) {
-    case SafetyEvent::kNotANumber:
-      return "No force: a value was no number.";
-    case SafetyEvent::kJump:
-      return "No force: the tip jumped.";
-    case SafetyEvent::kForceCap:
-      return "Force held at the device's greatest.";
-    case SafetyEvent::kRateCap:
-      return "A sudden rise of force was slowed.";
-    case SafetyEvent::kPowerCap:
-      return "Force lowered: the tip was pushed fast.";
-    case SafetyEvent::kResting:
-      return "Resting the motors: less force for a while.";
-    case SafetyEvent::kSilence:
-      return "No force: the device is silent.";
-    case SafetyEvent::kDeviceLost:
-      return DeviceLost({});
-    case SafetyEvent::kNotReady:
-      return "No force: the device says that its motors are off.";
-    case SafetyEvent::kPhysicsFault:
-      return "No force: MuJoCo reported a fault.";
-    case SafetyEvent::kStopped:
-      return "Stopped: no force. Say go to go on.";
-    case SafetyEvent::kLateLoop:
-      return "No force for a moment: the loop was late.";
-    case SafetyEvent::kStuck:
-      return "No force: the position seems stuck. Move the tip.";
-  }
-  return {};
-}
-
 }  // namespace
 
 std::string OnThePage(std::string_view text, bool chosen) {
@@ -89,10 +57,42 @@ std::string EndedLost(std::string_view why) {
   return fmt::format("the device did not come back: {}", OneLine(why, 300));
 }
 
+std::string Event(SafetyEvent event) {
+  switch (event) {
+    case SafetyEvent::kNotANumber:
+      return "No force: a value was no number.";
+    case SafetyEvent::kJump:
+      return "No force: the tip jumped.";
+    case SafetyEvent::kForceCap:
+      return "Force held at the device's greatest.";
+    case SafetyEvent::kRateCap:
+      return "A sudden rise of force was slowed.";
+    case SafetyEvent::kPowerCap:
+      return "Force lowered: the tip was pushed fast.";
+    case SafetyEvent::kResting:
+      return "Resting the motors: less force for a while.";
+    case SafetyEvent::kSilence:
+      return "No force: the device is silent.";
+    case SafetyEvent::kDeviceLost:
+      return DeviceLost({});
+    case SafetyEvent::kNotReady:
+      return "No force: the device says that its motors are off.";
+    case SafetyEvent::kPhysicsFault:
+      return "No force: MuJoCo reported a fault.";
+    case SafetyEvent::kStopped:
+      return "Stopped: no force. Say go to go on.";
+    case SafetyEvent::kLateLoop:
+      return "No force for a moment: the loop was late.";
+    case SafetyEvent::kStuck:
+      return "No force: the position seems stuck. Move the tip.";
+  }
+  return {};
+}
+
 std::string Event(const LoopEvent& event) {
   switch (event.kind) {
     case LoopEventKind::kSafety:
-      return SafetySentence(event.safety);
+      return Event(event.safety);
     case LoopEventKind::kDeviceBack:
       return "Device back: force comes slowly.";
     case LoopEventKind::kWentOn:

@@ -43,6 +43,8 @@ std::string CannotSpeak();
 std::string EndedLost(std::string_view why);
 
 std::string Event(const LoopEvent& event);
+/// What safety has done.
+std::string Event(SafetyEvent event);
 /// `why`: Loop::WhyGone.
 std::string DeviceLost(std::string_view why);
 /// "not_a_number", "jump", ...: the key in JSON.

@@ -279,6 +279,11 @@ void LoopSession::ChangeText(TextRequest request, bool blank) {
   mark_.reset();
 }
 
+void LoopSession::GoOn() {
+  if (simulated_) Show(page_, std::nullopt);
+  loop_->GoOn();
+}
+
 void LoopSession::Tilt(double tilt) {
   if (!limits_.measures.z) throw InputError(say::NoTiltInPlane());
   PageChange change;

@@ -69,6 +69,8 @@ class LoopSession {
   /// Another text for the same device and loop: its first page is felt from now on, and a simulated
   /// hand begins it. Throws InputError, and leaves all as it was.
   void ChangeText(TextRequest request, bool blank);
+  /// Force again after a stop. A simulated hand has run on meanwhile, and begins the page anew.
+  void GoOn();
   /// The page raised at its far edge [rad], see PageChange::tilt; a simulated hand begins it anew,
   /// and works on it as on a level one. Throws InputError: the device lies in the page's plane.
   void Tilt(double tilt);

@@ -59,6 +59,21 @@ std::string PathSoundLine(bool on) {
       on ? "" : kOff);
 }
 
+std::string OnTheWay(Earcon earcon) {
+  switch (earcon) {
+    case Earcon::kOffLine:
+      return "Off the line.";
+    case Earcon::kBackOn:
+      return "On the line again.";
+    case Earcon::kLineEnd:
+      return "End of the line: the next begins below.";
+    case Earcon::kPageEnd:
+      return "End of the page.";
+    default:
+      return {};  // touch has its tone; the others are told with what they concern
+  }
+}
+
 std::string NoSoundLibrary() {
   return "No sound, all is text: this build has no PortAudio; install portaudio19-dev and build "
          "again.";

@@ -15,6 +15,7 @@ inline constexpr const char* kSoundsWav = "write each as a WAV file into this fo
 inline constexpr const char* kSoundsFile =
     "a TOML file with sounds of your own. Default sounds.toml in the folder moontrace of your "
     "configuration, if it is there.";
+inline constexpr const char* kOwnSounds = "with --sound, as of moontrace sounds.";
 }  // namespace help
 
 /// "stroke start".
@@ -22,6 +23,8 @@ std::string EarconName(Earcon earcon);
 /// What it means, and how it sounds as shipped.
 std::string EarconLine(Earcon earcon, bool on);
 std::string PathSoundLine(bool on);
+/// The line beside an earcon of the tip's way; empty for those that need none.
+std::string OnTheWay(Earcon earcon);
 
 // Why nothing is heard: one sentence each, said once; the lesson goes on in text.
 std::string NoSoundLibrary();

@@ -63,12 +63,6 @@ std::string Cleaned(std::string_view line) {
     if (c == '\t' || c == '\r') c = ' ';
   }
   clean = OneLine(clean, clean.size());
-  // the control characters above ASCII: U+0080 to U+009F, C2 80 to C2 9F
-  for (std::size_t i = 0; i + 1 < clean.size(); ++i) {
-    if (clean[i] == '\xC2' && static_cast<unsigned char>(clean[i + 1]) < 0xA0U) {
-      clean.replace(i, 2, "?");
-    }
-  }
   const auto begin = clean.find_first_not_of(' ');
   if (begin == std::string::npos) return {};
   return clean.substr(begin, clean.find_last_not_of(' ') - begin + 1);

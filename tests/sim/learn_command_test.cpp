@@ -39,6 +39,31 @@ TEST_F(LearnCommand, LeavesNobodyBehindWhereItCannotStart) {
   EXPECT_TRUE(Records::Open(In("records.sqlite")).Learners().empty());
 }
 
+TEST_F(LearnCommand, TakesSoundsOfOnesOwnWithSoundOnly) {
+  const Outcome alone = RunLine(Learn({"--sounds", In("own.toml")}));
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_EQ(Lines(alone.err).size(), 1U) << alone.err;
+  const Outcome missing = RunLine(Learn({"--sound", "--sounds", In("none.toml")}));
+  EXPECT_EQ(missing.code, 3);
+  EXPECT_EQ(Lines(missing.err).size(), 1U) << missing.err;
+  WriteAll(folder_ / "own.toml", "[wrong]\non = false\n");
+  EXPECT_EQ(RunLine(Learn({"--sound", "--sounds", In("own.toml")}), "quit\n").code, 0);
+}
+
+TEST_F(LearnCommand, RefusesACourseThatGoesRoundInACircle) {
+  WriteAll(folder_ / "course" / "one.toml", R"(
+title = "First lesson"
+needs = ["two"]
+new = ["i"]
+[[steps]]
+kind = "trace"
+)");
+  const Outcome outcome = RunLine(Learn());
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_TRUE(Holds(outcome.err, "needs go round in a circle")) << outcome.err;
+  EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+}
+
 TEST_F(LearnCommand, TakesTheFirstDeviceWithMotors) {
   const FakeHid fake("moontrace-raw");
   const Outcome outcome = RunLine(

@@ -40,6 +40,8 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
                                   say::NoLetterHere(),
                                   say::NothingTouched(),
                                   say::StillAsked(),
+                                  say::LedNow(),
+                                  say::ProgramTraces(),
                                   say::Demonstration(),
                                   say::DemonstrationCounts(),
                                   say::NotFelt(),
@@ -58,7 +60,7 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
   }
   for (const auto await : {lesson_action::Await::kTrace, lesson_action::Await::kAnswer,
                            lesson_action::Await::kNext, lesson_action::Await::kEnd}) {
-    ExpectOutcomeFirst(say::Awaited(await, Question::kName, false));
+    ExpectOutcomeFirst(say::Awaited(await, Question::kName));
   }
 }
 
@@ -68,6 +70,11 @@ TEST(LearnMessages, ItemsAreCalledByTheirNames) {
   EXPECT_EQ(say::Called(course, ","), "comma");
   EXPECT_EQ(say::Called(course, "b"), "b");
   EXPECT_EQ(say::Called(course, ",\nb"), "comma and b");
+}
+
+TEST(LearnMessages, AnUnknownKeyIsToldWithoutTheSlashOfWords) {
+  EXPECT_EQ(say::LearnUnknown("/x"), "Unknown: x. Type ? for the words.");
+  EXPECT_EQ(say::LearnUnknown("/"), "Unknown: /. Type ? for the words.");
 }
 
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {

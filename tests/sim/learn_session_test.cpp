@@ -117,6 +117,30 @@ TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
   EXPECT_TRUE(Holds(outcome.out, ", 0 signs sure.")) << outcome.out;
 }
 
+TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
+  session.Send("\n");
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  session.Send("pause\n");
+  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  session.Send("\n");
+  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  session.Send("stop\n");  // a pause is not taken for a stop, nor a stop for a pause
+  session.Send("\n");
+  EXPECT_TRUE(session.WaitFor("Say go to go on.")) << session.all();
+  session.Send("go\n");
+  EXPECT_TRUE(session.WaitFor("Going on")) << session.all();
+  session.Send("next\n");
+  EXPECT_TRUE(session.WaitFor("The program's hand traces ")) << session.all();
+  session.Send("\n");
+  EXPECT_TRUE(session.WaitFor("The program's hand traces; next")) << session.all();
+  EXPECT_FALSE(Holds(session.all(), "Your turn")) << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_FALSE(Holds(session.all(), "the tip jumped")) << session.all();
+}
+
 TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
   PtySession session(Learn());
   ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <sstream>
+#include <thread>
 
 #include "textures/error.h"
 
@@ -72,6 +74,38 @@ TEST_F(LoopSessionTest, StaysAsItWasWhereAFormCannotBe) {
   EXPECT_EQ(session_.form(), before);
   EXPECT_THROW(session_.SetSize(1, {0, 0}), InputError);  // no room on A4
   EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.02);
+}
+
+/// Looks until something is seen, at most 20 s.
+template <typename Seen>
+bool Until(LoopSession& session, Seen seen) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  LoopSnapshot now;
+  while (std::chrono::steady_clock::now() < end) {
+    if (session.loop().TakeSnapshot(now) && seen(now)) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+TEST_F(LoopSessionTest, AHandThatRanOnWhileAllRestedBeginsAnewAndNothingJumps) {
+  double stopped_at = 0;
+  ASSERT_TRUE(Until(session_, [](const LoopSnapshot& now) { return now.depth > 0; }));
+  session_.loop().Stop();
+  ASSERT_TRUE(Until(session_, [&](const LoopSnapshot& now) {
+    stopped_at = now.time;
+    return now.stopped;
+  }));
+  // long enough that the hand is letters away
+  ASSERT_TRUE(
+      Until(session_, [&](const LoopSnapshot& now) { return now.time > stopped_at + 1.5; }));
+  session_.GoOn();
+  ASSERT_TRUE(Until(session_, [](const LoopSnapshot& now) { return !now.stopped; }));
+  EXPECT_TRUE(Until(session_, [](const LoopSnapshot& now) { return now.depth > 0; }));
+  LoopEvent event;
+  while (session_.loop().TakeEvent(event)) {
+    EXPECT_FALSE(event.kind == LoopEventKind::kSafety && event.safety == SafetyEvent::kJump);
+  }
 }
 
 TEST(LoopSessionForm, BeginsAsTheCommandLineHasIt) {

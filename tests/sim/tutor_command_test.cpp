@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "textures/text_file.h"
 #include "textures/utf8_check.h"
 
 namespace moontrace {
@@ -91,6 +92,22 @@ TEST(TutorCommand, KeepsTheTextsCapitalsAndNoControlCharacter) {
   // an escape, and its twin above ASCII, would speak to the learner's terminal
   EXPECT_EQ(Read("say a\x1b[2Jb\xC2\x9Bzc").text, "a?[2Jb?zc");
   EXPECT_EQ(Read("say \xC3\xA4").text, "\xC3\xA4");
+}
+
+TEST(TutorCommand, IsRefusedInOneLineOfABrailleDisplayOrTwo) {
+  const std::string long_one(500, 'x');
+  std::vector<std::string> lines = {"", long_one, "1" + long_one, "s", "p", "e"};
+  for (const std::string& word : TutorWords()) {
+    for (const std::string& behind : {std::string(), long_one, std::string(400, '9'),
+                                      std::string("1e300"), std::string("\xE2\x80\xAE now")}) {
+      lines.push_back(word + " " + behind);
+    }
+    lines.push_back(word + "x");
+  }
+  for (const std::string& line : lines) {
+    const std::string refusal = Refused(line);
+    EXPECT_LE(CountCharacters(refusal), 80U) << refusal;
+  }
 }
 
 TEST(TutorCommand, TakesAnyBytes) {

@@ -1,0 +1,33 @@
+// Any bytes either are keys for words or are refused by an InputError of one line; Escape stops
+// whatever they say, and every key gives a line that is read, asked or not.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "sim/app/key_reader.h"
+#include "sim/app/learn_keys.h"
+#include "textures/error.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace moontrace;
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  KeyMap keys = UsualKeys();
+  try {
+    keys = ParseKeys(bytes, "fuzz.toml");
+  } catch (const InputError& error) {
+    const std::string_view line = error.what();
+    if (line.empty() || line.find('\n') != std::string_view::npos) std::abort();
+  }
+  const auto escape = keys.find("Escape");
+  if (escape == keys.end() || escape->second != "stop") std::abort();
+  KeyLines lines(keys);
+  bool asked = false;
+  for (const std::string& key : ReadKeys(bytes)) {
+    asked = !asked;
+    const KeyLines::Result result = lines.Take(key, asked);
+    if (result.line && result.line->find('\n') != std::string::npos) std::abort();
+    if (result.echo.find('\x1b') != std::string::npos) std::abort();
+  }
+  return 0;
+}
