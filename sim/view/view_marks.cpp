@@ -38,14 +38,15 @@ std::vector<ViewMarks::WayPoint> Thinned(const std::vector<ViewMarks::WayPoint>&
   return thin;
 }
 
-/// Of a letter's strokes.
-Box BoundsOf(const ViewPage& page, std::size_t glyph) {
-  Box box;
+/// What the strokes of each letter reach, for letters within `within_P`; else empty.
+std::vector<Box> StrokeBoxes(const ViewPage& page, const Box& within_P) {
+  std::vector<Box> boxes(page.letters.size());
   for (const IntendedStroke& stroke : page.strokes) {
-    if (stroke.glyph != glyph) continue;
-    for (const Piece& piece : stroke.spine_P) Include(box, moontrace::BoundsOf(piece));
+    if (stroke.glyph >= boxes.size()) continue;
+    if (!Overlap(page.letters[stroke.glyph].box_P, within_P)) continue;
+    for (const Piece& piece : stroke.spine_P) Include(boxes[stroke.glyph], BoundsOf(piece));
   }
-  return box;
+  return boxes;
 }
 
 }  // namespace
@@ -61,18 +62,23 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
   if (const std::optional<std::size_t> stroke = history.stroke()) {
     const IntendedStroke& current = page.strokes[*stroke];
     marks.stroke_P.push_back(current.spine_P);
-    marks.letter_P = Grown(BoundsOf(page, current.glyph), 1.5 * page.width);
+    if (current.glyph < page.letters.size()) {
+      const Box& letter = page.letters[current.glyph].box_P;
+      marks.letter_P = Grown(StrokeBoxes(page, letter)[current.glyph], 1.5 * page.width);
+    }
   }
   if (!print) return marks;
   const Box seen = VisibleBox(camera, aspect);
-  for (const ViewPage::Letter& letter : page.letters) {
-    const glm::dvec2 size = letter.box_P.max - letter.box_P.min;
-    if (size.y * points < 2.2 * print_height || !Overlap(letter.box_P, seen)) continue;
+  const std::vector<Box> drawn = StrokeBoxes(page, seen);
+  for (std::size_t i = 0; i < page.letters.size(); ++i) {
+    const ViewPage::Letter& letter = page.letters[i];
+    const double em = letter.box_P.max.y - letter.box_P.min.y;
+    if (em * points < 2.2 * print_height || !Overlap(letter.box_P, seen)) continue;
     std::string text = AsciiOf(letter.print, "");
     if (text.empty()) continue;
-    const glm::dvec2 at(0.5 * (letter.box_P.min.x + letter.box_P.max.x),
-                        letter.box_P.min.y - kGap * size.y);
-    marks.print.push_back({at, std::move(text), size.y * points > 3.5 * big_print_height});
+    const Box& above = drawn[i].min.x <= drawn[i].max.x ? drawn[i] : letter.box_P;
+    const glm::dvec2 at(0.5 * (above.min.x + above.max.x), letter.box_P.min.y - kGap * em);
+    marks.print.push_back({at, std::move(text), em * points > 2.5 * big_print_height});
   }
   return marks;
 }

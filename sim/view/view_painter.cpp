@@ -24,13 +24,22 @@ constexpr int kGrowBy = 256;  // a window's renderer is made for a little more [
 
 int RoundUp(int value) { return (value + kGrowBy - 1) / kGrowBy * kGrowBy; }
 
-/// What a new page shows at first: its letters with some room, or all of the sheet.
-Box FirstView(const ViewPage& page) {
-  Box box;
+/// What a new page shows at first: its letters with some room, or all of the sheet; no more of the
+/// desk than there must be.
+PageCamera FirstView(const ViewPage& page, double aspect) {
+  Box box = page.sheet_P;
+  if (!page.letters.empty()) box = {};
   for (const ViewPage::Letter& letter : page.letters) {
     Include(box, Grown(letter.box_P, 0.5 * (letter.box_P.max.y - letter.box_P.min.y)));
   }
-  return page.letters.empty() ? page.sheet_P : box;
+  PageCamera camera = CameraOn(box, aspect);
+  const glm::dvec2 half = 0.5 * camera.height * glm::dvec2(aspect, 1);
+  const Box sheet = Grown(page.sheet_P, 0.02 * camera.height);
+  for (int i = 0; i < 2; ++i) {
+    const double low = sheet.min[i] + half[i], high = sheet.max[i] - half[i];
+    camera.at_P[i] = low < high ? std::clamp(camera.at_P[i], low, high) : 0.5 * (low + high);
+  }
+  return camera;
 }
 
 }  // namespace
@@ -163,7 +172,7 @@ void ViewPainter::Show(std::shared_ptr<const ViewPage> page) {
   State& s = *state_;
   s.page = std::move(page);
   s.history.Show(s.page);
-  if (s.page && !s.camera_moved) s.camera = CameraOn(FirstView(*s.page), aspect());
+  if (s.page && !s.camera_moved) s.camera = FirstView(*s.page, aspect());
   s.changed = true;
 }
 
@@ -195,7 +204,7 @@ void ViewPainter::SetControls(std::vector<PanelControl> controls) {
   s.panel.SetControls(std::move(controls));
   s.panel.Prepare(s.renderer->context(), ColorsOf(s.look));
   s.Arrange();
-  if (s.page && !s.camera_moved) s.camera = CameraOn(FirstView(*s.page), aspect());
+  if (s.page && !s.camera_moved) s.camera = FirstView(*s.page, aspect());
   s.changed = true;
 }
 
@@ -220,7 +229,7 @@ void ViewPainter::Resize(int width, int height) {
   s.width = width;
   s.height = height;
   s.Arrange();
-  if (s.page && !s.camera_moved) s.camera = CameraOn(FirstView(*s.page), aspect());
+  if (s.page && !s.camera_moved) s.camera = FirstView(*s.page, aspect());
   s.changed = true;
 }
 

@@ -157,7 +157,9 @@ void WriteViewPicture(const std::string& path, const ViewerOptions& options,
                       const std::vector<PanelValue>& values) {
   CheckPicturePath(path);
   const HeadlessGl gl;
-  ViewPainter painter(false, options.width, options.height, LookOf(options));
+  ViewLook look = LookOf(options);
+  look.plots = !moments.empty();  // else they are of nothing
+  ViewPainter painter(false, options.width, options.height, look);
   ViewNews news;
   news.page = page;
   news.moments.assign(moments.begin(), moments.end());

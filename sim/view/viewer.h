@@ -87,7 +87,7 @@ class Viewer {
 const std::vector<std::string>& ViewWords();
 
 /// One picture of a page, without a display: what a viewer of this size shows, with panel and
-/// values where given. Throws LackError as Viewer.
+/// values where given, without plots where there are no moments. Throws LackError as Viewer.
 void WriteViewPicture(const std::string& path, const ViewerOptions& options,
                       const std::shared_ptr<const ViewPage>& page,
                       const std::vector<ViewMoment>& moments,
