@@ -19,19 +19,25 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFont = 100, kLargeFont = 150;  // [%]
 constexpr int kPlotsWidth = 280;              // at 100 % [points]
+constexpr double kLeastShare = 0.6;           // of the view that a page's letters fill
 constexpr int kRowGap = 10;                   // between the lower edge's lines [points]
 constexpr int kGrowBy = 256;  // a window's renderer is made for a little more [points]
 
 int RoundUp(int value) { return (value + kGrowBy - 1) / kGrowBy * kGrowBy; }
 
-/// What a new page shows at first: its letters with some room, or all of the sheet; no more of the
-/// desk than there must be.
-PageCamera FirstView(const ViewPage& page, double aspect) {
-  Box box = page.sheet_P;
-  if (!page.letters.empty()) box = {};
+/// What a page shows at first: its letters with some room, or all of the sheet.
+Box WorthSeeing(const ViewPage& page) {
+  if (page.letters.empty()) return page.sheet_P;
+  Box box;
   for (const ViewPage::Letter& letter : page.letters) {
     Include(box, Grown(letter.box_P, 0.5 * (letter.box_P.max.y - letter.box_P.min.y)));
   }
+  return box;
+}
+
+/// That, with no more of the desk than there must be.
+PageCamera FirstView(const ViewPage& page, double aspect) {
+  const Box box = WorthSeeing(page);
   PageCamera camera = CameraOn(box, aspect);
   const glm::dvec2 half = 0.5 * camera.height * glm::dvec2(aspect, 1);
   const Box sheet = Grown(page.sheet_P, 0.02 * camera.height);
@@ -74,6 +80,7 @@ struct ViewPainter::State {
   void Arrange();
   void WishSurface();
   void TakeSurface();
+  bool StillFits() const;
   void Follow();
   void DrawText();
 };
@@ -130,6 +137,16 @@ void ViewPainter::State::TakeSurface() {
   changed = true;
 }
 
+/// Whether the view of the page before shows the new one well enough: so letters that grow are seen
+/// to grow.
+bool ViewPainter::State::StillFits() const {
+  if (layout.page.empty()) return false;
+  const double aspect = static_cast<double>(layout.page.width) / layout.page.height;
+  const Box seen = VisibleBox(camera, aspect), box = WorthSeeing(*page);
+  return Contains(seen, box.min) && Contains(seen, box.max) &&
+         CameraOn(box, aspect).height > kLeastShare * camera.height;
+}
+
 /// The tip stays within the middle of the picture.
 void ViewPainter::State::Follow() {
   const std::optional<ViewMoment>& now = history.newest();
@@ -170,9 +187,11 @@ ViewPainter::~ViewPainter() = default;
 
 void ViewPainter::Show(std::shared_ptr<const ViewPage> page) {
   State& s = *state_;
+  const bool first = !s.page;
   s.page = std::move(page);
   s.history.Show(s.page);
-  if (s.page && !s.camera_moved) s.camera = FirstView(*s.page, aspect());
+  if (s.page && !s.camera_moved && (first || !s.StillFits()))
+    s.camera = FirstView(*s.page, aspect());
   s.changed = true;
 }
 

@@ -207,9 +207,12 @@ TEST_F(ViewPainterTest, ANewPageKeepsTheViewThatSomeoneChose) {
   const double whole = painter_->camera().height;
   painter_->Show(PageOf("m", 2));
   EXPECT_LT(painter_->camera().height, whole);  // one letter: nearer
+  const double one = painter_->camera().height;
+  painter_->Show(PageOf("n", 3));
+  EXPECT_EQ(painter_->camera().height, one);  // another as large: as it was
   painter_->ZoomBy(0.5, {0.5, 0.5});
   const double chosen = painter_->camera().height;
-  painter_->Show(PageOf("moon", 3));
+  painter_->Show(PageOf("moon", 4));
   EXPECT_EQ(painter_->camera().height, chosen);
   painter_->ShowWholePage();
   EXPECT_NEAR(painter_->camera().height, 0.12 / painter_->aspect(), 1e-12);
