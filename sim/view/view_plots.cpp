@@ -57,6 +57,26 @@ double RoundTop(double value, double least) {
   return top;
 }
 
+/// Line and axes.
+void SetLine(mjvFigure& figure, const Kind& kind, const ViewHistory& history, double now) {
+  float* next = figure.linedata[0];
+  int count = 0;
+  double most = 0;
+  for (const ViewHistory::Point& point : history.points()) {
+    const double value = point.*kind.value;
+    if (count >= mjMAXLINEPNT || value < 0) continue;
+    *next++ = static_cast<float>(point.time - now);
+    *next++ = static_cast<float>(value);
+    most = std::max(most, value);
+    ++count;
+  }
+  figure.linepnt[0] = count;
+  figure.range[0][0] = static_cast<float>(-kShown);
+  figure.range[0][1] = 0;
+  figure.range[1][0] = 0;
+  figure.range[1][1] = static_cast<float>(RoundTop(most, kind.least_top));
+}
+
 }  // namespace
 
 struct ViewPlots::State {
@@ -98,21 +118,7 @@ void ViewPlots::Draw(const ViewHistory& history, const ViewColors& colors, const
     Set(figure.textrgb, colors.text);
     Set(figure.gridrgb, Between(colors.pane, colors.text, 0.25));
     Set(figure.linergb[0], dark ? kind.contrast : kind.color);
-    int count = 0;
-    double most = 0;
-    for (const ViewHistory::Point& point : history.points()) {
-      const double value = point.*kind.value;
-      if (count >= mjMAXLINEPNT || value < 0) continue;
-      figure.linedata[0][2 * count] = static_cast<float>(point.time - now);
-      figure.linedata[0][2 * count + 1] = static_cast<float>(value);
-      most = std::max(most, value);
-      ++count;
-    }
-    figure.linepnt[0] = count;
-    figure.range[0][0] = static_cast<float>(-kShown);
-    figure.range[0][1] = 0;
-    figure.range[1][0] = 0;
-    figure.range[1][1] = static_cast<float>(RoundTop(most, kind.least_top));
+    SetLine(figure, kind, history, now);
     // the last has a line more, for the axis of time
     const int left = static_cast<int>(kKinds.size() - i);
     const int height = (top - box.y) / left;
