@@ -168,8 +168,9 @@ void ViewPainter::State::DrawText() {
   const int x = box.x + kRowGap, room = box.width - 2 * kRowGap;
   const int hint_width = TextWidth(hint, false, context);
   const int low = box.y + kRowGap / 2;
-  WriteText(AsciiOf(line, "?"), x, low + context.charHeight + kRowGap, room, true, colors.text,
-            context);
+  const std::string told = AsciiOf(line, "?");
+  const bool big = TextWidth(told, true, context) <= room;  // a long one small, and then cut off
+  WriteText(told, x, low + context.charHeight + kRowGap, room, big, colors.text, context);
   WriteText(hint, x + room - hint_width, low, hint_width, false, colors.text, context);
   // of a long line the end is what is being typed
   std::string writing = typed.empty() ? std::string() : "> " + AsciiOf(typed, "?") + "_";
@@ -190,7 +191,7 @@ void ViewPainter::Show(std::shared_ptr<const ViewPage> page) {
   const bool first = !s.page;
   s.page = std::move(page);
   s.history.Show(s.page);
-  if (s.page && !s.camera_moved && (first || !s.StillFits()))
+  if (s.page && (first || (!s.camera_moved && !s.StillFits())))
     s.camera = FirstView(*s.page, aspect());
   s.changed = true;
 }
@@ -263,6 +264,7 @@ double ViewPainter::aspect() const {
 }
 
 void ViewPainter::SetCamera(const PageCamera& camera) {
+  if (!state_->page) return;  // nothing was seen that could be moved
   state_->camera = camera;
   state_->camera_moved = state_->changed = true;
 }
