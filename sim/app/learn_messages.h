@@ -20,8 +20,8 @@ inline constexpr const char* kLearner =
 inline constexpr const char* kCourse = "course to learn, a name or a file. Default learn-moon.";
 inline constexpr const char* kRecords = "file of the records. Default the one in your data folder.";
 inline constexpr const char* kLearnDevice =
-    "what moves the tip: a name from moontrace devices, plugin:PATH, or simulated (a "
-    "demonstration, nothing is felt). Default the first device with motors.";
+    "what moves the tip: a name from moontrace devices, plugin:PATH, simulated (a demonstration, "
+    "nothing is felt), or mouse with --view. Default the first device with motors.";
 inline constexpr const char* kLearnSeconds = "ends after so many seconds. Default: when you quit.";
 inline constexpr const char* kLearnSeed = "of the choice of signs, a whole number. Default 1.";
 inline constexpr const char* kPrint =

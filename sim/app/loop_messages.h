@@ -19,8 +19,8 @@ inline constexpr const char* kDefaultText = "the moon is bright";
 inline constexpr const char* kLoopText =
     "the text; - reads standard input. Default the model's, else \"the moon is bright\".";
 inline constexpr const char* kDevice =
-    "what moves the tip: simulated, a name from moontrace devices, or plugin:PATH. Default "
-    "simulated.";
+    "what moves the tip: simulated, a name from moontrace devices, plugin:PATH, or mouse with "
+    "--view. Default simulated.";
 inline constexpr const char* kSeconds = "ends after so many seconds. Default: when you say quit.";
 inline constexpr const char* kRate = "ticks a second, 250 to 10000. Default 1000.";
 inline constexpr const char* kScale =
