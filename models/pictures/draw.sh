@@ -7,10 +7,10 @@ here=$(dirname "$(realpath "$0")")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$program" view abcdefghijklmnopqrstuvwxyz --size-mm 14 --page 200x105 --margin-mm 12 \
-  --line-pitch-mm 28 --picture "$here/alphabet.png"
-"$program" view 'The moon is bright tonight, and the sea is still. A page is read by touch.' \
-  --size-mm 10 --page 190x150 --margin-mm 12 --seconds 16 --picture "$here/page.png"
+"$program" view abcdefghijklmnopqrstuvwxyz --size-mm 14 --page 220x105 --margin-mm 10 \
+  --line-pitch-mm 27 --picture "$here/alphabet.png"
+"$program" view 'The moon is bright tonight, and the sea is still.' \
+  --size-mm 10 --page 190x130 --margin-mm 12 --seconds 16 --picture "$here/page.png"
 
 # A lesson, some seconds of it: a tutor goes to the first letters, and gives help.
 export XDG_RUNTIME_DIR=$work
@@ -22,5 +22,6 @@ until [ -S "$work/moontrace/tutor-anna.sock" ]; do sleep 0.2; done
  sleep 1; echo 'help 6'; echo 'mode rail'; sleep 1; echo 'depth 120 %'; sleep 20) |
   "$program" tutor --learner anna > "$work/tutor.txt" || true
 wait "$lesson"
-# not the very last, which says that it has ended
-cp "$(find "$work/frames" -name '*.png' | sort | tail -60 | head -1)" "$here/lesson.png"
+# of the last seconds, but not the very end, the picture with the most on it
+cd "$work/frames"
+cp "$(printf '%s\n' *.png | tail -180 | head -150 | xargs ls -S | head -1)" "$here/lesson.png"

@@ -73,7 +73,7 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
   for (std::size_t i = 0; i < page.letters.size(); ++i) {
     const ViewPage::Letter& letter = page.letters[i];
     const double em = letter.box_P.max.y - letter.box_P.min.y;
-    if (em * points < 2.2 * print_height || !Overlap(letter.box_P, seen)) continue;
+    if (em * points < 1.7 * print_height || !Overlap(letter.box_P, seen)) continue;
     std::string text = AsciiOf(letter.print, "");
     if (text.empty()) continue;
     const Box& above = drawn[i].min.x <= drawn[i].max.x ? drawn[i] : letter.box_P;
