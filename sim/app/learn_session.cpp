@@ -197,6 +197,8 @@ void LearnSession::LookAtEvents() {
     const bool safety = event.kind == LoopEventKind::kSafety;
     if (safety && event.safety == SafetyEvent::kStopped) continue;  // LookAtStop
     if (event.kind == LoopEventKind::kWentOn) continue;
+    // the program's hand runs on while all rests, held by nothing
+    if (safety && stopped_ && stage_.simulated()) continue;
     if (event.kind == LoopEventKind::kSay) {
       Where();
     } else if (event.kind == LoopEventKind::kBookmark) {
