@@ -1,10 +1,12 @@
 #include <atomic>
 #include <csignal>  // POSIX: sigaction too, as a signal must end a wait for standard input
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "sim/app/cli.h"
+#include "sim/view/view_window.h"
 
 namespace {
 
@@ -34,5 +36,11 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   moontrace::Console console(std::cin, std::cout, std::cerr, &stop_asked);
-  return moontrace::RunCli(std::vector<std::string>(argv + 1, argv + argc), console);
+  const int code = moontrace::RunCli(std::vector<std::string>(argv + 1, argv + argc), console);
+  if (moontrace::ViewWindow::DisplayWasLost()) {
+    std::cout.flush();
+    std::cerr.flush();
+    std::_Exit(code);
+  }
+  return code;
 }

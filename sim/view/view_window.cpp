@@ -230,6 +230,8 @@ void ViewWindow::SetTitle(const std::string& title) {
 
 void ViewWindow::Swap() { glfwSwapBuffers(state_->window); }
 
+bool ViewWindow::DisplayWasLost() noexcept { return display_lost; }
+
 #else
 
 struct ViewWindow::State {};
@@ -246,6 +248,7 @@ int ViewWindow::width() const { return 0; }
 int ViewWindow::height() const { return 0; }
 void ViewWindow::SetTitle(const std::string& /*title*/) {}
 void ViewWindow::Swap() {}
+bool ViewWindow::DisplayWasLost() noexcept { return false; }
 
 #endif
 

@@ -33,6 +33,11 @@ class ViewWindow {
   /// Shows what was drawn.
   void Swap();
 
+  /// The display of a window went away in this program. The thread that stands still holds a lock
+  /// of Xlib's, for which libraries wait when they are unloaded: such a program must end by
+  /// std::_Exit, behind what is to be flushed. Any thread.
+  static bool DisplayWasLost() noexcept;
+
  private:
   struct State;
   std::unique_ptr<State> state_;
