@@ -66,7 +66,8 @@ void LearnView::Obey(const std::string& line) {
     session_.Stop(true);
     return session_.teller().EndTurn();
   }
-  if (!IsTutorsWord(line)) return session_.Obey(line);
+  // a bare "next" is what lessons tell the learner to say; the panel says "skip" and "next lesson"
+  if (line == "next" || !IsTutorsWord(line)) return session_.Obey(line);
   desk_.Hear(line, [this](std::string_view answer) { Answer(answer); });
 }
 

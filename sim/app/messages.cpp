@@ -85,6 +85,10 @@ std::string NotAPicture(std::string_view option, std::string_view given) {
   return fmt::format("{} needs an ending .svg, .png or .pdf: {}", option, OneLine(given, 200));
 }
 
+std::string NotAPng(std::string_view option, std::string_view given) {
+  return fmt::format("{} needs an ending .png here: {}", option, OneLine(given, 200));
+}
+
 std::string NeedsOther(std::string_view option, std::string_view other) {
   return fmt::format("{} needs {} beside it", option, other);
 }

@@ -28,6 +28,7 @@ std::string OutOfRange(std::string_view option, std::string_view given, double l
 std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices);
 std::string NotAPage(std::string_view given);
 std::string NotAPicture(std::string_view option, std::string_view given);
+std::string NotAPng(std::string_view option, std::string_view given);
 std::string NeedsOther(std::string_view option, std::string_view other);
 std::string NoText(std::string_view command);
 std::string TwoTexts();

@@ -20,7 +20,7 @@ constexpr double kMomentEvery = 0.004;  ///< of a picture's way of the tip [s]
 
 void CheckPicture(const ViewCommandOptions& options) {
   if (!options.picture.ends_with(".png")) {
-    throw UsageError(say::NotAPicture("--picture", options.picture));
+    throw UsageError(say::NotAPng("--picture", options.picture));
   }
   if (!options.view.frames.empty()) throw UsageError(say::OnlyInView("--picture"));
   if (!IsSimulated(options.live.device)) throw UsageError(say::PictureIsSimulated());

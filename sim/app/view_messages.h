@@ -39,7 +39,8 @@ inline constexpr const char* kView =
     "show it in a window: page, stylus, forces, plots, and a panel that changes them.";
 inline constexpr const char* kFrames =
     "draw it, without a display, as pictures into this folder, 30 a second.";
-inline constexpr const char* kContrast = "of the view: high contrast, nothing but black and white.";
+inline constexpr const char* kContrast =
+    "of the view: grooves black on white, strong colours for the rest.";
 inline constexpr const char* kLargeText = "of the view: large letters in panel and plots.";
 inline constexpr const char* kViewPicture =
     "one picture of the view as .png, without a display, and nothing more; with --seconds N of a "

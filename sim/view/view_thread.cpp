@@ -114,9 +114,13 @@ void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
 
 /// The time of a frame that came late is filled by the picture before it.
 void Repeat(const std::string& folder, std::size_t from, std::size_t to) {
-  std::error_code error;
-  std::filesystem::copy_file(FramePath(folder, from), FramePath(folder, to), error);
+  // whole under its own name or not there, as other pictures are
+  const std::string partial = FramePath(folder, to) + ".partial";
+  std::error_code error, ignored;
+  std::filesystem::copy_file(FramePath(folder, from), partial, error);
+  if (!error) std::filesystem::rename(partial, FramePath(folder, to), error);
   if (error) {
+    std::filesystem::remove(partial, ignored);
     throw LackError(
         fmt::format("no room for frames ({}): free some, or draw fewer", error.message()));
   }
