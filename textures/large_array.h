@@ -15,7 +15,7 @@ void FreeLarge(void* memory, std::size_t bytes) noexcept;
 /// For vectors that a book makes large.
 template <class T>
 struct LargeAllocator {
-  using value_type = T;
+  using value_type = T;  // NOLINT(readability-identifier-naming): as allocators are to call it
   LargeAllocator() = default;
   template <class U>
   LargeAllocator(const LargeAllocator<U>&) noexcept {}
