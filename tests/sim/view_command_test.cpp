@@ -123,7 +123,8 @@ TEST_F(ViewCommand, WithoutADisplaySaysSoInOneLineAndGoesOn) {
         With({command, "moon", "--seconds", "0.2", "--quiet"},
              command[0] == 'l' ? std::vector<std::string>{"--view"} : std::vector<std::string>{}));
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out.find("Ran "), 0U) << outcome.out;
+    // not alone on a busy machine, where the loop is late and says so
+    EXPECT_NE(outcome.out.find("Ran "), std::string::npos) << outcome.out;
   }
   const Outcome told = RunLine({"trace", "i", "--view"});
   EXPECT_EQ(told.code, 0);
