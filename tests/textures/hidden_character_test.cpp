@@ -8,12 +8,13 @@ namespace moontrace {
 namespace {
 
 TEST(HiddenCharacter, IsWhatTurnsDirectionHasNoWidthOrIsPrivate) {
-  for (const char32_t code : {0x00, 0x1B, 0x7F, 0x9B, 0xAD, 0x61C, 0x200B, 0x200E, 0x202E, 0x2029,
-                              0x2066, 0xE000, 0xFEFF, 0xFFFE, 0xE0041, 0xF0000, 0x10FFFF}) {
+  for (const char32_t code : {U'\x00', U'\x1B', U'\x7F', U'\x9B', U'\xAD', U'\x61C', U'\x200B',
+                              U'\x200E', U'\x202E', U'\x2029', U'\x2066', U'\xE000', U'\xFEFF',
+                              U'\xFFFE', U'\xE0041', U'\xF0000', U'\x10FFFF'}) {
     EXPECT_TRUE(IsHidden(code)) << std::hex << static_cast<unsigned>(code);
   }
-  for (const char32_t code : {0x20, 0x7E, 0xA0, 0xE4, 0x301, 0x5D0, 0x2010, 0x2018, 0x20AC, 0x2801,
-                              0x6708, 0xFFFD, 0x1F319}) {
+  for (const char32_t code : {U'\x20', U'\x7E', U'\xA0', U'\xE4', U'\x301', U'\x5D0', U'\x2010',
+                              U'\x2018', U'\x20AC', U'\x2801', U'\x6708', U'\xFFFD', U'\x1F319'}) {
     EXPECT_FALSE(IsHidden(code)) << std::hex << static_cast<unsigned>(code);
   }
 }
