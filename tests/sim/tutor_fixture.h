@@ -14,18 +14,9 @@
 
 #include "sim/app/line_buffer.h"
 #include "sim/app/tutor_socket.h"
+#include "tests/sim/eventually.h"
 
 namespace moontrace {
-
-/// Waits until something holds, at most 10 s.
-inline bool Eventually(const std::function<bool()>& holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
-}
 
 /// The other end of a tutor's socket, by hand.
 class RawTutor {
