@@ -11,7 +11,7 @@
 #include "sim/app/device_choice.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/page_messages.h"
-#include "sim/app/trial.h"
+#include "sim/app/text_trial.h"
 #include "sim/app/view_messages.h"
 #include "sim/loop/device_feel.h"
 #include "sim/plan/plan.h"
@@ -155,9 +155,7 @@ std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) {
   const HandModel hand = ShippedHand();
   const TypeStyle& style = text_.set.style;
   PlanOptions options;
-  options.press =
-      request_.press.value_or(style.relief == Relief::kEmbossed ? hand.light_press : hand.press);
-  options.ridge_press = request_.press.value_or(hand.light_press);
+  SetPress(hand, style.relief, request_.press, options);
   options.repeats = true;
   const TextPage& sheet = text_.set.pages[page];
   const auto strokes = IntendedStrokes(sheet, text_.script, style);

@@ -11,6 +11,7 @@
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/text_setup.h"
+#include "sim/app/text_trial.h"
 #include "sim/app/trace_report.h"
 #include "sim/app/trial.h"
 #include "sim/app/trial_parameters.h"
@@ -26,20 +27,10 @@ namespace {
 
 TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t page,
                    Console& console) {
-  TrialSetup setup;
-  setup.script = &trace.text.script;
-  setup.page = &trace.text.set.pages[page];
-  setup.style = trace.text.set.style;
+  TrialSetup setup = TrialOf(trace.text, page, options.feel, options.press, options.seed);
   setup.blank = options.blank;
-  setup.model_path = options.feel.model;
-  setup.scene = options.feel.scene;
-  setup.hand = ShippedHand();
-  const bool embossed = trace.text.set.style.relief == Relief::kEmbossed;
-  setup.plan.press = options.press.value_or(embossed ? setup.hand.light_press : setup.hand.press);
-  setup.plan.ridge_press = options.press.value_or(setup.hand.light_press);
   setup.plan.speed = options.speed.value_or(setup.plan.speed);
   setup.guidance = GuidanceOf(options.guide);
-  setup.seed = options.seed;
   if (!options.picture.empty()) setup.path_spacing = trace.text.set.style.width / 20;
   setup.stop = console.stop();
   const auto pages = static_cast<double>(trace.text.set.pages.size());
@@ -182,6 +173,7 @@ int Run(const TraceOptions& options, Console& console) {
     if (feed) SayView(*feed, options.view, console);
   }
   if (all.faults > 0) throw WorkFailed(say::Faults(all));
+  if (feed) RequireView(*feed, options.live.device);
   return exit_code::kGood;
 }
 

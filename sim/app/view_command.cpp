@@ -4,7 +4,7 @@
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/output_files.h"
-#include "sim/app/trial.h"
+#include "sim/app/text_trial.h"
 #include "sim/app/typeset_report.h"
 #include "sim/app/view_messages.h"
 #include "sim/app/view_panels.h"
@@ -36,17 +36,7 @@ void CheckPicture(const ViewCommandOptions& options) {
 /// What the simulated stylus does on the first page within `seconds`, in its own time.
 std::vector<ViewMoment> Traced(const ViewCommandOptions& options, const TextSetup& text,
                                double seconds, Console& console) {
-  TrialSetup setup;
-  setup.script = &text.script;
-  setup.page = &text.set.pages.front();
-  setup.style = text.set.style;
-  setup.model_path = options.feel.model;
-  setup.scene = options.feel.scene;
-  setup.hand = ShippedHand();
-  const bool embossed = setup.style.relief == Relief::kEmbossed;
-  setup.plan.press = options.press.value_or(embossed ? setup.hand.light_press : setup.hand.press);
-  setup.plan.ridge_press = options.press.value_or(setup.hand.light_press);
-  setup.seed = options.seed;
+  TrialSetup setup = TrialOf(text, 0, options.feel, options.press, options.seed);
   setup.stop = console.stop();
   setup.longest = seconds;
   std::vector<ViewMoment> moments;
