@@ -130,6 +130,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
     default:
       break;
   }
+  if (command.page && command.page->word != PageWord::kSize) return ChangeForm(line, command);
   const bool gives_back = command.word == TutorWord::kRecord && recorder_;
   if (!LessonTells(command.word)) {
     session_.teller().Say(Priority::kMessage,
@@ -144,17 +145,26 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   }
 }
 
-/// What changes the page under the hand, or the hand's way on it.
-bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
+/// Told once it is so: not every page can take every form.
+void TutorDesk::ChangeForm(const TutorServer::Line& line, const TutorCommand& command) {
   LearnStage& stage = session_.stage();
-  if (command.page && command.page->word != PageWord::kSize) {
+  try {
     if (command.page->word == PageWord::kTilt) {
       stage.SetTilt(command.page->value);
     } else {
       stage.SetForm(Changed(stage.form(), *command.page));
     }
-    return true;
+  } catch (const InputError& error) {
+    return Answer(line.tutor, say::PageStays(error.what()));
   }
+  session_.teller().Say(Priority::kMessage, say::TutorDoes(command));
+  session_.teller().Flush();
+  session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
+}
+
+/// What changes the hand's way on the page.
+bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
+  const LearnStage& stage = session_.stage();
   switch (command.word) {
     case TutorWord::kPause:
       session_.Pause(true);

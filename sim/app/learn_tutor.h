@@ -12,9 +12,9 @@
 
 namespace moontrace {
 
-/// Does what tutors say to a lesson. Each command is told to the learner first, done at once, and
-/// written into the records; tutors hear all that the learner is told. The learner's own stop is
-/// never undone.
+/// Does what tutors say to a lesson, at once. Each command is told to the learner and written into
+/// the records; what a page may refuse, its form, only once it is done, and a refusal reaches the
+/// tutor alone. Tutors hear all that the learner is told. The learner's own stop is never undone.
 class TutorDesk {
  public:
   using Told = std::function<void(std::string_view line)>;
@@ -34,6 +34,7 @@ class TutorDesk {
   void Take(const TutorServer::Line& line);
   void Answer(std::size_t tutor, std::string_view line);
   void Do(const TutorServer::Line& line, const TutorCommand& command);
+  void ChangeForm(const TutorServer::Line& line, const TutorCommand& command);
   bool DoToPage(std::size_t tutor, const TutorCommand& command);
   void DoToLesson(const TutorCommand& command);
   void Record(std::size_t tutor);
