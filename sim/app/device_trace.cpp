@@ -169,6 +169,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   Tell(options, trace, session.scale(), touched, console);
   if (view && !options.output.json) SayView(*view, options.view, console);
   RequireDevice(session);
+  if (view) RequireView(*view, options.live.device);
   return exit_code::kGood;
 }
 

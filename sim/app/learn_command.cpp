@@ -87,6 +87,22 @@ void SayBeginning(LearnStage& stage, const LearnOptions& options, LearnTeller& t
   teller.EndTurn();
 }
 
+std::unique_ptr<Speech> SpeechFor(const LearnOptions& options, const Course& course) {
+  if (!options.speak) return nullptr;
+  SpeechOptions voice;
+  voice.language = course.language;
+  return std::make_unique<Speech>(voice);
+}
+
+/// For tutors at the door and for the one at the window.
+std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, LearnSession& session,
+                                   ViewFeed* feed) {
+  if (!options.tutor && feed == nullptr) return nullptr;
+  TutorDesk::Told window;
+  if (feed != nullptr) window = [feed](std::string_view line) { feed->Told(line); };
+  return std::make_unique<TutorDesk>(session, options.tutor, std::move(window));
+}
+
 int Learn(LearnOptions options, const Course& course, Console& console) {
   const bool at_terminal = AtTerminal(console);
   std::optional<KeyMap> keys;
@@ -95,12 +111,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
     keys = options.keys == "true" ? UsualKeys() : LoadKeys(options.keys);
   }
   options.live.device = DeviceForLearning(options.live.device, console);
-  std::unique_ptr<Speech> speech;
-  if (options.speak) {
-    SpeechOptions voice;
-    voice.language = course.language;
-    speech = std::make_unique<Speech>(voice);
-  }
+  const std::unique_ptr<Speech> speech = SpeechFor(options, course);
   std::unique_ptr<Sound> sound;
   if (options.sound) sound = std::make_unique<Sound>(LoadSounds(options.sounds));
   LearnTeller teller(console, speech.get(), sound.get());
@@ -117,12 +128,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
                    console);
   SayBeginning(stage, options, teller);
   LearnSession session(course, memory, stage, teller, options.seed, keys.has_value());
-  std::unique_ptr<TutorDesk> tutor;
-  if (options.tutor || feed) {
-    TutorDesk::Told window;
-    if (feed) window = [&feed](std::string_view line) { feed->Told(line); };
-    tutor = std::make_unique<TutorDesk>(session, options.tutor, std::move(window));
-  }
+  const std::unique_ptr<TutorDesk> tutor = DeskFor(options, session, feed.get());
   std::unique_ptr<LearnView> view;
   if (feed) view = std::make_unique<LearnView>(*feed, session, *tutor, console);
   std::unique_ptr<PathListener> path;
@@ -147,6 +153,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   if (feed) SayView(*feed, options.view, console);
   if (lost > 0) throw LackError(say::NeverKept(lost));
   RequireDevice(session.stage().session());
+  if (feed) RequireView(*feed, options.live.device);
   return exit_code::kGood;
 }
 

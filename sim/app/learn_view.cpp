@@ -54,7 +54,10 @@ void LearnView::Look() {
   }
   const std::string failure = feed_.TakeFailure();
   if (!failure.empty()) session_.teller().Remark(failure);
-  if (!feed_.closed() || session_.over()) return;
+  if (session_.over()) return;
+  // nothing could move the tip again
+  if (feed_.failed() && session_.stage().session().mouse()) return session_.Obey("quit");
+  if (!feed_.closed()) return;
   session_.teller().Happening(Priority::kText, say::WindowClosed());
   session_.Obey("quit");
 }

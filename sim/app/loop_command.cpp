@@ -157,6 +157,7 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
     if (view != nullptr) json["view"] = ViewJson(*view);
     console.Json(Dump(json));
     RequireDevice(session);
+    if (view != nullptr) RequireView(*view, options.live.device);
     return exit_code::kGood;
   }
   console.Result(say::LoopOutcome(report, TimeOf(session, report)));
@@ -167,6 +168,7 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
   console.Result(say::SafetyActed(report));
   if (view != nullptr) SayView(*view, options.view, console);
   RequireDevice(session);
+  if (view != nullptr) RequireView(*view, options.live.device);
   return exit_code::kGood;
 }
 

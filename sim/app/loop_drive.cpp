@@ -35,7 +35,7 @@ class Driver {
       Look();
       LookAtWindow();
       if (const std::optional<std::string> line = lines_.Next(quit_ ? 0 : kPoll)) Obey(*line);
-      if (lines_.ended() && !told_end_ && !options_.seconds) {
+      if (lines_.ended() && !told_end_ && !options_.seconds && !HasWindow()) {
         told_end_ = true;
         console_.Remark(say::CannotSpeak());
       }
@@ -62,6 +62,11 @@ class Driver {
     if (options_.view != nullptr) options_.view->Told(line);
   }
 
+  /// From which words can come too.
+  bool HasWindow() const {
+    return options_.view != nullptr && options_.view->window() && !options_.view->ended();
+  }
+
   /// What is said in the window is as if it were typed.
   void LookAtWindow() {
     ViewFeed* view = options_.view;
@@ -69,6 +74,8 @@ class Driver {
     while (const std::optional<std::string> line = view->NextLine()) Obey(*line);
     const std::string failure = view->TakeFailure();
     if (!failure.empty()) console_.Remark(failure);
+    // nothing could move the tip again
+    if (view->failed() && session_.mouse()) quit_ = true;
     if (!view->closed() || quit_) return;
     quit_ = true;
     console_.Happening(say::WindowClosed());

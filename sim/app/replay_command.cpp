@@ -110,6 +110,7 @@ int Run(const ReplayOptions& options, Console& console) {
     if (!options.check) SayResult(record, console);
     if (feed) SayView(*feed, options.view, console);
   }
+  if (feed) RequireView(*feed, {});
   return options.check && !equal ? exit_code::kFailed : exit_code::kGood;
 }
 

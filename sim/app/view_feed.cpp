@@ -71,6 +71,12 @@ std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const Vie
   return std::make_shared<Mailbox<StylusAim>>();
 }
 
+void RequireView(const ViewFeed& feed, const std::string& device) {
+  if (!feed.failed()) return;
+  if (!feed.window()) throw LackError(say::FramesNotWhole());
+  if (IsMouse(device)) throw LackError(say::MouseGone());
+}
+
 void SayView(const ViewFeed& feed, const ViewOptions& options, Console& console) {
   const ViewerReport report = feed.report();
   if (!options.frames.empty()) {

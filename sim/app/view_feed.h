@@ -29,7 +29,8 @@ class ViewFeed {
   static std::unique_ptr<ViewFeed> Open(const ViewOptions& options,
                                         const std::shared_ptr<Mailbox<StylusAim>>& aims,
                                         Console& console);
-  explicit ViewFeed(const ViewerOptions& options) : viewer_(options) {}
+  explicit ViewFeed(const ViewerOptions& options)
+      : viewer_(options), window_(options.frames.empty()) {}
 
   /// The page that a session lets be felt, if it is another than it was, and its newest instant.
   void Look(LoopSession& session, const LoopSnapshot& newest);
@@ -47,16 +48,21 @@ class ViewFeed {
   std::optional<std::string> NextLine() { return viewer_.NextLine(); }
   /// A word that concerns the view alone: done; what is answered.
   std::optional<std::string> Obey(std::string_view line) { return viewer_.Obey(line); }
+  /// It draws into a window, not into frames.
+  bool window() const { return window_; }
   /// The window was closed by its user.
   bool closed() const { return viewer_.closed(); }
   /// Why nothing is drawn any more, one sentence, once; else empty.
   std::string TakeFailure();
   /// Nothing is shown any more.
-  bool ended() const { return closed() || !viewer_.failure().empty(); }
+  bool ended() const { return closed() || failed(); }
+  /// Nothing is drawn any more, and its user did not wish so.
+  bool failed() const { return !viewer_.failure().empty(); }
   ViewerReport report() const { return viewer_.report(); }
 
  private:
   Viewer viewer_;
+  bool window_;
   std::optional<std::uint64_t> shown_;  ///< LoopSession::shown
   std::vector<PanelValue> values_;
   bool failed_ = false;
@@ -64,6 +70,10 @@ class ViewFeed {
 
 /// What the mouse moves, if it is the device. Throws UsageError: there will be no window.
 std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const ViewOptions& options);
+
+/// Behind it all: throws LackError if it stopped drawing what it was asked for, frames, or took the
+/// mouse that moved the tip with it.
+void RequireView(const ViewFeed& feed, const std::string& device);
 
 /// How a view kept up.
 Json ViewJson(const ViewFeed& feed);

@@ -9,9 +9,8 @@ namespace moontrace::say {
 std::string MouseNeedsWindow() { return "--device mouse needs a window: add --view"; }
 
 std::string MouseIsSeen() {
-  return "The mouse moves the stylus: its button presses, its wheel says how hard. Forces are "
-         "seen, "
-         "not felt.";
+  return "The mouse moves the stylus: its button presses, its wheel says how hard. "
+         "Forces are seen, not felt.";
 }
 
 std::string ViewSays(std::string_view why) {
@@ -39,6 +38,10 @@ std::string OnlyInView(std::string_view option) {
 }
 
 std::string FramesIn() { return "Pictures in"; }
+
+std::string FramesNotWhole() { return "pictures are missing: their writing ended before its time"; }
+
+std::string MouseGone() { return "the window went away, and the mouse that moved the tip with it"; }
 
 std::string ViewPictureIn() { return "Picture in"; }
 

@@ -23,6 +23,8 @@ std::string PictureIsSimulated();
 std::string OnlyInView(std::string_view option);
 /// The folder's path follows on a line of its own.
 std::string FramesIn();
+std::string FramesNotWhole();
+std::string MouseGone();
 std::string ViewPictureIn();
 /// How the view kept up.
 std::string ViewKeptUp(std::size_t frames, double median_ms, double slowest_ms);

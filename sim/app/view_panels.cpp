@@ -48,6 +48,7 @@ std::vector<PanelControl> PageControls() {
 
 std::vector<PanelValue> PageValues(const TextSetup& text, const PageForm& form, double tilt) {
   const TypeStyle& style = text.set.style;
+  const std::optional<PaperTexture>& paper = style.texture.paper;
   return {NumberValue(1e3 * style.size),
           NumberValue(100 * form.depth),
           NumberValue(100 * form.width),
@@ -55,7 +56,7 @@ std::vector<PanelValue> PageValues(const TextSetup& text, const PageForm& form, 
           ChosenValue(PlaceOf(kForms, FormOfH(text))),
           NumberValue(100 * form.pitch),
           NumberValue(180 / std::numbers::pi * tilt),
-          ChosenValue(PlaceOf(kPapers, form.paper ? NameOf(*form.paper) : "smooth"))};
+          ChosenValue(PlaceOf(kPapers, paper ? NameOf(paper->kind) : "smooth"))};
 }
 
 std::vector<PanelControl> LoopPanel() {

@@ -1,8 +1,12 @@
 #include "sim/view/view_window.h"
 
+#include <fmt/format.h>
+
+#include <cstdlib>
 #include <utility>
 
 #include "textures/error.h"
+#include "textures/text_file.h"
 
 #ifdef MOONTRACE_HAVE_GLFW
 #define GLFW_INCLUDE_NONE
@@ -115,7 +119,13 @@ bool IsDown(GLFWwindow* window, int left, int right) {
 
 void ViewWindow::State::Open(const std::string& title, int wanted_width, int wanted_height) {
   if (glfwInit() != GLFW_TRUE) {
-    throw LackError("no display for a window: set DISPLAY, or write pictures instead");
+    const char* display = std::getenv("DISPLAY");
+    if (display == nullptr || *display == '\0') {
+      throw LackError("no display for a window: set DISPLAY, or write pictures instead");
+    }
+    throw LackError(
+        fmt::format("no display answers at {}: set DISPLAY anew, or write pictures instead",
+                    OneLine(display, 30)));
   }
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DOUBLEBUFFER, GLFW_TRUE);

@@ -48,7 +48,7 @@ TEST(LoopPanel, ShowsThePageAsItIs) {
   PageForm form;
   form.depth = 0.5;
   form.pitch = 1.5;
-  form.paper = PaperKind::kGrid;
+  text.set.style.texture.paper.emplace().kind = PaperKind::kGrid;
   const std::vector<PanelControl> controls = LoopPanel();
   const std::vector<PanelValue> values = LoopPanelValues(text, form, 0.5, 1, "touching");
   ASSERT_EQ(values.size(), controls.size());
