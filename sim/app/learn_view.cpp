@@ -52,8 +52,8 @@ void LearnView::Look() {
   while (const std::optional<std::string> line = feed_.NextLine()) {
     if (!session_.over()) Obey(*line);
   }
-  const std::string failure = feed_.TakeFailure();
-  if (!failure.empty()) session_.teller().Remark(failure);
+  const std::string notice = feed_.TakeNotice();
+  if (!notice.empty()) session_.teller().Remark(notice);
   if (session_.over()) return;
   // nothing could move the tip again
   if (feed_.failed() && session_.stage().session().mouse()) return session_.Obey("quit");
@@ -69,9 +69,17 @@ void LearnView::Obey(const std::string& line) {
     session_.Stop(true);
     return session_.teller().EndTurn();
   }
+  if (line == "?") return Help();
   // a bare "next" is what lessons tell the learner to say; the panel says "skip" and "next lesson"
   if (line == "next" || !IsTutorsWord(line)) return session_.Obey(line);
   desk_.Hear(line, [this](std::string_view answer) { Answer(answer); });
+}
+
+/// The tutor's words; the learner is not made to hear them.
+void LearnView::Help() {
+  desk_.Hear("?", [this](std::string_view answer) { Answer(answer); });
+  Answer(say::ViewWordsHelp());
+  Answer(say::ViewColoursHelp());
 }
 
 void LearnView::Answer(std::string_view line) {

@@ -25,6 +25,7 @@ class LearnView {
 
  private:
   void Obey(const std::string& line);
+  void Help();
   void Answer(std::string_view line);
 
   ViewFeed& feed_;

@@ -72,8 +72,8 @@ class Driver {
     ViewFeed* view = options_.view;
     if (view == nullptr) return;
     while (const std::optional<std::string> line = view->NextLine()) Obey(*line);
-    const std::string failure = view->TakeFailure();
-    if (!failure.empty()) console_.Remark(failure);
+    const std::string notice = view->TakeNotice();
+    if (!notice.empty()) console_.Remark(notice);
     // nothing could move the tip again
     if (view->failed() && session_.mouse()) quit_ = true;
     if (!view->closed() || quit_) return;
@@ -153,6 +153,9 @@ class Driver {
   void Help() {
     Say(say::NumberedWords(LoopWords()));
     Say(say::PageWordsHelp());
+    if (options_.view == nullptr) return;
+    Say(say::ViewWordsHelp());
+    Say(say::ViewColoursHelp());
   }
 
   void Obey(const std::string& line) {

@@ -57,7 +57,8 @@ void ViewFeed::SetValues(std::vector<PanelValue> values) {
   viewer_.SetPanelValues(std::move(values));
 }
 
-std::string ViewFeed::TakeFailure() {
+std::string ViewFeed::TakeNotice() {
+  if (const std::optional<std::string> notice = viewer_.NextNotice()) return say::ViewSays(*notice);
   if (failed_) return {};
   const std::string why = viewer_.failure();
   if (why.empty()) return {};
@@ -77,8 +78,8 @@ void RequireView(const ViewFeed& feed, const std::string& device) {
   if (IsMouse(device)) throw LackError(say::MouseGone());
 }
 
-void SayView(const ViewFeed& feed, const ViewOptions& options, Console& console) {
-  const ViewerReport report = feed.report();
+void SayView(ViewFeed& feed, const ViewOptions& options, Console& console) {
+  const ViewerReport report = feed.Finish();
   if (!options.frames.empty()) {
     console.Result(say::FramesIn());
     console.Path(options.frames);
@@ -86,8 +87,8 @@ void SayView(const ViewFeed& feed, const ViewOptions& options, Console& console)
   console.Result(say::ViewKeptUp(report.frames, report.median_frame_ms, report.slowest_frame_ms));
 }
 
-Json ViewJson(const ViewFeed& feed) {
-  const ViewerReport report = feed.report();
+Json ViewJson(ViewFeed& feed) {
+  const ViewerReport report = feed.Finish();
   return {{"frames", report.frames},
           {"median_frame_ms", report.median_frame_ms},
           {"slowest_frame_ms", report.slowest_frame_ms},

@@ -52,13 +52,18 @@ class ViewFeed {
   bool window() const { return window_; }
   /// The window was closed by its user.
   bool closed() const { return viewer_.closed(); }
-  /// Why nothing is drawn any more, one sentence, once; else empty.
-  std::string TakeFailure();
+  /// What the view has to say of itself, one sentence, once: why nothing is drawn any more, or not
+  /// all of it; else empty.
+  std::string TakeNotice();
   /// Nothing is shown any more.
   bool ended() const { return closed() || failed(); }
   /// Nothing is drawn any more, and its user did not wish so.
   bool failed() const { return !viewer_.failure().empty(); }
-  ViewerReport report() const { return viewer_.report(); }
+  /// Ends it: how it kept up.
+  ViewerReport Finish() {
+    viewer_.Finish();
+    return viewer_.report();
+  }
 
  private:
   Viewer viewer_;
@@ -75,10 +80,10 @@ std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const Vie
 /// mouse that moved the tip with it.
 void RequireView(const ViewFeed& feed, const std::string& device);
 
-/// How a view kept up.
-Json ViewJson(const ViewFeed& feed);
-/// The outcome of a view in words: where its frames are, how it kept up.
-void SayView(const ViewFeed& feed, const ViewOptions& options, Console& console);
+/// Ends a view: how it kept up.
+Json ViewJson(ViewFeed& feed);
+/// Ends a view. The outcome of a view in words: where its frames are, how it kept up.
+void SayView(ViewFeed& feed, const ViewOptions& options, Console& console);
 
 /// The page that lies there now.
 std::shared_ptr<const ViewPage> ViewPageOf(const LoopSession& session);

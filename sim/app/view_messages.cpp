@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/app/words.h"
+#include "sim/view/viewer.h"
 #include "textures/text_file.h"
 
 namespace moontrace::say {
@@ -28,6 +30,15 @@ std::string RunsOnUnseen() { return "Window closed: the rest runs without it."; 
 std::string WindowOrFrames() { return "--view opens a window, --frames draws without: take one"; }
 
 std::string TakesViewWordsOnly() { return "It runs by itself: only the view takes words here."; }
+
+std::string ViewWordsHelp() {
+  return fmt::format("Words of the view: {}.", Joined(ViewWords(), ", "));
+}
+
+std::string ViewColoursHelp() {
+  return "In the view blue is the force on the hand, orange the push, purple the letter and stroke "
+         "that are meant; the tip's way is green on the stroke and red beside it.";
+}
 
 std::string PictureIsSimulated() {
   return "--picture shows the simulated stylus: leave out --device";

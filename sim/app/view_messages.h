@@ -19,6 +19,9 @@ std::string RunsOnUnseen();
 std::string WindowOrFrames();
 /// Of a trace by itself: nothing can be said to it.
 std::string TakesViewWordsOnly();
+/// All words that the view takes, and what its colours mean: two sentences.
+std::string ViewWordsHelp();
+std::string ViewColoursHelp();
 std::string PictureIsSimulated();
 std::string OnlyInView(std::string_view option);
 /// The folder's path follows on a line of its own.

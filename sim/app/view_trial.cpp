@@ -46,9 +46,12 @@ void TrialView::LookAtWindow() {
   while (const std::optional<std::string> line = feed_.NextLine()) {
     const std::optional<std::string> done = feed_.Obey(*line);
     feed_.Told(done ? *done : say::TakesViewWordsOnly());
+    if (*line != "?") continue;
+    feed_.Told(say::ViewWordsHelp());
+    feed_.Told(say::ViewColoursHelp());
   }
-  const std::string failure = feed_.TakeFailure();
-  if (!failure.empty()) console_.Remark(failure);
+  const std::string notice = feed_.TakeNotice();
+  if (!notice.empty()) console_.Remark(notice);
   if (feed_.closed()) console_.Remark(say::RunsOnUnseen());
   over_ = feed_.ended();
 }

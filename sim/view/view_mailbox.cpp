@@ -42,4 +42,9 @@ void ViewMailbox::Say(std::string line) {
   lines.push_back(std::move(line));
 }
 
+void ViewMailbox::Notice(std::string sentence) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  notices.push_back(std::move(sentence));
+}
+
 }  // namespace moontrace

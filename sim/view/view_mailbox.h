@@ -24,7 +24,7 @@ struct ViewNews {
   std::deque<ViewMoment> moments;
   std::optional<std::vector<PanelControl>> controls;
   std::optional<std::vector<PanelValue>> values;
-  std::optional<std::string> line;
+  std::vector<std::string> told;  ///< lines of the text face
   std::vector<ViewWord> words;
 };
 
@@ -53,7 +53,8 @@ struct ViewMailbox {
   bool opened = false, closed = false, finished = false;
   std::exception_ptr refused;  ///< why it could not open
   std::string failure;
-  std::deque<std::string> lines;  ///< said in the window
+  std::deque<std::string> lines;    ///< said in the window
+  std::deque<std::string> notices;  ///< what the view has to say of itself
   TimeLog frames, changes;
 
   /// For the thread.
@@ -61,6 +62,7 @@ struct ViewMailbox {
   bool Stopped();
   void Fail(const std::string& why);
   void Say(std::string line);
+  void Notice(std::string sentence);
 };
 
 }  // namespace moontrace

@@ -44,6 +44,14 @@ std::string ViewLost() { return "the display was lost: the view is over, all els
 
 std::string ViewStopped(const std::string& why) { return fmt::format("the view is over: {}", why); }
 
+std::string ViewTooSmall() {
+  return "the window is too small for its panel: make it larger, or use words and keys";
+}
+
+std::string ViewMinimised() {
+  return "the window is minimised: nothing is drawn, all else goes on";
+}
+
 std::string ViewPress(double press) { return fmt::format("mouse presses {:.1f} N", press); }
 
 }  // namespace moontrace::say

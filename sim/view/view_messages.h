@@ -15,6 +15,10 @@ std::string ViewLost();
 /// The view had to stop drawing, `why` being one line.
 std::string ViewStopped(const std::string& why);
 
+/// Room for neither panel nor lines.
+std::string ViewTooSmall();
+std::string ViewMinimised();
+
 /// How hard the mouse's left button presses [N].
 std::string ViewPress(double press);
 

@@ -82,6 +82,7 @@ struct ViewPainter::State {
   void TakeSurface();
   bool StillFits() const;
   void Follow();
+  void DrawTold(int x, int y, int room);
   void DrawText();
 };
 
@@ -159,6 +160,24 @@ void ViewPainter::State::Follow() {
   }
 }
 
+/// One row of large letters, or as many of small ones as it takes, upwards over the page.
+void ViewPainter::State::DrawTold(int x, int y, int room) {
+  const ViewColors colors = ColorsOf(look);
+  const mjrContext& context = renderer->context();
+  const std::string told = AsciiOf(line, "?");
+  if (TextWidth(told, true, context) <= room) {
+    return WriteText(told, x, y, room, true, colors.text, context);
+  }
+  const int row = context.charHeight + kRowGap / 2;
+  const auto most = static_cast<std::size_t>(std::max(layout.page.height / 2 / row, 1));
+  const std::vector<std::string> rows = RowsOf(told, room, most, context);
+  const int top = y + static_cast<int>(rows.size()) * row;
+  FillBox({layout.text.x, y, layout.text.width, top - y}, colors.back);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    WriteText(rows[i], x, top - static_cast<int>(i + 1) * row, room, false, colors.text, context);
+  }
+}
+
 void ViewPainter::State::DrawText() {
   if (layout.text.empty()) return;
   const ViewColors colors = ColorsOf(look);
@@ -168,9 +187,7 @@ void ViewPainter::State::DrawText() {
   const int x = box.x + kRowGap, room = box.width - 2 * kRowGap;
   const int hint_width = TextWidth(hint, false, context);
   const int low = box.y + kRowGap / 2;
-  const std::string told = AsciiOf(line, "?");
-  const bool big = TextWidth(told, true, context) <= room;  // a long one small, and then cut off
-  WriteText(told, x, low + context.charHeight + kRowGap, room, big, colors.text, context);
+  DrawTold(x, low + context.charHeight + kRowGap, room);
   WriteText(hint, x + room - hint_width, low, hint_width, false, colors.text, context);
   // of a long line the end is what is being typed
   std::string writing = typed.empty() ? std::string() : "> " + AsciiOf(typed, "?") + "_";
@@ -231,6 +248,13 @@ void ViewPainter::SetControls(std::vector<PanelControl> controls) {
 ViewPanel& ViewPainter::panel() { return state_->panel; }
 const ViewLook& ViewPainter::look() const { return state_->look; }
 const ViewLayout& ViewPainter::layout() const { return state_->layout; }
+
+bool ViewPainter::cramped() const {
+  const State& s = *state_;
+  return (s.look.panel && !s.panel.empty() && s.layout.panel.empty()) ||
+         (s.window && s.layout.text.empty());
+}
+
 const PageCamera& ViewPainter::camera() const { return state_->camera; }
 
 void ViewPainter::SetLook(const ViewLook& look) {

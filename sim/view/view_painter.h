@@ -29,7 +29,7 @@ class ViewPainter {
 
   void Show(std::shared_ptr<const ViewPage> page);
   void Add(const ViewMoment& moment);
-  /// The lower edge: the newest line, the line being typed, and what the mouse does.
+  /// The lower edge: what was told last, the line being typed, and what the mouse does.
   void Tell(std::string_view line);
   void SetTyped(std::string_view typed);
   void SetHint(std::string_view hint);
@@ -40,6 +40,8 @@ class ViewPainter {
   void SetLook(const ViewLook& look);
   void Resize(int width, int height);
   const ViewLayout& layout() const;
+  /// It is too small for the panel or the lines that it should have.
+  bool cramped() const;
   /// Where the panel's mouse is answered.
   void PanelEvent(const WindowEvent& event, double now);
 

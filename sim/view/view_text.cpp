@@ -1,6 +1,9 @@
 #include "sim/view/view_text.h"
 
+#include <fmt/format.h>
 #include <mujoco/mujoco.h>
+
+#include <sstream>
 
 namespace moontrace {
 
@@ -24,6 +27,27 @@ int TextWidth(const std::string& ascii, bool big, const mjrContext_& context) {
     width += big ? context.charWidthBig[index] : context.charWidth[index];
   }
   return width;
+}
+
+std::vector<std::string> RowsOf(const std::string& ascii, int room, std::size_t most,
+                                const mjrContext_& context) {
+  std::vector<std::string> rows(1);
+  std::istringstream words(ascii);
+  std::string word;
+  while (words >> word) {
+    const std::string longer = rows.back().empty() ? word : fmt::format("{} {}", rows.back(), word);
+    if (rows.back().empty() || TextWidth(longer, false, context) <= room) {
+      rows.back() = longer;
+    } else if (rows.size() < most) {
+      rows.push_back(word);
+    } else {
+      std::string& last = rows.back();
+      while (!last.empty() && TextWidth(last + "...", false, context) > room) last.pop_back();
+      last += "...";
+      break;
+    }
+  }
+  return rows;
 }
 
 void WriteText(const std::string& ascii, int x, int y, int room, bool big, const Color& color,

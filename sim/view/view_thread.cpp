@@ -88,20 +88,27 @@ void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
   ViewInput input(painter, options.pointer);
   Opened(*mailbox);
   double next = Now();
+  bool minimised = false, cramped = false;
   while (!mailbox->Stopped() && !window.closed()) {
     const bool shown = window.shown();
+    if (!std::exchange(minimised, !shown) && minimised) mailbox->Notice(say::ViewMinimised());
     const double wait = shown ? next - Now() : kHiddenWait;
     for (const WindowEvent& event : window.Events(std::max(wait, 0.0))) {
       input.Handle(event, Now());
     }
     while (std::optional<std::string> line = input.NextLine(Now())) mailbox->Say(std::move(*line));
     ViewNews news = mailbox->TakeNews();
-    if (news.line) window.SetTitle(fmt::format("{} - {}", options.title, *news.line));
+    if (!news.told.empty()) {
+      window.SetTitle(fmt::format("{} - {}", options.title, news.told.back()));
+    }
     Deliver(std::move(news), painter);
     if (Now() < next) continue;
     next = std::max(next + kFrame, Now());
     if (!window.shown()) continue;
     painter.Resize(window.width(), window.height());
+    if (!std::exchange(cramped, painter.cramped()) && cramped) {
+      mailbox->Notice(say::ViewTooSmall());
+    }
     if (!painter.changed()) continue;
     const Clock::time_point start = Clock::now();
     painter.Draw();
@@ -130,6 +137,10 @@ void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
   const HeadlessGl gl;
   ViewPainter painter(false, options.width, options.height, LookOf(options));
   Opened(*mailbox);
+  {  // the first frame is of a page
+    std::unique_lock<std::mutex> lock(mailbox->mutex);
+    mailbox->changed.wait(lock, [&] { return mailbox->stop || mailbox->news.page; });
+  }
   const Clock::time_point begin = Clock::now();
   const auto due_at = [&](std::size_t frame) {
     const Seconds after(static_cast<double>(frame) / options.frames_per_second);
@@ -139,7 +150,7 @@ void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
     {
       std::unique_lock<std::mutex> lock(mailbox->mutex);
       mailbox->changed.wait_until(lock, due_at(number), [&] { return mailbox->stop; });
-      if (mailbox->stop) return;
+      if (mailbox->stop && (number > 1 || !mailbox->news.page)) return;
     }
     Deliver(mailbox->TakeNews(), painter);
     const bool late = Clock::now() > due_at(number + 1);
@@ -163,7 +174,7 @@ void Deliver(ViewNews news, ViewPainter& painter) {
   for (const ViewMoment& moment : news.moments) painter.Add(moment);
   if (news.controls) painter.SetControls(std::move(*news.controls));
   if (news.values) painter.panel().SetValues(std::move(*news.values));
-  if (news.line) painter.Tell(*news.line);
+  if (!news.told.empty()) painter.Tell(fmt::format("{}", fmt::join(news.told, " ")));
   for (const ViewWord word : news.words) Do(word, painter);
 }
 

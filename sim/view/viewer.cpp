@@ -19,7 +19,9 @@ namespace moontrace {
 namespace {
 
 constexpr std::size_t kMostMoments = 4000;
-constexpr std::chrono::seconds kPatience(2);  // with a display that hangs
+constexpr std::size_t kMostTold = 20;  // at one moment
+// with a display that hangs, or a disk
+constexpr std::chrono::seconds kWindowPatience(2), kFramesPatience(30);
 
 /// An empty place for frames.
 void MakeFolder(const std::string& folder) {
@@ -27,7 +29,7 @@ void MakeFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder, error)) {
-    throw InputError(folder + ": no folder can be made there for frames; name another");
+    throw LackError(folder + ": no folder can be made there for frames; name another");
   }
   if (fs::exists(FramePath(folder, 1), error)) {
     throw InputError(folder + ": has frames in it already; name an empty folder");
@@ -40,10 +42,14 @@ void MakeFolder(const std::string& folder) {
 struct Viewer::State {
   std::shared_ptr<ViewMailbox> mailbox = std::make_shared<ViewMailbox>();
   std::thread thread;
+  std::chrono::seconds patience = kWindowPatience;
 };
 
 Viewer::Viewer(const ViewerOptions& options) : state_(std::make_shared<State>()) {
-  if (!options.frames.empty()) MakeFolder(options.frames);
+  if (!options.frames.empty()) {
+    MakeFolder(options.frames);
+    state_->patience = kFramesPatience;
+  }
   ViewMailbox& mailbox = *state_->mailbox;
   state_->thread = std::thread([options, box = state_->mailbox] { RunViewer(options, box); });
   std::unique_lock<std::mutex> lock(mailbox.mutex);
@@ -63,13 +69,16 @@ Viewer::Viewer(const ViewerOptions& options) : state_(std::make_shared<State>())
   throw LackError(failure);
 }
 
-Viewer::~Viewer() {
+Viewer::~Viewer() { Finish(); }
+
+void Viewer::Finish() {
+  if (!state_->thread.joinable()) return;
   ViewMailbox& mailbox = *state_->mailbox;
   std::unique_lock<std::mutex> lock(mailbox.mutex);
   mailbox.stop = true;
   mailbox.changed.notify_all();
   const auto over = [&] { return mailbox.finished || !mailbox.failure.empty(); };
-  mailbox.changed.wait_for(lock, kPatience, over);
+  mailbox.changed.wait_for(lock, state_->patience, over);
   const bool finished = mailbox.finished;
   lock.unlock();
   if (finished) {
@@ -83,6 +92,7 @@ void Viewer::Show(std::shared_ptr<const ViewPage> page) {
   ViewMailbox& mailbox = *state_->mailbox;
   const std::lock_guard<std::mutex> lock(mailbox.mutex);
   mailbox.news.page = std::move(page);
+  mailbox.changed.notify_all();  // the first frame waits for it
 }
 
 void Viewer::Tell(const ViewMoment& moment) {
@@ -108,7 +118,9 @@ void Viewer::SetPanelValues(std::vector<PanelValue> values) {
 void Viewer::Tell(std::string_view line) {
   ViewMailbox& mailbox = *state_->mailbox;
   const std::lock_guard<std::mutex> lock(mailbox.mutex);
-  mailbox.news.line = line;
+  std::vector<std::string>& told = mailbox.news.told;
+  if (told.size() >= kMostTold) told.erase(told.begin());
+  told.emplace_back(line);
 }
 
 std::optional<std::string> Viewer::NextLine() {
@@ -118,6 +130,15 @@ std::optional<std::string> Viewer::NextLine() {
   std::string line = std::move(mailbox.lines.front());
   mailbox.lines.pop_front();
   return line;
+}
+
+std::optional<std::string> Viewer::NextNotice() {
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  if (mailbox.notices.empty()) return std::nullopt;
+  std::string sentence = std::move(mailbox.notices.front());
+  mailbox.notices.pop_front();
+  return sentence;
 }
 
 std::optional<std::string> Viewer::Obey(std::string_view line) {

@@ -48,8 +48,8 @@ struct ViewerReport {
 /// loop: it is told, and asked. All calls from one thread.
 class Viewer {
  public:
-  /// Throws LackError, one line: no display, no OpenGL, or built without; InputError: the folder of
-  /// frames cannot be made or has frames in it.
+  /// Throws LackError, one line: no display, no OpenGL, built without, or the folder of frames
+  /// cannot be made; InputError: there are frames in it.
   explicit Viewer(const ViewerOptions& options);
   ~Viewer();
   Viewer(const Viewer&) = delete;
@@ -63,11 +63,14 @@ class Viewer {
   /// What the panel holds; then its values, one a control, as often as they change.
   void SetPanel(std::vector<PanelControl> controls);
   void SetPanelValues(std::vector<PanelValue> values);
-  /// A line of the text face, also shown in the window: its lower edge and its title.
+  /// A line of the text face, also shown in the window: its lower edge, with those told at the same
+  /// moment, and its title.
   void Tell(std::string_view line);
 
   /// What was said by panel or keyboard since the last call, in order: a line for the text face.
   std::optional<std::string> NextLine();
+  /// What the view has to say of itself, a sentence: too small for its panel, minimised.
+  std::optional<std::string> NextNotice();
   /// A word that concerns the view alone ("zoom in", "whole page", "print off"): done, and answered
   /// by one sentence; none: no such word. The words: ViewWords.
   std::optional<std::string> Obey(std::string_view line);
@@ -77,6 +80,9 @@ class Viewer {
   /// room for frames).
   std::string failure() const;
   ViewerReport report() const;
+  /// Ends it; of frames at least one is there, if there was a page. Waits until it is done, but not
+  /// for a display that hangs. Nothing is drawn from then on.
+  void Finish();
 
  private:
   struct State;

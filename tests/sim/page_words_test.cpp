@@ -31,6 +31,7 @@ TEST(PageWords, TakeNumbersWithTheirUnitOrWithout) {
   EXPECT_DOUBLE_EQ(Read(PageWord::kSize, "2CM").value, 0.020);
   EXPECT_DOUBLE_EQ(Read(PageWord::kSize, "0.02 m").value, 0.020);
   EXPECT_DOUBLE_EQ(Read(PageWord::kDepth, "50%").value, 0.5);
+  EXPECT_DOUBLE_EQ(Read(PageWord::kDepth, "50").value, 0.5);
   EXPECT_DOUBLE_EQ(Read(PageWord::kDepth, "150 percent").value, 1.5);
   EXPECT_DOUBLE_EQ(Read(PageWord::kWidth, "120 %").value, 1.2);
   EXPECT_DOUBLE_EQ(Read(PageWord::kSpacing, "+1.5").value, 1.5);
@@ -64,6 +65,7 @@ TEST(PageWords, RefuseWhatIsNoneOfTheirs) {
     EXPECT_NE(Refused(PageWord::kSize, given).find("No size "), std::string::npos) << given;
   }
   EXPECT_EQ(Refused(PageWord::kTilt, "5 %"), "No tilt 5 %: it wants degrees, -60 to 60.");
+  EXPECT_EQ(Refused(PageWord::kDepth, "3"), "No depth 3, out of range: it wants 20 to 200 %.");
   EXPECT_EQ(Refused(PageWord::kDepth, ""), "depth lacks what it wants: 20 to 200 %.");
   EXPECT_EQ(Refused(PageWord::kPaper, "sampled"),
             "No paper sampled: it wants smooth, sine, grid or noise.");

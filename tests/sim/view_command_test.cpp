@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "sim/app/loop_messages.h"
+#include "sim/app/view_messages.h"
 #include "sim/view/gl_headless.h"
+#include "sim/view/viewer.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {
@@ -97,6 +100,19 @@ TEST_F(ViewCommand, WritesFramesOfARunningLoop) {
   EXPECT_EQ(SizeOfPng(ReadAll(In("f/frame-00001.png"))), std::make_pair(1280, 720));
 }
 
+TEST_F(ViewCommand, HelpHasTheViewsWordsAndColours) {
+  const Outcome outcome = RunLine(
+      {"loop", "moon", "--device", "simulated", "--frames", In("f"), "--seconds", "0.3"}, "?\n");
+  if (!CanDraw(outcome)) return;
+  std::string out = outcome.out;
+  std::replace(out.begin(), out.end(), '\n', ' ');
+  EXPECT_NE(out.find(say::ViewWordsHelp()), std::string::npos) << outcome.out;
+  EXPECT_NE(out.find(say::ViewColoursHelp()), std::string::npos) << outcome.out;
+  for (const std::string& word : ViewWords()) {
+    EXPECT_NE(say::ViewWordsHelp().find(word), std::string::npos) << word;
+  }
+}
+
 /// Being looked at changes nothing but how long it takes.
 TEST_F(SlowViewCommand, ATraceThatIsSeenIsTheSameTrace) {
   const std::vector<std::string> args = {"trace", "i", "--json"};
@@ -153,7 +169,7 @@ TEST_F(ViewCommand, RefusesInOneLine) {
       {{"view", "o", "--picture", In("a.png"), "--frames", In("f")}, exit_code::kUsage},
       {{"view", "o", "--picture", In("a.png"), "--rate-hz", "500"}, exit_code::kUsage},
       {{"view", "o", "--view"}, exit_code::kUsage},
-      {{"view", "o", "--frames", In("file/x"), "--seconds", "1"}, exit_code::kInput},
+      {{"view", "o", "--frames", In("file/x"), "--seconds", "1"}, exit_code::kLack},
   };
   for (const auto& [args, code] : lines) {
     const Outcome outcome = RunLine(args);

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 
+#include "sim/view/view_messages.h"
 #include "sim/view/view_window.h"
 #include "sim/view/viewer.h"
 #include "tests/sim/display_fixture.h"
@@ -205,6 +206,8 @@ TEST_F(SlowViewWindow, LivesThroughSizesAndDisappearing) {
     ASSERT_TRUE(display_->Do({"search", "--name", "Moontrace", "windowsize", size, size}));
     ASSERT_TRUE(Drawn(viewer_->report().frames + 2));
   }
+  EXPECT_EQ(viewer_->NextNotice(), say::ViewTooSmall());  // once
+  EXPECT_EQ(viewer_->NextNotice(), std::nullopt);
   ASSERT_TRUE(display_->Do({"search", "--name", "Moontrace", "windowunmap"}));
   ASSERT_TRUE(display_->Do({"search", "--name", "Moontrace", "windowmap"}));
   EXPECT_TRUE(Drawn(viewer_->report().frames + 2));

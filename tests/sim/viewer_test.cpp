@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "sim/view/gl_headless.h"
 #include "sim/view/view_painter.h"
@@ -78,13 +80,44 @@ TEST_F(ViewerTest, WritesFramesInOrderWithoutADisplay) {
   EXPECT_THROW(Viewer{options}, InputError);
 }
 
+TEST_F(ViewerTest, TheFirstFrameIsOfAPage) {
+  ViewerOptions options;
+  options.width = 320;
+  options.height = 200;
+  const std::string picture = folder_.string() + ".png";
+  WriteViewPicture(picture, options, PageOf("moon"), {}, {}, {});
+  const std::string page = BytesOf(picture);
+  fs::remove(picture);
+  options.frames = folder_.string();
+  options.frames_per_second = 200;
+  Viewer viewer(options);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_TRUE(fs::is_empty(folder_));
+  viewer.Show(PageOf("moon"));
+  ASSERT_TRUE(Eventually([&] { return fs::exists(folder_ / "frame-00001.png"); }));
+  EXPECT_EQ(BytesOf(folder_ / "frame-00001.png"), page);
+}
+
+TEST_F(ViewerTest, AShortRunHasAFrame) {
+  ViewerOptions options;
+  options.frames = folder_.string();
+  options.width = 160;
+  options.height = 120;
+  Viewer viewer(options);
+  viewer.Show(PageOf("moon"));
+  viewer.Finish();
+  EXPECT_EQ(viewer.report().frames, 1U);
+  EXPECT_TRUE(fs::exists(folder_ / "frame-00001.png"));
+  viewer.Finish();  // twice is once
+}
+
 TEST_F(ViewerTest, RefusesAFolderThatCannotBeMade) {
   fs::create_directories(folder_);
   const fs::path file = folder_ / "file";
   std::ofstream(file) << "x";
   ViewerOptions options;
   options.frames = (file / "frames").string();
-  EXPECT_THROW(Viewer{options}, InputError);
+  EXPECT_THROW(Viewer{options}, LackError);
 }
 
 TEST_F(ViewerTest, ObeysItsOwnWordsOnly) {
@@ -216,6 +249,39 @@ TEST_F(ViewPainterTest, ANewPageKeepsTheViewThatSomeoneChose) {
   EXPECT_EQ(painter_->camera().height, chosen);
   painter_->ShowWholePage();
   EXPECT_NEAR(painter_->camera().height, 0.12 / painter_->aspect(), 1e-12);
+}
+
+TEST_F(ViewPainterTest, LongTalkStandsInRowsAboveTheEdge) {
+  painter_->Show(PageOf("moon"));
+  painter_->Tell("Well done.");
+  const Raster short_line = Drawn();
+  std::string talk;
+  for (int i = 0; i < 40; ++i) talk += "several words ";
+  painter_->Tell(talk);
+  const Raster rows = Drawn();
+  const PixelBox& text = painter_->layout().text;
+  const auto column = static_cast<std::size_t>(text.x) + 2;
+  const auto above = rows.height - static_cast<std::size_t>(text.y + text.height) - 5;
+  const auto differs = [&](std::size_t row) {
+    const std::size_t at = 3 * (row * rows.width + column);
+    return rows.rgb.at(at) != short_line.rgb.at(at);
+  };
+  EXPECT_TRUE(differs(above));
+  EXPECT_FALSE(differs(rows.height / 4));  // the page is not covered
+}
+
+TEST_F(ViewPainterTest, TellsThatItIsTooSmallForItsPanel) {
+  painter_->Show(PageOf("moon"));
+  EXPECT_FALSE(painter_->cramped());
+  ViewLook look;
+  painter_->SetLook(look);
+  painter_->SetControls(SmallPanel());
+  EXPECT_FALSE(painter_->cramped());
+  painter_->Resize(300, 300);
+  EXPECT_TRUE(painter_->cramped());
+  look.panel = false;
+  painter_->SetLook(look);  // it is not wished for
+  EXPECT_FALSE(painter_->cramped());
 }
 
 TEST_F(ViewPainterTest, SmallestPicturesAreDrawn) {
