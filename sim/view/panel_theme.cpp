@@ -16,6 +16,11 @@ void Set(float (&to)[3], const Color& color) {
 
 }  // namespace
 
+int TextRoom(const mjrContext_& context) {
+  constexpr int kEdges = 34;  // of an item, left and right, at 100 % [points]
+  return (kWidth - kScroll - kLabel - kEdges) * context.fontScale / 100;
+}
+
 void SetTheme(mjUI_& ui, const ViewColors& colors) {
   ui.spacing = mjui_themeSpacing(0);
   ui.spacing.total = kWidth;

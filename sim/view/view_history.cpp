@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kKeptWay = 20, kKeptPoints = 10;  // [s]
 constexpr std::size_t kMostWay = 1500;
+constexpr double kLate = 0.5;        // of a snapshot told behind samples that are newer [s]
 constexpr double kBin = 0.02;        // of a plotted point [s]
 constexpr double kLookEvery = 4e-3;  // between searches for the nearest stroke [s]
 constexpr double kReach = 1.5e-3;    // beyond a groove's width [m]
@@ -51,12 +52,14 @@ double ViewHistory::DistanceFrom(glm::dvec2 tip_P) {
   return nearest;
 }
 
-void ViewHistory::Add(const ViewMoment& moment) {
-  if (newest_ && moment.time < newest_->time) {
+void ViewHistory::Add(ViewMoment moment) {
+  if (newest_ && moment.time < newest_->time - kLate) {
     points_.clear();
     way_.clear();
     broken_ = true;
     looked_at_ = -1;
+  } else if (newest_) {
+    moment.time = std::max(moment.time, newest_->time);
   }
   newest_ = moment;
   const bool here = page_ && moment.present && moment.page == page_->number;

@@ -18,8 +18,9 @@ class ViewHistory {
  public:
   /// A new page: the way of the old one is forgotten.
   void Show(std::shared_ptr<const ViewPage> page);
-  /// In order of time; a time that goes back begins anew.
-  void Add(const ViewMoment& moment);
+  /// In order of time; one that is late by up to half a second is taken as of now, a time that goes
+  /// back farther begins anew.
+  void Add(ViewMoment moment);
 
   const std::optional<ViewMoment>& newest() const { return newest_; }
   /// The way on the page shown, `off` as ViewMarks has it.

@@ -1,5 +1,6 @@
 #include "sim/view/view_painter.h"
 
+#include <fmt/ranges.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -17,6 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// a slow reader: 16 letters a second
+constexpr std::chrono::milliseconds kReadLine(3000), kReadLetter(60);
 constexpr int kFont = 100, kLargeFont = 150;  // [%]
 constexpr int kPlotsWidth = 280;              // at 100 % [points]
 constexpr double kLeastShare = 0.6;           // of the view that a page's letters fill
@@ -63,7 +66,9 @@ struct ViewPainter::State {
   bool camera_moved = false;  // by someone: a new page leaves it
   bool follow = false;
   ViewLayout layout;
-  std::string line, typed, hint;
+  std::string talk, line, typed, hint;  // all that was told together, and its last
+  Clock::time_point read_by;
+  bool reading = false;  // when it was drawn last
   bool changed = true;
   // the surface
   std::optional<SurfaceWish> wished;
@@ -160,17 +165,19 @@ void ViewPainter::State::Follow() {
   }
 }
 
-/// One row of large letters, or as many of small ones as it takes, upwards over the page.
+/// One row of large letters, or small ones: while they are read as many as it takes, upwards over
+/// the page.
 void ViewPainter::State::DrawTold(int x, int y, int room) {
   const ViewColors colors = ColorsOf(look);
   const mjrContext& context = renderer->context();
-  const std::string told = AsciiOf(line, "?");
+  reading = Clock::now() < read_by;
+  const std::string& told = reading ? talk : line;
   if (TextWidth(told, true, context) <= room) {
     return WriteText(told, x, y, room, true, colors.text, context);
   }
   const int row = context.charHeight + kRowGap / 2;
-  const auto most = static_cast<std::size_t>(std::max(layout.page.height / 2 / row, 1));
-  const std::vector<std::string> rows = RowsOf(told, room, most, context);
+  const int most = reading ? std::max(layout.page.height / 2 / row, 1) : 1;
+  const std::vector<std::string> rows = RowsOf(told, room, static_cast<std::size_t>(most), context);
   const int top = y + static_cast<int>(rows.size()) * row;
   FillBox({layout.text.x, y, layout.text.width, top - y}, colors.back);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -218,10 +225,13 @@ void ViewPainter::Add(const ViewMoment& moment) {
   state_->changed = true;
 }
 
-void ViewPainter::Tell(std::string_view line) {
+void ViewPainter::Tell(std::vector<std::string> lines) {
+  if (lines.empty()) return;
   State& s = *state_;
   const bool first = s.line.empty();
-  s.line = line;
+  s.talk = AsciiOf(fmt::format("{}", fmt::join(lines, " ")), "?");
+  s.line = AsciiOf(lines.back(), "?");
+  s.read_by = Clock::now() + kReadLine + kReadLetter * s.talk.size();
   if (first) s.Arrange();
   s.changed = true;
 }
@@ -314,7 +324,8 @@ void ViewPainter::SetFollow(bool follow) {
 bool ViewPainter::changed() {
   State& s = *state_;
   if (s.drawn != s.wishes) s.TakeSurface();
-  return s.changed || s.panel.changed();
+  const bool read = s.reading && Clock::now() >= s.read_by;
+  return s.changed || read || s.panel.changed();
 }
 
 void ViewPainter::Draw() {

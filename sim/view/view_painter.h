@@ -30,7 +30,9 @@ class ViewPainter {
   void Show(std::shared_ptr<const ViewPage> page);
   void Add(const ViewMoment& moment);
   /// The lower edge: what was told last, the line being typed, and what the mouse does.
-  void Tell(std::string_view line);
+  /// Lines told together stand whole, over the page, as long as it takes to read them; then the
+  /// last, as far as it has room.
+  void Tell(std::vector<std::string> lines);
   void SetTyped(std::string_view typed);
   void SetHint(std::string_view hint);
   void SetControls(std::vector<PanelControl> controls);

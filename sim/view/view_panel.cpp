@@ -66,6 +66,7 @@ struct ViewPanel::State {
 
   void Build();
   void AddItem(std::size_t index, int section);
+  std::string Fitting(const std::string& text) const;
   void Apply();
   std::optional<std::size_t> ControlOf(const mjuiItem* item) const;
   const mjuiItem& ItemOf(std::size_t control) const {
@@ -147,6 +148,13 @@ void ViewPanel::State::Build() {
   Apply();
 }
 
+/// What there is room for behind a label.
+std::string ViewPanel::State::Fitting(const std::string& text) const {
+  const std::string line = OneLine(text, mjMAXUINAME - 1);
+  if (context == nullptr) return line;
+  return RowsOf(AsciiOf(line, "?"), TextRoom(*context), 1, *context).front();
+}
+
 /// The told values become what is shown.
 void ViewPanel::State::Apply() {
   for (std::size_t i = 0; i < std::min(told.size(), controls.size()); ++i) {
@@ -155,7 +163,7 @@ void ViewPanel::State::Apply() {
     choices[i] = told[i].choice;
     if (controls[i].kind == Kind::kText && places[i].section >= 0) {
       mjuiItem& item = ui->sect[places[i].section].item[places[i].item];
-      Copy(item.multi.name[0], OneLine(told[i].text, mjMAXUINAME - 1));
+      Copy(item.multi.name[0], Fitting(told[i].text));
     }
   }
   redraw = changed = true;
@@ -233,6 +241,7 @@ void ViewPanel::Prepare(mjrContext_& context, const ViewColors& colors) {
   s.colors = colors;
   if (empty()) return;
   SetTheme(*s.ui, colors);
+  s.Apply();
   mjui_resize(s.ui.get(), &context);
   mjr_addAux(kAux, s.ui->width, s.ui->maxheight, s.ui->spacing.samples, &context);
   s.redraw = s.changed = true;

@@ -174,7 +174,7 @@ void Deliver(ViewNews news, ViewPainter& painter) {
   for (const ViewMoment& moment : news.moments) painter.Add(moment);
   if (news.controls) painter.SetControls(std::move(*news.controls));
   if (news.values) painter.panel().SetValues(std::move(*news.values));
-  if (!news.told.empty()) painter.Tell(fmt::format("{}", fmt::join(news.told, " ")));
+  painter.Tell(std::move(news.told));
   for (const ViewWord word : news.words) Do(word, painter);
 }
 

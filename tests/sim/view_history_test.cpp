@@ -96,6 +96,16 @@ TEST_F(ViewHistoryTest, TimeThatGoesBackBeginsAnew) {
   EXPECT_EQ(history_.Way().size(), 1U);
 }
 
+TEST_F(ViewHistoryTest, ASnapshotBehindNewerSamplesForgetsNothing) {
+  for (int i = 0; i < 1000; ++i) {
+    history_.Add(At(0.002 * i, {0, 1e-4 * i}));
+    if (i % 25 == 0) history_.Add(At(0.002 * i - 0.001, {0, 1e-4 * i}));
+  }
+  EXPECT_GE(history_.points().size(), 95U);  // 2 s of 20 ms
+  EXPECT_GE(history_.Way().size(), 100U);
+  EXPECT_DOUBLE_EQ(history_.newest()->time, 0.002 * 999);
+}
+
 TEST_F(ViewHistoryTest, AnotherPagesMomentLeavesNoWay) {
   ViewMoment other = At(0, {0, 0});
   other.page = 2;

@@ -225,7 +225,7 @@ TEST_F(ViewPainterTest, DrawsAgainOnlyWhatChanged) {
   painter_->Show(PageOf("moon"));
   Drawn();
   EXPECT_FALSE(painter_->changed());
-  painter_->Tell("Well done.");
+  painter_->Tell({"Well done."});
   EXPECT_TRUE(painter_->changed());
   Drawn();
   EXPECT_FALSE(painter_->changed());
@@ -253,11 +253,11 @@ TEST_F(ViewPainterTest, ANewPageKeepsTheViewThatSomeoneChose) {
 
 TEST_F(ViewPainterTest, LongTalkStandsInRowsAboveTheEdge) {
   painter_->Show(PageOf("moon"));
-  painter_->Tell("Well done.");
+  painter_->Tell({"Well done."});
   const Raster short_line = Drawn();
   std::string talk;
   for (int i = 0; i < 40; ++i) talk += "several words ";
-  painter_->Tell(talk);
+  painter_->Tell({talk, "The last."});
   const Raster rows = Drawn();
   const PixelBox& text = painter_->layout().text;
   const auto column = static_cast<std::size_t>(text.x) + 2;
