@@ -12,6 +12,6 @@ struct ViewCommandOptions : LoopCommandOptions {
   std::string picture;  ///< empty: none
 };
 void AddOptions(CLI::App& app, ViewCommandOptions& options);
-int Run(const ViewCommandOptions& options, Console& console);
+int Run(const ViewCommandOptions& given, Console& console);
 
 }  // namespace moontrace

@@ -150,7 +150,7 @@ void ViewPanel::State::Build() {
 
 /// What there is room for behind a label.
 std::string ViewPanel::State::Fitting(const std::string& text) const {
-  const std::string line = OneLine(text, mjMAXUINAME - 1);
+  std::string line = OneLine(text, mjMAXUINAME - 1);
   if (context == nullptr) return line;
   return RowsOf(AsciiOf(line, "?"), TextRoom(*context), 1, *context).front();
 }
