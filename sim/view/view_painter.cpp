@@ -186,6 +186,7 @@ void ViewPainter::State::DrawTold(int x, int y, int room) {
 }
 
 void ViewPainter::State::DrawText() {
+  reading = false;
   if (layout.text.empty()) return;
   const ViewColors colors = ColorsOf(look);
   const mjrContext& context = renderer->context();
