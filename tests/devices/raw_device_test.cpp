@@ -30,6 +30,17 @@ glm::dvec3 LastForce(const FakeHid& fake) {
   return {force.at(0), force.at(1), force.at(2)};
 }
 
+/// The last force that was not none [N]. Its own dead-man comes soon after the last tick, while a
+/// slow machine still reads the log.
+glm::dvec3 LastPush(const FakeHid& fake) {
+  const auto lines = fake.Log("force");
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    const glm::dvec3 force(line->force.at(0), line->force.at(1), line->force.at(2));
+    if (force != glm::dvec3(0, 0, 0)) return force;
+  }
+  return {0, 0, 0};
+}
+
 /// Whether the last output report that was handed over says: let go.
 bool EndsLetGo(const FakeHid& fake) {
   const auto lines = fake.Log("out", kRawOutputNumber);
@@ -65,14 +76,14 @@ TEST(RawDevice, FollowsTheHandAndPushesIt) {
   // 2 m/b = 0.07 s) has died down to a few percent.
   EXPECT_NEAR(run.states.back().p_D.z, 0.010, 0.002);
   EXPECT_TRUE(run.states.back().velocity_known);
-  EXPECT_NEAR(LastForce(fake).z, 2, 1e-3);
+  EXPECT_NEAR(LastPush(fake).z, 2, 1e-3);
 }
 
 TEST(RawDevice, HoldsForcesUnderThePeakAndDropsWhatIsNoNumber) {
   const FakeHid fake(kKind);
   const auto device = Open();
   RunDevice(*device, 100, {std::nan(""), 50, -1});
-  const glm::dvec3 force = LastForce(fake);
+  const glm::dvec3 force = LastPush(fake);
   EXPECT_EQ(force.x, 0);
   EXPECT_NEAR(force.y, 5, 1e-3);
   EXPECT_NEAR(force.z, -1, 1e-3);
@@ -91,7 +102,7 @@ TEST(RawDevice, IsLetGoByItsOwnDeadManWhenTheProgramHangs) {
   const FakeHid fake(kKind);
   const auto device = Open();
   RunDevice(*device, 60, {1, 0, 0});
-  ASSERT_NEAR(LastForce(fake).x, 1, 1e-3);
+  ASSERT_NEAR(LastPush(fake).x, 1, 1e-3);
   // Nobody ticks: repeats stop after 20 ms, the dead-man comes 15 ms later.
   std::this_thread::sleep_for(std::chrono::milliseconds(400));
   EXPECT_EQ(LastForce(fake).x, 0);
@@ -109,7 +120,7 @@ TEST(RawDevice, IsLostWhenItIsUnpluggedAndWorksAgainAfterwards) {
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   device = Open();
   EXPECT_GT(RunDevice(*device, 100, {1, 0, 0}).states.size(), 2u);
-  EXPECT_NEAR(LastForce(fake).x, 1, 1e-3);
+  EXPECT_NEAR(LastPush(fake).x, 1, 1e-3);
 }
 
 TEST(RawDevice, IsLostAndLetGoOnGarbage) {
