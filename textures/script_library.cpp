@@ -90,6 +90,10 @@ Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
   for (const ScriptEntry& entry : entries) names.push_back(entry.name);
   const std::string with_prefix = std::string(kHershey).append(name);
   const bool is_hershey = std::find(names.begin(), names.end(), with_prefix) != names.end();
+  std::error_code error;
+  if (name.rfind(kHershey, 0) == 0 && !fs::is_directory(kHersheyFolder, error)) {
+    throw LackError("no Hershey fonts here: install hershey-fonts-data, or give a font's path");
+  }
   const std::string nearest = is_hershey ? with_prefix : NearestWord(name, names);
   if (nearest.empty()) {
     throw InputError(fmt::format("unknown script '{}': give a font's path or see script list",

@@ -27,8 +27,8 @@ std::vector<ScriptEntry> ListScripts();
 Script LoadScriptFile(const std::string& path, std::string_view text);
 
 /// By a name of ListScripts, or by path when it holds a '/' or ends like a file that can be loaded.
-/// Throws InputError; for an unknown name with the known ones (but Hershey's) and the
-/// nearest.
+/// Throws InputError, for an unknown name with the nearest; LackError: Hershey's fonts are not
+/// installed.
 Script LoadScriptNamed(const std::string& name_or_path, std::string_view text);
 
 }  // namespace moontrace

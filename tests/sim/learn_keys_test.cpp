@@ -79,6 +79,7 @@ TEST_F(LearnKeys, AreRefusedInAPipe) {
 }
 
 TEST_F(LearnKeys, WorkAtATerminalWhichIsAsItWasOnEveryWayOut) {
+  SKIP_WITHOUT_TERMINALS();
   for (const int by : {0, SIGTERM, SIGSEGV}) {
     PtySession session(Learn({"--keys"}));
     if (by == 0) {

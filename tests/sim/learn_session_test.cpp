@@ -118,6 +118,7 @@ TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
 }
 
 TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
+  SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
   ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
   session.Send("\n");
@@ -142,6 +143,7 @@ TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
 }
 
 TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
+  SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
   ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
   session.Send("\n");
@@ -157,6 +159,7 @@ TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
 }
 
 TEST_F(LearnSessionTest, LeavesASignOfADemonstrationAtNext) {
+  SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
   ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
   session.Send("no\nnext\nnext\nnext\n");  // what is explored, then what i and l are
@@ -168,6 +171,7 @@ TEST_F(LearnSessionTest, LeavesASignOfADemonstrationAtNext) {
 }
 
 TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
+  SKIP_WITHOUT_TERMINALS();
   PtySession session({"learn", "--course", In("course"), "--records", In("records.sqlite"),
                       "--device", "simulated"});
   ASSERT_TRUE(session.WaitFor("Who learns?")) << session.all();
@@ -187,6 +191,7 @@ TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
 }
 
 TEST_F(LearnSessionTest, KeepsNobodyWhoLeavesAtAQuestion) {
+  SKIP_WITHOUT_TERMINALS();
   for (const bool asked_who : {true, false}) {
     std::vector<std::string> args{"learn",     "--course",           In("course"),
                                   "--records", In("records.sqlite"), "--device",
@@ -202,6 +207,7 @@ TEST_F(LearnSessionTest, KeepsNobodyWhoLeavesAtAQuestion) {
 }
 
 TEST_F(SlowLearnSession, AnswersEveryWordAtEveryStep) {
+  SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
   ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
   session.Send("no\n");
@@ -262,10 +268,12 @@ void KillAgainAndAgain(const std::vector<std::string>& args, const std::string& 
 }
 
 TEST_F(LearnSessionTest, LosesNoTrialThatWasToldWhenItIsKilled) {
+  SKIP_WITHOUT_TERMINALS();
   KillAgainAndAgain(Learn(), In("records.sqlite"), 2);
 }
 
 TEST_F(SlowLearnSession, LosesNoTrialThatWasToldWhenItIsKilledManyTimes) {
+  SKIP_WITHOUT_TERMINALS();
   const char* times = std::getenv("MOONTRACE_KILLS");
   KillAgainAndAgain(Learn(), In("records.sqlite"), times != nullptr ? std::atoi(times) : 20);
 }

@@ -24,6 +24,7 @@ bool Hears(RawTutor& tutor, const std::string& begin) {
 class LearnTutor : public LearnTest {};
 
 TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
+  SKIP_WITHOUT_TERMINALS();
   setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
   std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
   {
@@ -82,6 +83,7 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
 }
 
 TEST_F(LearnTutor, TakesTheTutorsStrokeFromADevice) {
+  SKIP_WITHOUT_TERMINALS();
   setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
   std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
   const FakeHid fake("moontrace-raw");

@@ -17,6 +17,19 @@
 
 namespace moontrace {
 
+/// Whether a process gets pseudo-terminals here; none does where /dev/pts is missing, as in a bare
+/// chroot.
+inline bool HasTerminals() {
+  int master = -1, slave = -1;
+  if (openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) return false;
+  close(master);
+  close(slave);
+  return true;
+}
+
+#define SKIP_WITHOUT_TERMINALS() \
+  if (!HasTerminals()) GTEST_SKIP() << "no pseudo-terminals here: /dev/pts is missing"
+
 /// A command line that runs in a process of its own at a pseudo-terminal, as a person's does.
 class PtySession {
  public:

@@ -7,6 +7,7 @@
 
 #include "lessons/records.h"
 #include "tests/sim/cli_fixture.h"
+#include "tests/sim/pty_fixture.h"
 
 namespace moontrace {
 namespace {
@@ -162,6 +163,7 @@ std::string AtTerminal(const std::vector<std::string>& args, const std::string& 
 }
 
 TEST_F(RecordsCommand, AsksAtATerminalForTheName) {
+  SKIP_WITHOUT_TERMINALS();
   const std::vector<std::string> erase{"records", "erase", "bat", "--records", path_};
   int code = 0;
   std::string shown = AtTerminal(erase, "owl\n", code);

@@ -52,6 +52,7 @@ class SlowViewByHand : public LearnTest {
     if (!IsInstalled("Xvfb") || !IsInstalled("xdotool")) {
       GTEST_SKIP() << "without xvfb and xdotool";
     }
+    SKIP_WITHOUT_TERMINALS();
     display_ = std::make_unique<TestDisplay>();
     ASSERT_TRUE(display_->runs());
   }
