@@ -146,8 +146,10 @@ GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const std::strin
   Console inner(in, out, err, console.stop());
   const int code = RunCli(args, inner);
   console.CheckStop();
+  std::string refusal = err.str();
+  if (!refusal.empty() && refusal.back() == '\n') refusal.pop_back();
   if (code != exit_code::kGood && code != exit_code::kLack) {
-    throw WorkFailed(say::ExhibitFailed(exhibit.title, err.str()));
+    throw WorkFailed(say::ExhibitFailed(exhibit.title, refusal));
   }
   if (code == exit_code::kGood && !fs::exists(path)) {
     throw WorkFailed(say::ExhibitFailed(exhibit.title, "more than a page"));
@@ -157,7 +159,7 @@ GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const std::strin
   const std::size_t last = shown.words.find(std::string(say::PictureIn()) + "\n");
   if (last != std::string::npos) shown.words.resize(last);
   if (code == exit_code::kLack) {
-    shown.words = err.str();
+    shown.words = refusal;
     shown.picture.clear();
   }
   return shown;

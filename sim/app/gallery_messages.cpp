@@ -13,7 +13,7 @@ std::string GalleryOutcome(std::size_t drawn, std::size_t missing) {
 }
 
 std::string ExhibitMissing(std::string_view title, std::string_view why) {
-  return fmt::format("Not shown: {}. {}", title, OneLine(why, 200));
+  return fmt::format("Not shown: {}; {}.", title, OneLine(why, 200));
 }
 
 std::string ExhibitFailed(std::string_view title, std::string_view why) {

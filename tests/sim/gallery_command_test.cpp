@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "sim/app/gallery_messages.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {
@@ -36,6 +37,11 @@ TEST_F(GalleryCommand, IsHeardInOneSentence) {
   ASSERT_EQ(Lines(outcome.out).size(), 2U);
   EXPECT_EQ(Lines(outcome.out)[1], In("gallery") + "/index.html");
   ExpectTextFace(outcome.out);
+}
+
+TEST(GalleryMessages, WhatTheMachineLacksIsOneSentence) {
+  EXPECT_EQ(say::ExhibitMissing("Braille, contracted", "no tables here: install liblouis-data"),
+            "Not shown: Braille, contracted; no tables here: install liblouis-data.");
 }
 
 TEST_F(GalleryCommand, UnwritableFolderIsNamed) {
