@@ -181,8 +181,9 @@ std::string Where(std::string_view letter, std::size_t line, std::size_t page, s
   const std::string push = feeling.touching && !feeling.has_motors
                                ? fmt::format("; the page pushes with {} N", Short(feeling.force, 1))
                                : std::string();
+  const std::string rest = feeling.stopped ? "; stopped: no force" : push;
   return fmt::format("{}, line {}, page {} of {}, {}{}.", at, line + 1, page + 1, pages, touch,
-                     push);
+                     rest);
 }
 
 std::string NoMotors() { return "This device has no motors: forces are told, not felt."; }

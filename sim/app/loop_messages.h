@@ -62,6 +62,7 @@ std::string SizeStays();
 struct Feeling {
   bool touching = false;
   bool has_motors = true;
+  bool stopped = false;
   double force = 0;  ///< [N]
 };
 std::string Where(std::string_view letter, std::size_t line, std::size_t page, std::size_t pages,

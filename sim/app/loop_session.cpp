@@ -324,7 +324,7 @@ std::vector<std::string> LoopSession::TakeSentences() {
 std::string LoopSession::Where(const LoopSnapshot& now) const {
   const glm::dvec3 tip_P = now.tip_P;
   const bool pushes = !mouse_ && glm::any(limits_.pushes);
-  const say::Feeling feeling{now.depth > 0, pushes, glm::length(now.force_P)};
+  const say::Feeling feeling{now.depth > 0, pushes, now.stopped, glm::length(now.force_P)};
   const std::optional<NearLetter> letter = Near(tip_P);
   const std::size_t pages = text_.set.pages.size();
   if (!letter) return say::Where("", 0, page_, pages, feeling);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/app/words.h"
 #include "textures/text_file.h"
 
 namespace moontrace::say {
@@ -40,11 +41,15 @@ std::string StudyDone(const StudySummary& summary) {
 }
 
 std::string StudyMerged(const StudySummary& summary, std::size_t files) {
-  return fmt::format("Merged {} files: {} trials of {} learners.", files, summary.trials,
-                     summary.learners);
+  return fmt::format("Merged {}: {} trials of {} learners.", Counted(files, "file", "files"),
+                     summary.trials, summary.learners);
 }
 
 std::string StudyCellLine(const StudyCell& cell) {
+  if (cell.learners < 2) {  // one value has no spread
+    return fmt::format("{}, {}: {:.3f} mm, n {}", cell.phase, cell.condition, 1e3 * cell.mean,
+                       cell.learners);
+  }
   return fmt::format("{}, {}: {:.3f} mm, CI {:.3f} to {:.3f}, SD {:.3f}, n {}", cell.phase,
                      cell.condition, 1e3 * cell.mean, 1e3 * cell.low, 1e3 * cell.high,
                      1e3 * cell.deviation, cell.learners);

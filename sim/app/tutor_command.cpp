@@ -135,7 +135,8 @@ const std::vector<std::string>& TutorWords() {
 std::variant<TutorCommand, TutorRefusal> ReadTutorCommand(std::string_view line) {
   const std::string clean = Cleaned(line);
   if (clean.empty()) return TutorRefusal{say::TutorSaidNothing()};
-  if (clean == "?") return TutorCommand{};
+  // not a broken byte that is shown so
+  if (clean == "?" && line.find('?') != std::string_view::npos) return TutorCommand{};
   const WordLine said = SplitWord(clean);
   const WordChoice choice = ChooseWord(said.word, TutorWords());
   if (choice.index) return ReadBehind(Rules()[*choice.index], said.behind);

@@ -293,10 +293,13 @@ void LoopTick::TellSafety(std::uint32_t events) noexcept {
   const std::uint32_t begun = events & ~told_;
   told_ = events;
   for (std::size_t i = 0; i < kSafetyEvents; ++i) {
-    if ((begun & (1U << i)) == 0 || time_ - told_at_[i] < kToldEvery) continue;
+    const auto kind = static_cast<SafetyEvent>(i);
+    const bool by_hand = kind == SafetyEvent::kStopped;  // each is somebody's, and is answered
+    if ((begun & (1U << i)) == 0) continue;
+    if (!by_hand && time_ - told_at_[i] < kToldEvery) continue;
     told_at_[i] = time_;
     LoopEvent event;
-    event.safety = static_cast<SafetyEvent>(i);
+    event.safety = kind;
     event.time = time_;
     event.page = page_;
     event.tip_P = last_.tip_P;

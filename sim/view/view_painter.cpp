@@ -73,6 +73,7 @@ struct ViewPainter::State {
   // the surface
   std::optional<SurfaceWish> wished;
   std::uint64_t wishes = 0, drawn = 0;
+  std::shared_ptr<const ViewPage> drawn_page;
   Clock::time_point wished_at;
   std::optional<double> change;
   SurfaceWorker worker;
@@ -100,6 +101,7 @@ void ViewPainter::State::MakeRenderer() {
   panel.Prepare(renderer->context(), ColorsOf(look));
   wished.reset();  // the new one has no surface
   drawn = 0;
+  drawn_page.reset();
 }
 
 /// Brings renderer and layout up to date with size and look.
@@ -140,6 +142,7 @@ void ViewPainter::State::TakeSurface() {
   if (!surface) return;
   renderer->SetSurface(surface->raster, surface->of.view_P);
   drawn = surface->of.number;
+  drawn_page = surface->of.page;
   changed = true;
 }
 
@@ -338,9 +341,12 @@ void ViewPainter::Draw() {
   const PixelBox& box = s.layout.page;
   const ViewColors colors = ColorsOf(s.look);
   if (s.page && !box.empty()) {
-    const ViewMarks marks =
-        MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print, box.height,
-                s.renderer->context().charHeight, s.renderer->context().charHeightBig);
+    ViewMarks marks;
+    // while the grooves are still those of the page before, marks would be of other letters
+    if (s.drawn_page == s.page) {
+      marks = MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print, box.height,
+                      s.renderer->context().charHeight, s.renderer->context().charHeightBig);
+    }
     s.renderer->Draw(s.camera, marks, box.x, box.y, box.width, box.height);
   } else if (!box.empty()) {
     FillBox(box, colors.back);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/app/loop_messages.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/devices/plugin_fixture.h"
 #include "tests/sim/cli_fixture.h"
@@ -63,6 +64,12 @@ TEST_F(LoopCommand, QuietLeavesOutWhatGoesOnButNoAnswerAndNoLossOfForce) {
   EXPECT_TRUE(Holds(outcome.out, ", page 1 of")) << outcome.out;  // where
   EXPECT_TRUE(Holds(outcome.out, "Stopped: no force.")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Ran ")) << outcome.out;
+}
+
+TEST_F(LoopCommand, WhereTellsThatItIsStopped) {
+  const say::Feeling stopped{false, true, true, 0};
+  EXPECT_EQ(say::Where("m", 0, 0, 1, stopped),
+            "At m, line 1, page 1 of 1, in the air; stopped: no force.");
 }
 
 TEST_F(LoopCommand, ObeysWordsUntilQuit) {

@@ -138,6 +138,18 @@ TEST_F(LoopTickTest, AStopHoldsUntilSomeoneAgreesToGoOn) {
   EXPECT_TRUE(Told(LoopEventKind::kWentOn));
 }
 
+TEST_F(LoopTickTest, EachStopIsToldHoweverSoonTheNextComes) {
+  Begin(HoldAt(kPressed));
+  Run(kSettled);
+  for (int i = 0; i < 3; ++i) {
+    mail_.stop = true;
+    Run(5);
+    EXPECT_TRUE(Told(LoopEventKind::kSafety, SafetyEvent::kStopped)) << i;
+    mail_.go_on = true;
+    Run(5);
+  }
+}
+
 TEST_F(LoopTickTest, ASecondButtonStops) {
   Begin([](int n, DeviceState& state) {
     state.buttons = n == kSettled ? 2U : 0U;

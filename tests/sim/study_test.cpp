@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/app/study_messages.h"
 #include "sim/learner/study_files.h"
 #include "sim/learner/study_summary.h"
 #include "tests/sim/cli_fixture.h"
@@ -215,6 +216,15 @@ TEST(StudySummary, GivesMeanDeviationAndInterval) {
   EXPECT_NEAR(cell.deviation, 1.2910, 1e-4);         // of 1, 2, 3, 4
   EXPECT_NEAR(cell.high - cell.mean, 2.0543, 1e-3);  // 3.182 x 1.2910 / 2
   EXPECT_EQ(summary.exclusions.size(), 1u);
+}
+
+TEST(StudyMessages, OneLearnerHasNoSpread) {
+  StudyCell cell;
+  cell.phase = "training";
+  cell.condition = "none";
+  cell.mean = cell.low = cell.high = 596e-6;
+  cell.learners = 1;
+  EXPECT_EQ(say::StudyCellLine(cell), "training, none: 0.596 mm, n 1");
 }
 
 TEST(StudySummary, ComparesTheSameLearners) {

@@ -63,6 +63,8 @@ TEST(TutorCommand, IsReadWholeBegunOrByNumber) {
   EXPECT_EQ(Read("next lesson").word, TutorWord::kNext);
   EXPECT_EQ(Read("n").word, TutorWord::kNext);
   EXPECT_EQ(Read("?").word, TutorWord::kQuestion);
+  // a broken byte is shown so, but asks nothing
+  EXPECT_TRUE(std::holds_alternative<TutorRefusal>(ReadTutorCommand("\xff")));
   EXPECT_EQ(Read("mode BEAD").mode, GuidanceMode::kBead);
 }
 
