@@ -47,4 +47,13 @@ void ViewMailbox::Notice(std::string sentence) {
   notices.push_back(std::move(sentence));
 }
 
+std::optional<std::string> ViewMailbox::TakeFrom(std::deque<std::string> ViewMailbox::*texts) {
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::deque<std::string>& from = this->*texts;
+  if (from.empty()) return std::nullopt;
+  std::string text = std::move(from.front());
+  from.pop_front();
+  return text;
+}
+
 }  // namespace moontrace

@@ -63,6 +63,8 @@ struct ViewMailbox {
   void Fail(const std::string& why);
   void Say(std::string line);
   void Notice(std::string sentence);
+  /// For the viewer: the oldest of `lines` or `notices`.
+  std::optional<std::string> TakeFrom(std::deque<std::string> ViewMailbox::*texts);
 };
 
 }  // namespace moontrace

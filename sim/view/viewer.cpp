@@ -124,21 +124,11 @@ void Viewer::Tell(std::string_view line) {
 }
 
 std::optional<std::string> Viewer::NextLine() {
-  ViewMailbox& mailbox = *state_->mailbox;
-  const std::lock_guard<std::mutex> lock(mailbox.mutex);
-  if (mailbox.lines.empty()) return std::nullopt;
-  std::string line = std::move(mailbox.lines.front());
-  mailbox.lines.pop_front();
-  return line;
+  return state_->mailbox->TakeFrom(&ViewMailbox::lines);
 }
 
 std::optional<std::string> Viewer::NextNotice() {
-  ViewMailbox& mailbox = *state_->mailbox;
-  const std::lock_guard<std::mutex> lock(mailbox.mutex);
-  if (mailbox.notices.empty()) return std::nullopt;
-  std::string sentence = std::move(mailbox.notices.front());
-  mailbox.notices.pop_front();
-  return sentence;
+  return state_->mailbox->TakeFrom(&ViewMailbox::notices);
 }
 
 std::optional<std::string> Viewer::Obey(std::string_view line) {

@@ -30,15 +30,18 @@ glm::dvec3 LastForce(const FakeHid& fake) {
   return {force.at(0), force.at(1), force.at(2)};
 }
 
-/// The last force that was not none [N]. Its own dead-man comes soon after the last tick, while a
-/// slow machine still reads the log.
+/// The force that the motors had when the last report was handed over [N]: its own dead-man, 15 ms
+/// later, may come while a slow machine still reads the log.
 glm::dvec3 LastPush(const FakeHid& fake) {
-  const auto lines = fake.Log("force");
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    const glm::dvec3 force(line->force.at(0), line->force.at(1), line->force.at(2));
-    if (force != glm::dvec3(0, 0, 0)) return force;
+  constexpr double kBeforeDeadMan = 10;  // [ms]
+  const auto reports = fake.Log("out", kRawOutputNumber);
+  glm::dvec3 push(0, 0, 0);
+  if (reports.empty()) return push;
+  for (const FakeHid::Line& line : fake.Log("force")) {
+    if (line.time > reports.back().time + kBeforeDeadMan) break;
+    push = {line.force.at(0), line.force.at(1), line.force.at(2)};
   }
-  return {0, 0, 0};
+  return push;
 }
 
 /// Whether the last output report that was handed over says: let go.
