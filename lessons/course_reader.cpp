@@ -141,7 +141,7 @@ std::vector<std::string> LessonsBeside(const fs::path& course_file) {
       continue;
     }
     stems.push_back(at->path().stem().string());
-    if (stems.size() > 10 * kMostLessons) break;
+    if (stems.size() > 2 * kMostLessons) break;
   }
   std::sort(stems.begin(), stems.end());
   return stems;
@@ -264,6 +264,18 @@ CourseReading ReadCourse(const std::string& name_or_path) {
   reading.course = ParseCourse(toml, path, ids, reading.faults);
   if (!ids.empty()) LessonFiles(path, reading).Read(ids);
   return reading;
+}
+
+std::vector<CourseFault> FaultsOfUnlisted(const CourseReading& reading) {
+  std::vector<CourseFault> faults;
+  for (const std::string& file : reading.unlisted) {
+    try {
+      ParseLesson(ReadTextFile(file, kMostBytes), file, reading.course, faults);
+    } catch (const InputError& error) {  // "path: what"
+      faults.push_back({file, 0, 0, std::string(error.what()).substr(file.size() + 2)});
+    }
+  }
+  return faults;
 }
 
 Course LoadCourse(const std::string& name_or_path) {

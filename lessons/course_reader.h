@@ -20,6 +20,10 @@ struct CourseReading {
 /// there is no course at all: an unknown name (with the nearest shipped one), no such file.
 CourseReading ReadCourse(const std::string& name_or_path);
 
+/// What is wrong with the files that the course does not list, each read as one of its lessons:
+/// they may be lessons still being written.
+std::vector<CourseFault> FaultsOfUnlisted(const CourseReading& reading);
+
 /// Path of the course's file: of a shipped course's name, a folder, a file.
 std::string CoursePath(const std::string& name_or_path);
 

@@ -84,9 +84,8 @@ void Spread(Values& values, int columns, int rows, double cells) {
       const int last = along == 1 ? columns : rows;
       double sum = 0;
       for (int d = std::max(-reach, -at); d <= std::min(reach, last - 1 - at); ++d) {
-        const int from = i + d * along;
-        sum +=
-            weights[static_cast<std::size_t>(d + reach)] * before[static_cast<std::size_t>(from)];
+        const int weight = d + reach, from = i + d * along;
+        sum += weights[static_cast<std::size_t>(weight)] * before[static_cast<std::size_t>(from)];
       }
       values[static_cast<std::size_t>(i)] = sum;
     }

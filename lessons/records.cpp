@@ -324,8 +324,7 @@ std::string Records::ExportAnonymous(const std::string& pseudonym) const {
   return ResearchJson(impl_->HistoryOf(*this, pseudonym));
 }
 
-std::string Records::Import(const std::string& json, const std::string& name) {
-  const LearnerHistory history = HistoryFromJson(json, name);
+void Records::Import(const LearnerHistory& history, const std::string& name) {
   const std::string& pseudonym = history.learner.pseudonym;
   if (Find(pseudonym)) {
     throw InputError(
@@ -338,7 +337,6 @@ std::string Records::Import(const std::string& json, const std::string& name) {
   for (const RecordedTrial& trial : history.trials) impl_->AddTrial(id, trial);
   for (const RecordedEvent& event : history.events) impl_->AddEvent(id, event);
   transaction.Commit();
-  return pseudonym;
 }
 
 void Records::Erase(const std::string& pseudonym) {

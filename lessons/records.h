@@ -10,6 +10,8 @@
 
 namespace moontrace {
 
+struct LearnerHistory;
+
 /// A learner in the records. Known by a pseudonym; no other name is kept.
 struct LearnerEntry {
   std::string pseudonym;
@@ -59,13 +61,14 @@ class Records {
   std::vector<std::string> Courses(const std::string& pseudonym) const;
   std::vector<RecordedEvent> Events(const std::string& pseudonym) const;
 
-  /// All that is known of a learner as JSON text (UTF-8), and back. Import throws InputError
-  /// (where, cause, cure) and then has added nothing.
+  /// All that is known of a learner as JSON text (UTF-8), which HistoryFromJson reads.
   std::string Export(const std::string& pseudonym) const;
   /// What of it researchers may see: no pseudonym, no words, no tracks; times count from the first
   /// trial. It lists the fields that it holds. Cannot be imported.
   std::string ExportAnonymous(const std::string& pseudonym) const;
-  std::string Import(const std::string& json, const std::string& name);  ///< gives the pseudonym
+  /// Adds a learner with a whole history. Throws InputError (`name`: where it comes from) where one
+  /// of that pseudonym is here; then nothing is added.
+  void Import(const LearnerHistory& history, const std::string& name);
   /// Every byte of a learner out of the file, its log and its free pages.
   void Erase(const std::string& pseudonym);
 

@@ -83,6 +83,7 @@ Checked CheckTarget(const std::string& given, double smallest) {
   for (const std::string& file : reading.unlisted) {
     checked.faults.push_back({file, 0, 0, say::LessonUnlisted(fs::path(file).stem().string())});
   }
+  std::ranges::move(FaultsOfUnlisted(reading), std::back_inserter(checked.faults));
   const std::string& lesson = checked.target.lesson;
   const auto elsewhere = [&lesson](const CourseFault& fault) { return fault.file != lesson; };
   // Where other files cannot be read, nothing is known of this one: then they are what to mend.

@@ -173,11 +173,13 @@ std::string Printed(std::string_view title, std::size_t pages, double size) {
                      OneLine(title), Counted(pages, "page", "pages"), Millimetres(size));
 }
 std::string NoSuchLesson(std::string_view given, std::string_view nearest) {
-  return fmt::format("no such lesson: {}{}{}", OneLine(given),
-                     nearest.empty() ? "" : "; did you mean ", OneLine(nearest));
+  return fmt::format("no such lesson: {}; {}{}", OneLine(given, 40),
+                     nearest.empty() ? "moontrace course show lists them" : "did you mean ",
+                     OneLine(nearest));
 }
 std::string NothingToPrint(std::string_view lesson) {
-  return fmt::format("lesson {} shows nothing that could be printed", OneLine(lesson));
+  return fmt::format("lesson {} shows nothing that could be printed; name another",
+                     OneLine(lesson));
 }
 std::string OnlyWithPrint(std::string_view option) {
   return fmt::format("{} is for printing: add --print FILE", option);

@@ -1,5 +1,6 @@
 #include "sim/app/learn_tutor.h"
 
+#include <charconv>
 #include <cmath>
 #include <ctime>
 #include <utility>
@@ -19,8 +20,14 @@ namespace {
 /// Tutors who come in through the door have numbers from 1.
 constexpr std::size_t kAtWindow = 0;
 
-/// The lesson whose id it is, or the only one whose id begins so; empty: none, or several.
+/// The lesson of that number, as "lesson 5 of 22" has it; whose id it is; or the only one whose id
+/// begins so ("04"). Empty: none, or several.
 std::string LessonOf(const Course& course, const std::string& given) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), number);
+  if (error == std::errc() && end == given.data() + given.size() && given.front() != '0') {
+    return number <= course.lessons.size() ? course.lessons[number - 1].id : std::string();
+  }
   std::string found;
   for (const Lesson& lesson : course.lessons) {
     if (lesson.id == given) return given;
@@ -124,7 +131,8 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       break;
     case TutorWord::kLesson:
       if (LessonOf(session_.course(), command.text).empty()) {
-        return Answer(line.tutor, say::LessonNotFound(command.text));
+        return Answer(line.tutor,
+                      say::LessonNotFound(command.text, session_.course().lessons.size()));
       }
       break;
     default:

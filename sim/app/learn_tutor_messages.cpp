@@ -31,7 +31,7 @@ std::string TutorDoes(const TutorCommand& command) {
     case TutorWord::kNext:
       return "Tutor: the next lesson.";
     case TutorWord::kLesson:
-      return fmt::format("Tutor: lesson {}.", OneLine(command.text, 20));
+      return "Tutor: another lesson.";  // which one, the lesson says itself
     case TutorWord::kRecord:
       return "Tutor takes the device for a stroke.";
     case TutorWord::kPlayback:
@@ -44,8 +44,9 @@ std::string TutorDoes(const TutorCommand& command) {
 
 std::string LearnerStopped() { return "The learner has stopped: only the learner goes on."; }
 std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
-std::string LessonNotFound(std::string_view given) {
-  return fmt::format("No such lesson, or several: {}.", OneLine(given, 20));
+std::string LessonNotFound(std::string_view given, std::size_t lessons) {
+  return fmt::format("No such lesson, or several: {}. A number from 1 to {}, as where says it.",
+                     OneLine(given, 20), lessons);
 }
 std::string WhoIsHere(std::string_view learner, std::size_t tutors) {
   return fmt::format("Learner: {}; {} here.", OneLine(learner), Counted(tutors, "tutor", "tutors"));

@@ -15,7 +15,7 @@ std::string TutorGreeting(std::string_view learner);
 std::string TutorDoes(const TutorCommand& command);
 std::string LearnerStopped();
 std::string NothingRests();
-std::string LessonNotFound(std::string_view given);
+std::string LessonNotFound(std::string_view given, std::size_t lessons);
 std::string WhoIsHere(std::string_view learner, std::size_t tutors);
 std::string TutorGaveBack();
 std::string Recording();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "lessons/trial_json.h"
 #include "sim/app/help.h"
 #include "sim/app/learn_messages.h"
 #include "sim/app/line_reader.h"
@@ -91,13 +92,18 @@ int Export(const Records& records, const RecordsOptions& options, Console& conso
   return exit_code::kGood;
 }
 
-int Import(Records records, const RecordsOptions& options, Console& console) {
+/// The records are opened once the file is known to be good: a bad one must not leave new ones.
+int Import(const std::string& path, const RecordsOptions& options, Console& console) {
   const bool piped = options.subject == "-";
   TextOptions from;
   from.text = "-";
   const std::string text =
       piped ? ReadText(from, "records", console) : ReadTextFile(options.subject, kGreatestImport);
-  const std::string name = records.Import(text, piped ? "standard input" : options.subject);
+  const std::string file = piped ? "standard input" : options.subject;
+  const LearnerHistory history = HistoryFromJson(text, file);
+  const std::string& name = history.learner.pseudonym;
+  Records records = Records::Open(path);
+  records.Import(history, file);
   const std::size_t trials = records.Trials(name).size();
   console.Result(say::Imported(name, trials));
   if (options.output.json) console.Json(Dump(Json{{"learner", name}, {"rows", trials}}));
@@ -169,7 +175,7 @@ void AddOptions(CLI::App& app, RecordsOptions& options) {
 int Run(const RecordsOptions& options, Console& console) {
   CheckUse(options);
   const std::string path = RecordsPathOf(options.records);
-  if (options.action == "import") return Import(Records::Open(path), options, console);
+  if (options.action == "import") return Import(path, options, console);
   const Records reading = Records::OpenToRead(path);
   if (options.action == "list") return List(reading, options, console);
   if (options.action == "export") return Export(reading, options, console);

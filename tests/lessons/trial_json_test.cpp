@@ -155,15 +155,15 @@ class RecordsImport : public RecordsTest {};
 TEST_F(RecordsImport, GivesRecordsThatExportTheSame) {
   Records records = Records::Open(path_);
   const std::string text = HistoryToJson(SomeHistory());
-  EXPECT_EQ(records.Import(text, "f.json"), SomeHistory().learner.pseudonym);
+  records.Import(HistoryFromJson(text, "f.json"), "f.json");
+  EXPECT_TRUE(records.Find(SomeHistory().learner.pseudonym));
   EXPECT_EQ(records.Export(SomeHistory().learner.pseudonym), text);
 }
 
 TEST_F(RecordsImport, AddsNothingWhereTheLearnerIsThere) {
   Records records = Records::Open(path_);
-  const std::string text = HistoryToJson(SomeHistory());
-  records.Import(text, "f.json");
-  const std::string line = RefusalOf<InputError>([&] { records.Import(text, "f.json"); });
+  records.Import(SomeHistory(), "f.json");
+  const std::string line = RefusalOf<InputError>([&] { records.Import(SomeHistory(), "f.json"); });
   EXPECT_NE(line.find("already; erase that one first"), std::string::npos);
   EXPECT_EQ(records.Trials(SomeHistory().learner.pseudonym).size(), 2U);
 }
@@ -172,7 +172,7 @@ TEST_F(RecordsImport, TakesNoTracksOfWhoHasNotConsented) {
   LearnerHistory history = SomeHistory();
   history.learner.keeps_tracks = false;
   Records records = Records::Open(path_);
-  records.Import(HistoryToJson(history), "f.json");
+  records.Import(history, "f.json");
   EXPECT_EQ(records.Export(history.learner.pseudonym).find("track\""), std::string::npos);
 }
 

@@ -78,6 +78,19 @@ TEST_F(CourseCommand, ChecksASingleLessonWithinItsCourse) {
       << unlisted.out;
 }
 
+TEST_F(CourseCommand, ReadsLessonsThatTheCourseDoesNotListYet) {
+  WriteAll(In("three.toml"), std::string(kTwo) + "itms = []\n");
+  for (const std::string& named : {folder_.string(), In("three.toml")}) {
+    const Outcome outcome = RunLine({"course", "check", named});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.out.find("2 faults in"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(In("three.toml") + ":6:1: unknown key 'itms'"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(outcome.out.find("Mend these first"), std::string::npos)
+        << "letters and order of the listed lessons were looked at";
+  }
+}
+
 TEST_F(CourseCommand, SaysWhatToMendFirstWhereAFileCannotBeRead) {
   WriteAll(In("one.toml"), "title = \"I and T\n");
   const Outcome outcome = RunLine({"course", "check", folder_.string()});

@@ -49,7 +49,8 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
                                                         {"paper noise", "Tutor: paper noise."},
                                                         {"help 3", "Help 3 of 10 now."},
                                                         {"mode rail", "Push now: rail."},
-                                                        {"lesson two", "Lesson 2 of 2: Second"}};
+                                                        {"lesson two", "Lesson 2 of 2: Second"},
+                                                        {"lesson 1", "Lesson 1 of 2: First"}};
     for (const auto& one : said) {
       tutor.Send(std::string(one.first) + "\n");
       EXPECT_TRUE(session.WaitFor(one.second)) << one.first << session.all();
@@ -57,7 +58,9 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
     ASSERT_TRUE(session.Ask("stop")) << session.all();
     tutor.Send("go\n");
     tutor.Send("lesson nine\n");  // is not: nothing for the learner to hear
-    tutor.Send("record\n");       // nor in a demonstration: the hand is the program's
+    tutor.Send("lesson 3\n");
+    EXPECT_TRUE(Hears(tutor, "No such lesson, or several: 3. A number from 1 to 2"));
+    tutor.Send("record\n");  // nor in a demonstration: the hand is the program's
     tutor.Send("form star\n");
     EXPECT_TRUE(Hears(tutor, "Stays as it was: script"));
     tutor.Send("say after\n");
@@ -79,7 +82,7 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
   for (const RecordedEvent& event : Records::OpenToRead(In("records.sqlite")).Events("ann")) {
     if (event.kind == "tutor") ++kept;
   }
-  EXPECT_EQ(kept, 17U);  // all but the refused: "go", "lesson nine", "record" and "form star"
+  EXPECT_EQ(kept, 18U);  // all but "go", "lesson nine", "lesson 3", "record" and "form star"
 }
 
 TEST_F(LearnTutor, TakesTheTutorsStrokeFromADevice) {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 
 #include "lessons/records.h"
@@ -76,6 +77,13 @@ TEST_F(RecordsCommand, ExportsAndImportsTheSame) {
             "Imported: 3 rows of bat.\n");
   EXPECT_EQ(RunLine(With({"records", "export", "bat"}, other)).out, whole.out);
   ExpectRefused(RunLine(With({"records", "import", In("bat.json")}, other)), 3, "already");
+}
+
+TEST_F(RecordsCommand, MakesNoRecordsOfABadImport) {
+  WriteAll(In("bad.json"), "{");
+  ExpectRefused(RunLine({"records", "import", In("bad.json"), "--records", In("new.sqlite")}), 3,
+                "not JSON");
+  EXPECT_FALSE(std::filesystem::exists(In("new.sqlite")));
 }
 
 TEST_F(RecordsCommand, ImportsFromStandardInput) {

@@ -58,7 +58,7 @@ class ReportCommand : public CliTest {
       trace.guidance = i < 15 ? GuidanceMode::kOff : GuidanceMode::kRail;
       history.trials.push_back({"small", trace, {}});
     }
-    Records::Open(path_).Import(HistoryToJson(history), "test");
+    Records::Open(path_).Import(history, "test");
   }
 
   Outcome Report(const std::vector<std::string>& args) const {
