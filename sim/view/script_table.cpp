@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sim/app/script_messages.h"
 #include "sim/view/moon_marks.h"
@@ -16,12 +17,14 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kCell = 24;     ///< side of a cell [mm]
-constexpr double kRoom = 15;     ///< for the sign in it [mm]
-constexpr double kMargin = 8;    ///< [mm]
-constexpr double kTop = 14;      ///< for the title [mm]
-constexpr double kName = 2;      ///< height of a name's capital [mm]
-constexpr double kNameRoom = 5;  ///< below the signs [mm]
+constexpr double kCell = 24;            ///< side of a cell [mm]
+constexpr double kRoom = 15;            ///< for the sign in it [mm]
+constexpr double kMargin = 8;           ///< [mm]
+constexpr double kTop = 14;             ///< for the title [mm]
+constexpr double kName = 2;             ///< height of a name's capital [mm]
+constexpr double kNameLine = 3;         ///< from line to line of a long name [mm]
+constexpr double kNameRoom = 5;         ///< below the signs [mm]
+constexpr std::size_t kNameWidth = 14;  ///< letters of a name side by side
 
 /// Box around all signs that are shown, base line and left edges included [em].
 Box CommonBox(const Script& script, std::size_t shown) {
@@ -45,14 +48,20 @@ TrackMark Rule(glm::dvec2 from, double length) {
   return rule;
 }
 
-/// ASCII that any font for print can show: "U+65E5" for a character beyond.
-std::string NameBelow(const std::string& name) {
+/// ASCII that any font for print can show: "U+65E5" for a character beyond. A long name is parted
+/// in two behind its last hyphen or blank that fits.
+std::vector<std::string> NameBelow(const std::string& name) {
   const std::u32string codes = ToCodePoints(name);
   if (codes.size() == 1 && codes[0] > 0x7E) {
-    return fmt::format("U+{:04X}", static_cast<unsigned>(codes[0]));
+    return {fmt::format("U+{:04X}", static_cast<unsigned>(codes[0]))};
   }
   const std::string shown = OneLine(name);
-  return shown.size() > 14 ? OneLine(shown, 11) + "..." : shown;
+  if (shown.size() <= kNameWidth) return {shown};
+  const std::size_t gap = shown.find_last_of("- ", kNameWidth - 1);
+  if (gap == std::string::npos) return {OneLine(shown, kNameWidth - 3)};
+  const std::string rest = shown.substr(gap + 1);
+  return {shown.substr(0, gap + 1),
+          rest.size() > kNameWidth ? OneLine(rest, kNameWidth - 3) : rest};
 }
 
 void AppendSign(const Script& script, std::size_t index, const Box& box, glm::dvec2 cell,
@@ -84,14 +93,17 @@ void AppendSign(const Script& script, std::size_t index, const Box& box, glm::dv
     start.width = 0.3;
     drawing.marks.emplace_back(start);
   }
-  const std::string name = NameBelow(script.glyphs[index].name);
-  const auto wide = static_cast<double>(name.size());
-  TextMark words;
-  words.at = cell + glm::dvec2(0.5 * (kCell - 0.75 * kName * wide), 1.5);
-  words.height = kName;
-  words.text = name;
-  words.color = palette::kTip;
-  drawing.marks.emplace_back(std::move(words));
+  double line = 1.5;
+  for (std::string& name : NameBelow(script.glyphs[index].name)) {
+    TextMark words;
+    words.at =
+        cell + glm::dvec2(0.5 * (kCell - 0.75 * kName * static_cast<double>(name.size())), line);
+    words.height = kName;
+    words.text = std::move(name);
+    words.color = palette::kTip;
+    drawing.marks.emplace_back(std::move(words));
+    line -= kNameLine;
+  }
 }
 
 }  // namespace

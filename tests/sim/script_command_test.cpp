@@ -107,6 +107,13 @@ TEST_F(ScriptCommand, DrawsATableWithWordsBesideIt) {
   EXPECT_NE(svg.find(">U+6728</text>"), std::string::npos);
 }
 
+TEST_F(ScriptCommand, PartsLongNamesInsteadOfCuttingThem) {
+  ASSERT_EQ(RunLine({"script", "picture", "shapes", "--picture", In("t.svg")}).code, 0);
+  const std::string svg = ReadAll(In("t.svg"));
+  EXPECT_NE(svg.find(">corner-high-</text>"), std::string::npos);
+  EXPECT_EQ(svg.find("..."), std::string::npos);
+}
+
 TEST_F(ScriptCommand, RefusesWhatItCannotUnderstand) {
   for (const std::vector<std::string>& args : {std::vector<std::string>{"script"},
                                                {"script", "lst"},
