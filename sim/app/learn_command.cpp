@@ -126,9 +126,9 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, aims, console);
   LearnStage stage({options.live, options.press, options.seed, aims, memory.keeps_tracks()},
                    console);
-  SayBeginning(stage, options, teller);
   LearnSession session(course, memory, stage, teller, options.seed, keys.has_value());
   const std::unique_ptr<TutorDesk> tutor = DeskFor(options, session, feed.get());
+  SayBeginning(stage, options, teller);  // once nothing can be refused any more
   std::unique_ptr<LearnView> view;
   if (feed) view = std::make_unique<LearnView>(*feed, session, *tutor, console);
   std::unique_ptr<PathListener> path;
