@@ -19,6 +19,7 @@
 #include "sim/learner/study_summary.h"
 #include "textures/error.h"
 #include "textures/resources.h"
+#include "textures/script.h"
 
 namespace moontrace {
 
@@ -45,6 +46,16 @@ Shard ShardOf(const std::string& given) {
     throw UsageError(say::NotAShard(given));
   }
   return shard;
+}
+
+StudyProtocol ProtocolAt(const std::string& file) {
+  StudyProtocol protocol = LoadStudy(file);
+  try {
+    FindScript(protocol.script);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: script: {}", file, error.what()));
+  }
+  return protocol;
 }
 
 /// A shipped protocol by its name, else a path.
@@ -116,7 +127,11 @@ void Tell(const StudyOptions& options, const StudySummary& summary, const std::s
     return;
   }
   console.Result(outcome);
-  SayCells(summary, console);
+  if (ShardOf(options.shard).of == 1) {
+    SayCells(summary, console);
+  } else {  // other learners in each condition: means of a share compare nothing
+    console.Result(say::StudyIsAShare(options.shard));
+  }
   console.Result(say::StudyExclusions(summary.exclusions.size()));
   for (const StudyExclusion& excluded : summary.exclusions) {
     console.Result(say::StudyExclusionLine(excluded));
@@ -155,7 +170,7 @@ int Run(const StudyOptions& options, Console& console) {
   if (options.words.size() > 1) throw UsageError(say::TooManyStudies());
   const Shard shard = ShardOf(options.shard);
   const std::string file = ProtocolPath(options.words.front());
-  const StudyProtocol protocol = LoadStudy(file);
+  const StudyProtocol protocol = ProtocolAt(file);
   StudyOutput output;
   output.path = options.path;
   if (output.path.empty()) {
@@ -166,13 +181,22 @@ int Run(const StudyOptions& options, Console& console) {
   output.shard = shard.number;
   output.shards = shard.of;
   output.threads = ThreadsOf(options);
+  output.begins = [&] {
+    console.Remark(say::StudyBegins(
+        protocol.title, PlacesOf(protocol, shard.number, shard.of).size(), output.threads));
+  };
   output.check = [&console] { console.CheckStop(); };
   output.progress = [&console](std::size_t done, std::size_t of) {
     console.Alive(static_cast<double>(done) / static_cast<double>(of));
   };
-  console.Remark(say::StudyBegins(protocol.title, PlacesOf(protocol, shard.number, shard.of).size(),
-                                  output.threads));
-  const StudySummary summary = Summarise(RunStudy(protocol, output));
+  std::vector<StudyRow> rows;
+  try {
+    rows = RunStudy(protocol, output);
+  } catch (const Interrupted&) {
+    console.Remark(say::StudyGoesOn(output.path));
+    throw;
+  }
+  const StudySummary summary = Summarise(rows);
   Tell(options, summary, say::StudyDone(summary), output.path, console);
   return exit_code::kGood;
 }

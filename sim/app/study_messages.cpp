@@ -40,6 +40,16 @@ std::string StudyDone(const StudySummary& summary) {
   return fmt::format("Study done: {} trials of {} learners.", summary.trials, summary.learners);
 }
 
+std::string StudyGoesOn(std::string_view path) {
+  return fmt::format("Finished trials are kept in {}.parts; the same command goes on from there.",
+                     OneLine(path, 300));
+}
+
+std::string StudyIsAShare(std::string_view shard) {
+  return fmt::format("This is share {} of the learners: compare once all shares are merged.",
+                     OneLine(shard, 20));
+}
+
 std::string StudyMerged(const StudySummary& summary, std::size_t files) {
   return fmt::format("Merged {}: {} trials of {} learners.", Counted(files, "file", "files"),
                      summary.trials, summary.learners);

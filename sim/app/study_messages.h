@@ -21,6 +21,10 @@ std::string WholeThreads();
 std::string NotAShard(std::string_view given);
 std::string StudyBegins(std::string_view title, std::size_t learners, int threads);
 std::string StudyDone(const StudySummary& summary);
+/// Stopped in the middle: what is kept, and where.
+std::string StudyGoesOn(std::string_view path);
+/// `shard`: K/N
+std::string StudyIsAShare(std::string_view shard);
 std::string StudyMerged(const StudySummary& summary, std::size_t files);
 std::string StudyCellLine(const StudyCell& cell);
 /// The same learners against the reference.

@@ -230,6 +230,7 @@ std::vector<StudyRow> RunStudy(const StudyProtocol& protocol, const StudyOutput&
     std::vector<Part> parts;
     parts.reserve(places.size());
     for (const StudyPlace& place : places) parts.emplace_back(folder, protocol, place);
+    if (output.begins) output.begins();
     Workers(protocol, places, parts).Run(output);
     for (const Part& part : parts) {
       rows.insert(rows.end(), part.rows().begin(), part.rows().end());

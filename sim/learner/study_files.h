@@ -16,6 +16,8 @@ struct StudyOutput {
   std::string path;           ///< CSV; while it grows, a folder "PATH.parts" lies beside it
   int shard = 1, shards = 1;  ///< of its learners, shard from 1
   int threads = 1;
+  /// Called once the place of the rows is good and work begins; not where all is done already.
+  std::function<void()> begins;
   std::function<void()> check;  ///< called by the caller's thread now and then; may throw to stop
   std::function<void(std::size_t done, std::size_t of)> progress;  ///< learners; may be empty
 };

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -182,6 +183,22 @@ TEST_F(Study, SaysWhatCameOfIt) {
   EXPECT_EQ(json["trials"], 24);
 }
 
+TEST_F(Study, SaysWhatAStopLeaves) {
+  const std::atomic<bool> stop{true};
+  const Outcome stopped =
+      RunLine({"study", Path("small.toml"), "--output", Path("a.csv")}, "", &stop);
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_NE(stopped.err.find(Path("a.csv") + ".parts"), std::string::npos) << stopped.err;
+}
+
+TEST_F(Study, ComparesNothingInAShare) {
+  const Outcome share =
+      RunLine({"study", Path("small.toml"), "--shard", "1/2", "--output", Path("share.csv")});
+  EXPECT_EQ(share.code, 0) << share.err;
+  EXPECT_NE(share.out.find("This is share 1/2 of the learners"), std::string::npos) << share.out;
+  EXPECT_EQ(share.out.find("least first"), std::string::npos) << share.out;
+}
+
 TEST_F(Study, RefusesWhatItCannotUse) {
   EXPECT_EQ(RunLine({"study"}).code, 2);
   EXPECT_EQ(RunLine({"study", "merge"}).code, 2);
@@ -194,7 +211,13 @@ TEST_F(Study, RefusesWhatItCannotUse) {
   EXPECT_NE(mistyped.err.find("there is guidance"), std::string::npos) << mistyped.err;
   std::ofstream(Path("other.csv")) << "a,b\n";
   EXPECT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("other.csv")}).code, 3);
-  EXPECT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("none/a.csv")}).code, 4);
+  const Outcome nowhere = RunLine({"study", Path("small.toml"), "--output", Path("none/a.csv")});
+  EXPECT_EQ(nowhere.code, 4);
+  EXPECT_EQ(std::count(nowhere.err.begin(), nowhere.err.end(), '\n'), 1) << nowhere.err;
+  std::ofstream(Path("nope.toml")) << "script = \"nope\"\n" << kProtocol;
+  const Outcome unknown = RunLine({"study", Path("nope.toml")});
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_EQ(unknown.err.rfind(Path("nope.toml") + ": script: ", 0), 0U) << unknown.err;
 }
 
 TEST(StudySummary, GivesMeanDeviationAndInterval) {
