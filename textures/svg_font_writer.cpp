@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kUnits = 1000;  ///< of one em
 constexpr double kLongestArc = std::numbers::pi / 2 + 1e-9;
+constexpr double kGreatestRadius = 99;  ///< [em]; readers refuse numbers beyond 100 em
+constexpr double kChordHeight = 1e-4;   ///< [em] of a flat arc over the lines written for it
 
 /// Four decimals at most, no needless zeros, no "-0".
 std::string Number(double value) {
@@ -59,10 +61,17 @@ void AppendPiece(const Piece& piece, std::string& path) {
     return;
   }
   const Arc& arc = std::get<Arc>(piece);
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / kLongestArc)));
+  const bool flat = arc.radius > kGreatestRadius;
+  // a chord lies r (1 - cos(sweep / 2)) below its arc, about r sweep^2 / 8
+  const double longest = flat ? std::sqrt(8 * kChordHeight / arc.radius) : kLongestArc;
+  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / longest)));
   for (int i = 1; i <= parts; ++i) {
     const double angle = arc.start + arc.sweep * i / parts;
     const glm::dvec2 to = arc.center + arc.radius * glm::dvec2(std::cos(angle), std::sin(angle));
+    if (flat) {
+      path.append(" L").append(Point(to));
+      continue;
+    }
     const std::string radius = Number(kUnits * arc.radius);
     path += fmt::format(" A{} {} 0 0 {} {}", radius, radius, arc.sweep > 0 ? 1 : 0, Point(to));
   }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "textures/foreign_font.h"
 #include "textures/hershey.h"
 #include "textures/kanjivg.h"
 #include "textures/text_file.h"
@@ -102,6 +103,24 @@ TEST(WriteSvgFont, ArcsStayArcs) {
   EXPECT_LT(glm::length(arc.center - glm::dvec2(0.5, 0.5)), kRounding);
   EXPECT_NEAR(arc.radius, 0.4, kRounding);
   EXPECT_NEAR(arc.sweep, 1.7 * std::numbers::pi, 1e-4);
+}
+
+/// A font of one sign with this path, in units of a thousandth of an em.
+Script FontOf(const std::string& path) {
+  const std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"><defs><font horiz-adv-x=\"600\">"
+      "<font-face units-per-em=\"1000\"/><glyph unicode=\"a\" horiz-adv-x=\"600\" d=\"" +
+      path + "\"/></font></defs></svg>";
+  return ParseForeignFont(svg, "flat.svg");
+}
+
+TEST(WriteSvgFont, NearlyStraightCurvesAreReadAgain) {
+  // Fitted by arcs of more than 100 em, which no path may name.
+  for (const char* path : {"M0 0 C 100 0.01 200 0 300 0.02", "M400 0 C 1 2 3 4 5 6",
+                           "M0 0 C 300 3 600 3 900 0", "M-9000 0 C -3000 90 3000 90 9000 0"}) {
+    const Script flat = FontOf(path);
+    ExpectSameGlyphs(flat, Again(flat), 0.001);
+  }
 }
 
 TEST(JoinStrokes, MakesOneOfStrokesThatFollowEachOtherAndLeavesOthers) {
