@@ -51,7 +51,6 @@ class PageScore {
     ++result_.ticks;
     result_.duration += tick;
     if (sample.fault) ++result_.faults;
-    touched_ = touched_ || sample.in_contact;
     energy_.Add(sample.energy_out, sample.in_contact);
     const PathPoint point{sample.tip_P, scored.phase, sample.in_contact};
     std::vector<PathPoint>& path = result_.path;
@@ -59,8 +58,6 @@ class PageScore {
                       glm::distance(path.back().tip_P, point.tip_P) < spacing_;
     if (spacing_ > 0 && !same) path.push_back(point);
   }
-
-  bool touched() const { return touched_; }
 
   TrialResult Finish(double force_bound) {
     result_.score = scorer_.Finish();
@@ -75,7 +72,6 @@ class PageScore {
   NearestStroke nearest_;
   TraceScorer scorer_;
   double spacing_ = 0;
-  bool touched_ = false;
   TouchEnergy energy_;
   TrialResult result_;
 };
@@ -99,22 +95,13 @@ SessionRequest RequestOf(const TraceOptions& options) {
   return request;
 }
 
-/// A tip that never touched made no errors either: that must not read as a perfect trace.
-void Tell(const TraceOptions& options, const Trace& trace, double scale, bool touched,
-          Console& console) {
+void Tell(const TraceOptions& options, const Trace& trace, double scale, Console& console) {
   const TrialResult all = Merged(trace.pages);
   if (options.output.json) {
     Json json = TraceJson(trace, options.feel.scene, all);
     json["device"] = options.live.device;
     json["scale"] = scale;
-    for (const char* key :
-         {"mean_error_mm", "rms_error_mm", "max_error_mm", "excursions", "bias_mm", "dtw_mm",
-          "frechet_mm", "hausdorff_mm", "direction", "order", "speed_accuracy_cost_mm_s"}) {
-      if (!touched) json["total"][key] = nullptr;
-    }
     console.Json(Dump(json));
-  } else if (!touched) {
-    console.Result(say::NeverTouched(all.duration));
   } else {
     SayTrace(trace, all, say::DeviceTime(all.duration), console);
   }
@@ -153,9 +140,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   drive.sample = [&scores, tick](const LoopSample& s) { scores.at(s.page).Add(s, tick); };
   Drive(session, drive, console);
 
-  bool touched = false;
   for (std::size_t page = 0; page < pages; ++page) {
-    touched = touched || scores[page].touched();
     TrialResult result = scores[page].Finish(session.force_bound());
     if (!options.picture.empty()) {
       trace.pictures.push_back(PicturePath(options.picture, page, pages));
@@ -166,7 +151,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
     }
     trace.pages.push_back(std::move(result));
   }
-  Tell(options, trace, session.scale(), touched, console);
+  Tell(options, trace, session.scale(), console);
   if (view && !options.output.json) SayView(*view, options.view, console);
   RequireDevice(session);
   if (view) RequireView(*view, options.live.device);

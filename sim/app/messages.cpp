@@ -288,6 +288,7 @@ std::string TracePictureTitle(std::string_view script, const TypeStyle& style, b
 }
 
 std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
+  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(text));
   return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(text),
                      Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
                      Times(total.excursions));

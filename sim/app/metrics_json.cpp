@@ -33,6 +33,15 @@ void AddSmoothness(Json& json, const Smoothness& smoothness) {
   json["speed_peaks"] = smoothness.peaks;
 }
 
+/// A tip that never touched made no errors either: that must not read as a perfect trace.
+void ForgetErrors(Json& json) {
+  for (const char* key :
+       {"mean_error_mm", "rms_error_mm", "max_error_mm", "excursions", "entry_error_mm", "bias_mm",
+        "dtw_mm", "frechet_mm", "hausdorff_mm", "direction", "order", "speed_accuracy_cost_mm_s"}) {
+    json[key] = nullptr;
+  }
+}
+
 }  // namespace
 
 Json MetricsJson(const TraceMetrics& metrics) {
@@ -50,6 +59,7 @@ Json MetricsJson(const TraceMetrics& metrics) {
   json["entry_error_mm"] = 1e3 * metrics.entry_error;
   AddConduct(json, metrics);
   AddSmoothness(json, metrics.smoothness);
+  if (NeverTouched(metrics)) ForgetErrors(json);
   return json;
 }
 
@@ -58,7 +68,7 @@ Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   json["letters_per_second"] = result.score.letters_per_second;
   json["smoothness_rate_hz"] = MovementMeter::kRate;
   json["smoothness_low_pass_hz"] = MovementMeter::kCutoff;
-  json["force_bound_n"] = result.force_bound;
+  json["force_bound_n"] = OrNull(result.force_bound);
   json["energy_out_uj"] = 1e6 * result.energy_out;
   json["faults"] = result.faults;
   json["mean_guidance_n"] = result.mean_guidance;

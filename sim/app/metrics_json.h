@@ -14,7 +14,11 @@ using Json = nlohmann::ordered_json;
 /// JSON has no infinity: null stands for "without limit" and for "none".
 inline Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// Metrics with the unit in the key, as `trace --json` and trial.json give them.
+/// Then there are no errors either, and zero would read as perfect.
+inline bool NeverTouched(const TraceMetrics& metrics) { return !(metrics.contact_share > 0); }
+
+/// Metrics with the unit in the key, as `trace --json` and trial.json give them; errors are null
+/// where nothing was touched.
 Json MetricsJson(const TraceMetrics& metrics);
 
 /// Metrics of the whole with energy, faults and, if asked for, the real-time factor.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/app/messages.h"
+#include "sim/app/model_messages.h"
 #include "sim/app/typeset_report.h"
 #include "sim/scene/scene.h"
 #include "textures/error.h"
@@ -21,11 +22,12 @@ constexpr std::size_t kMostSigns = 20000;
 struct ModelPage {
   Label label;
   glm::dvec2 extent{0, 0};  ///< [m]
+  bool moves = false;       ///< the geom can be pushed
 };
 std::optional<ModelPage> PageOfModel(const FeelOptions& feel) {
   if (feel.model.empty()) return std::nullopt;
   const Scene scene = Scene::Load(feel.model, feel.scene);
-  return ModelPage{scene.labels().front(), scene.page_extent()};
+  return ModelPage{scene.labels().front(), scene.page_extent(), scene.page_moves()};
 }
 
 /// The sheet cut to what carries it, a geom or a device's reach. A margin made for paper would
@@ -46,6 +48,7 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   constexpr double kDeviceMargin = 0.005;  // [m], from where the device strikes its own stops
   const std::optional<ModelPage> model = PageOfModel(request.feel);
   const Label* from = model ? &model->label : nullptr;
+  if (model && model->moves) console.Remark(say::PageMoves(model->label.geom));
   TextSetup setup;
   const bool given = request.text.text || !request.text.file.empty();
   if (!given && from != nullptr && !from->text.empty()) {

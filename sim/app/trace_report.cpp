@@ -1,9 +1,11 @@
 #include "sim/app/trace_report.h"
 
+#include <cmath>
 #include <string_view>
 
 #include "sim/app/guide_messages.h"
 #include "sim/app/link_messages.h"
+#include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/typeset_report.h"
 
@@ -65,11 +67,15 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
               Console& console) {
   const TraceMetrics& total = all.score.total;
   const TypeStyle& style = trace.text.set.style;
-  console.Result(say::TraceOutcome(all, CountSigns(trace.text.set), trace.blank));
-  console.Result(say::MeanError(total, style));
-  console.Result(say::WorstError(total));
-  console.Result(say::LeftGroove(total, style));
-  SayWeakest(trace, console);
+  if (NeverTouched(total)) {
+    console.Result(say::NeverTouched(all.duration));
+  } else {
+    console.Result(say::TraceOutcome(all, CountSigns(trace.text.set), trace.blank));
+    console.Result(say::MeanError(total, style));
+    console.Result(say::WorstError(total));
+    console.Result(say::LeftGroove(total, style));
+    SayWeakest(trace, console);
+  }
   if (style.links.reach != LinkReach::kNone) {
     const LinkCounts links = CountLinks(trace.text.set, trace.text.script);
     console.Result(say::Links(links.links, links.missing, style.links));
@@ -80,7 +86,7 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
     console.Result(say::Guided(trace.guidance.mode, trace.guidance.help, all.mean_guidance,
                                all.guidance_work));
   }
-  console.Result(say::ForceBound(all));
+  if (std::isfinite(all.force_bound)) console.Result(say::ForceBound(all));
   console.Result(say::Energy(all));
   console.Result(time);
   if (!trace.pictures.empty()) console.Result(say::PictureIn());

@@ -186,7 +186,9 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   for (const IntendedStroke& stroke : strokes) result.stroke_length += LengthOf(stroke);
   result.lines = setup.page->lines;
   result.remarks = scene.remarks();
-  result.force_bound = ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
+  result.force_bound = scene.page_moves()
+                           ? std::numeric_limits<double>::infinity()
+                           : ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
   TraceScorer scorer(strokes, setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
   const auto start = std::chrono::steady_clock::now();

@@ -59,9 +59,11 @@ struct PathPoint {
 
 struct TrialResult {
   TraceScore score;
-  double energy_out = 0;   ///< put out by sampling, greatest seen [J]
-  double force_bound = 0;  ///< ForceBound (sim/scene/bound.h) of a device that moves evenly [N]
-  double duration = 0;     ///< simulated [s]
+  double energy_out = 0;  ///< put out by sampling, greatest seen [J]
+  /// ForceBound (sim/scene/bound.h) of a device that moves evenly; infinite on a page that can
+  /// move [N].
+  double force_bound = 0;
+  double duration = 0;          ///< simulated [s]
   double real_time_factor = 0;  ///< simulated over elapsed time; the only value that is not exact
   double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
   std::size_t ticks = 0;

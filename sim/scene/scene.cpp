@@ -150,6 +150,7 @@ void Scene::Reset(glm::dvec3 tip_P) { impl_->Reset(tip_P); }
 const std::vector<Label>& Scene::labels() const { return impl_->loaded.labels; }
 Pose Scene::X_WP() const { return PoseOfPage(*impl_->d, impl_->loaded.page); }
 glm::dvec2 Scene::page_extent() const { return impl_->loaded.page.extent; }
+bool Scene::page_moves() const { return impl_->loaded.page.moves; }
 const SceneOptions& Scene::options() const { return impl_->options; }
 const std::string& Scene::model_xml() const { return impl_->loaded.xml; }
 const std::vector<std::string>& Scene::remarks() const { return impl_->remarks; }

@@ -55,6 +55,7 @@ class Scene {
   Pose X_WP() const;                         ///< where the page lies now
   /// From the page's origin to the far edges of its geom; infinite where it has none [m].
   glm::dvec2 page_extent() const;
+  bool page_moves() const;  ///< its body or one that carries it has a joint: no force bound holds
   const SceneOptions& options() const;
   /// The MJCF that MuJoCo was given, number for number: includes expanded, proxy inserted, folders
   /// of meshes and textures absolute. What a record keeps. (MuJoCo's own saving rounds to six
