@@ -1,11 +1,13 @@
 #include "sim/view/sheet_marks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
+#include "sim/view/contour.h"
 #include "sim/view/moon_marks.h"
+#include "textures/arc_fit.h"
 #include "textures/paper.h"
 #include "textures/rules.h"
 
@@ -16,8 +18,10 @@ namespace {
 constexpr double kMillimetres = 1e3;
 constexpr double kPerWavelength = 5;  // cells that show a crest's form; twice as many where few
 constexpr double kMostCells = 400000, kFewCells = 50000;
-constexpr double kMostPerTile = 24;  // cells along a tile
-constexpr double kCrest = 0.25;      // of the amplitude
+constexpr double kBandCells = 50000;  // of one path
+constexpr double kUnseen = 0.03;      // [mm]; half of what an eye parts at reading distance
+constexpr double kMostPerTile = 24;   // cells along a tile
+constexpr double kCrest = 0.25;       // of the amplitude
 
 /// Cells along both sides of a patch.
 glm::dvec2 CellCount(const PaperPatch& patch) {
@@ -34,62 +38,49 @@ glm::dvec2 CellCount(const PaperPatch& patch) {
                   1.0);
 }
 
+/// The heights above the level of crests, of rows `from` to `to` of a patch's cells.
+HeightGrid BandOf(const PaperPatch& patch, glm::dvec2 count, std::size_t from, std::size_t to) {
+  HeightGrid band;
+  band.columns = static_cast<std::size_t>(count.x);
+  band.rows = to - from;
+  const glm::dvec2 cell = (patch.box_P.max - patch.box_P.min) / count;
+  const auto corner = [&](std::size_t i, std::size_t j) {
+    return patch.box_P.min + glm::dvec2(i, j) * cell;
+  };
+  band.box = {corner(0, from), corner(band.columns, to)};
+  const double level = kCrest * patch.texture.amplitude;
+  for (std::size_t j = from; j <= to; ++j) {
+    for (std::size_t i = 0; i <= band.columns; ++i) {
+      band.heights.push_back(Evaluate(patch, corner(i, j)).displacement - level);
+    }
+  }
+  return band;
+}
+
+/// Closed, in millimetres, without the points that nobody would miss.
 std::vector<Piece> Polygon(const std::vector<glm::dvec2>& corners) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    pieces.emplace_back(Line{corners[i], corners[(i + 1) % corners.size()]});
+    const glm::dvec2 from = corners[i], to = corners[(i + 1) % corners.size()];
+    if (from != to) pieces.emplace_back(Line{kMillimetres * from, kMillimetres * to});
   }
-  return pieces;
+  return MergePieces(pieces, kUnseen);
 }
 
-/// The part of a cell where the height is above zero, straight between where its sides cross zero.
-std::vector<glm::dvec2> Above(const std::array<glm::dvec2, 4>& corners,
-                              const std::array<double, 4>& heights) {
-  std::vector<glm::dvec2> polygon;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t next = (i + 1) % 4;
-    if (heights[i] > 0) polygon.push_back(corners[i]);
-    if ((heights[i] > 0) != (heights[next] > 0)) {
-      const double share = heights[i] / (heights[i] - heights[next]);
-      polygon.push_back(corners[i] + share * (corners[next] - corners[i]));
+/// One mark a band: readers of SVG refuse a path of ten million characters.
+void AddPatch(const PaperPatch& patch, std::vector<Mark>& marks) {
+  const glm::dvec2 count = CellCount(patch);
+  const auto rows = static_cast<std::size_t>(count.y);
+  const auto height = std::max<std::size_t>(1, static_cast<std::size_t>(kBandCells / count.x));
+  for (std::size_t from = 0; from < rows; from += height) {
+    PathMark mark;
+    mark.fill = palette::kRough;
+    // one row of cells twice, or a seam would show between the bands
+    const HeightGrid band = BandOf(patch, count, from, std::min(from + height + 1, rows));
+    for (const std::vector<glm::dvec2>& outline : OutlinesAboveZero(band)) {
+      mark.subpaths.push_back(Polygon(outline));
     }
-  }
-  return polygon;
-}
-
-void AddPatch(const PaperPatch& patch, PathMark& mark) {
-  const glm::dvec2 count = CellCount(patch), size = patch.box_P.max - patch.box_P.min;
-  const auto columns = static_cast<std::size_t>(count.x), rows = static_cast<std::size_t>(count.y);
-  const auto corner = [&](std::size_t i, std::size_t j) {
-    return patch.box_P.min + glm::dvec2(i, j) / count * size;
-  };
-  const double level = kCrest * patch.texture.amplitude;
-  std::vector<double> below(columns + 1), above(columns + 1);
-  for (std::size_t j = 0; j <= rows; ++j) {
-    std::swap(below, above);
-    for (std::size_t i = 0; i <= columns; ++i) {
-      above[i] = Evaluate(patch, corner(i, j)).displacement - level;
-    }
-    if (j == 0) continue;
-    std::size_t run = 0;  // whole cells before this one
-    for (std::size_t i = 0; i <= columns; ++i) {
-      const bool whole =
-          i < columns && std::min({below[i], below[i + 1], above[i], above[i + 1]}) > 0;
-      if (whole) {
-        ++run;
-        continue;
-      }
-      if (run > 0) {
-        const glm::dvec2 a = kMillimetres * corner(i - run, j - 1), b = kMillimetres * corner(i, j);
-        mark.subpaths.push_back(Polygon({a, {b.x, a.y}, b, {a.x, b.y}}));
-        run = 0;
-      }
-      if (i == columns) break;
-      const glm::dvec2 a = kMillimetres * corner(i, j - 1), b = kMillimetres * corner(i + 1, j);
-      const std::vector<glm::dvec2> part =
-          Above({a, {b.x, a.y}, b, {a.x, b.y}}, {below[i], below[i + 1], above[i + 1], above[i]});
-      if (part.size() > 2) mark.subpaths.push_back(Polygon(part));
-    }
+    if (!mark.subpaths.empty()) marks.emplace_back(std::move(mark));
   }
 }
 
@@ -103,13 +94,10 @@ bool CanDraw(const PaperPatch& patch) {
 }
 
 std::vector<Mark> TextureMarks(const std::vector<PaperPatch>& patches) {
-  PathMark mark;
-  mark.fill = palette::kRough;
-  for (const PaperPatch& patch : patches) {
-    if (CanDraw(patch)) AddPatch(patch, mark);
-  }
   std::vector<Mark> marks;
-  if (!mark.subpaths.empty()) marks.emplace_back(std::move(mark));
+  for (const PaperPatch& patch : patches) {
+    if (CanDraw(patch)) AddPatch(patch, marks);
+  }
   return marks;
 }
 

@@ -9,7 +9,8 @@
 namespace moontrace {
 
 /// The roughness of a page's sheet and of its patches, as light areas where it rises above a
-/// quarter of the amplitude; nothing if it is too fine to be drawn (CanDraw).
+/// quarter of the amplitude, in paths of at most some hundred thousand points; nothing if it is too
+/// fine to be drawn (CanDraw).
 std::vector<Mark> TextureMarks(const std::vector<PaperPatch>& patches);
 bool CanDraw(const PaperPatch& patch);
 

@@ -116,6 +116,17 @@ TEST_F(SheetOptionsOf, ATraceIsReplayedBitForBit) {
   }
 }
 
+TEST_F(SheetOptionsOf, APictureOfAWholeSheetIsOpenedByOtherPrograms) {
+  // libxml2, which most of them read SVG with, refuses an attribute of ten million characters.
+  for (const char* texture : {"sine", "grid", "noise"}) {
+    const std::string picture = In("sheet.svg");
+    ASSERT_EQ(RunLine({"page", "moon", "--texture", texture, "--picture", picture}).code, 0);
+    const std::string svg = ReadAll(picture);
+    EXPECT_LT(svg.size(), 4'000'000U) << texture;
+    for (const std::string& mark : Lines(svg)) EXPECT_LT(mark.size(), 1'000'000U) << texture;
+  }
+}
+
 TEST_F(SheetOptionsOf, PicturesShowThemAndSaySo) {
   const std::string picture = In("page.svg");
   const Outcome outcome = RunLine({"page", "moon", "--page", "120x50", "--rules", "--raised-margin",
