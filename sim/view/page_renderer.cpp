@@ -135,11 +135,12 @@ void AddMarks(mjvScene& scene, const PageCamera& camera, const ViewMarks& marks)
   if (!marks.tip_P) return;
   const glm::dvec3 tip = *marks.tip_P;
   pen.Ball(tip, 0.5 * unit, {0.1, 0.1, 0.1}, 0.9);
-  // the stylus leans away from the reader's eye and to the right, so that it hides little
-  pen.Segment(tip, tip + 22 * unit * glm::normalize(glm::dvec3(0.5, -0.45, 0.9)), mjGEOM_CAPSULE,
+  // Above the paper, which is drawn flat and would hide what lies in a groove. The stylus leans
+  // away from the reader's eye and to the right, so that it hides little.
+  const glm::dvec3 foot(tip.x, tip.y, std::max(tip.z, 0.0));
+  pen.Segment(foot, foot + 22 * unit * glm::normalize(glm::dvec3(0.5, -0.45, 0.9)), mjGEOM_CAPSULE,
               0.35 * unit, {0.25, 0.28, 0.33});
-  // above the paper, which would hide what lies along it
-  const glm::dvec3 seen(tip.x, tip.y, std::max(tip.z, 0.0) + 0.8 * unit);
+  const glm::dvec3 seen = foot + glm::dvec3(0, 0, 0.8 * unit);
   pen.Arrow(seen, marks.force_P, view_color::kForce);
   pen.Arrow(seen, marks.guidance_P, view_color::kGuidance);
 }
