@@ -1,5 +1,7 @@
 #include "textures/hanzi.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "textures/character_script.h"
@@ -89,11 +92,18 @@ char32_t CharacterAtFront(std::string_view line) {
   return OnlyCharacter(std::string(line.substr(kKey.size(), end - kKey.size())));
 }
 
+/// RequireUtf8 for one line, whose number `where` tells already.
+void RequireUtf8Line(std::string_view line, const std::string& where) {
+  if (const std::optional<std::size_t> bad = FirstBadUtf8(line)) {
+    throw InputError(fmt::format("{}:{}: this is not UTF-8; save it as UTF-8", where, *bad + 1));
+  }
+}
+
 void ReadLine(std::string_view line, const std::string& where, const std::set<char32_t>& needed,
               Script& script) {
   const char32_t at_front = CharacterAtFront(line);
   if (at_front != 0 && !needed.empty() && needed.count(at_front) == 0) return;
-  RequireUtf8(line, where);
+  RequireUtf8Line(line, where);
   const Json object = ParseJson(line, where);
   const auto name = object.is_object() ? object.find("character") : object.end();
   if (!object.is_object() || name == object.end() || !name->is_string()) {

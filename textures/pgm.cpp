@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t kMostBytes = 100'000'000;
 constexpr std::uint32_t kMostSide = 4096, kMostGrey = 65535;
 
+constexpr const char* kSmaller = "make the picture smaller";
+constexpr const char* kWhiter = "raise the greatest value before the heights";
+
 bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// Walks through the bytes of a picture.
@@ -30,23 +33,26 @@ class Reader {
     throw InputError(fmt::format("{}:{}: {}", name_, line, problem));
   }
 
-  /// The next number, behind spaces and comments, at most `most`.
-  std::uint32_t Number(const char* what, std::uint32_t most) {
+  /// The next number, behind spaces and comments, at most `most`; `cure` for one above.
+  std::uint32_t Number(const char* what, std::uint32_t most, const char* cure) {
     SkipSpaces();
-    if (at_ == bytes_.size()) Fail(fmt::format("the picture ends before its {}", what));
+    if (at_ == bytes_.size()) {
+      Fail(fmt::format("the picture ends before its {}: save it again", what));
+    }
     std::uint32_t value = 0;
     const std::size_t begin = at_;
     for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9'; ++at_) {
       value = 10 * value + static_cast<std::uint32_t>(bytes_[at_] - '0');
-      if (value > most) Fail(fmt::format("{} above {}", what, most));
+      if (value > most) Fail(fmt::format("{} above {}: {}", what, most, cure));
     }
-    if (at_ == begin) Fail(fmt::format("{} is not a whole number", what));
+    if (at_ == begin) Fail(fmt::format("{} is not a whole number: write one", what));
     return value;
   }
 
   /// One byte, the white space that ends a binary picture's head.
   void SkipOne() {
-    if (at_ == bytes_.size() || !IsSpace(bytes_[at_])) Fail("no space between head and heights");
+    if (at_ == bytes_.size() || !IsSpace(bytes_[at_]))
+      Fail("no space between head and heights: write one");
     ++at_;
   }
 
@@ -78,11 +84,12 @@ SampledHeights ParsePgm(std::string_view bytes, const std::string& name) {
     throw InputError(name + ": not a PGM picture: give one that begins with P2 or P5");
   }
   Reader reader(bytes, name);
-  const std::uint32_t columns = reader.Number("width", kMostSide);
-  const std::uint32_t rows = reader.Number("height", kMostSide);
-  const std::uint32_t white = reader.Number("greatest value", kMostGrey);
-  if (columns < 2 || rows < 2) reader.Fail("a side of less than 2 samples");
-  if (white == 0) reader.Fail("a greatest value of 0");
+  const std::uint32_t columns = reader.Number("width", kMostSide, kSmaller);
+  const std::uint32_t rows = reader.Number("height", kMostSide, kSmaller);
+  const std::uint32_t white =
+      reader.Number("greatest value", kMostGrey, "save it with 8 or 16 bits");
+  if (columns < 2 || rows < 2) reader.Fail("a side of less than 2 samples: give more");
+  if (white == 0) reader.Fail("a greatest value of 0: write 255, say");
   const std::size_t width = white > 255 ? 2 : 1;  // [bytes]
   std::size_t at = 0;
   std::string_view heights_bytes;
@@ -90,19 +97,20 @@ SampledHeights ParsePgm(std::string_view bytes, const std::string& name) {
     reader.SkipOne();
     heights_bytes = reader.Rest();
     if (heights_bytes.size() < width * columns * rows) {
-      reader.Fail(fmt::format("cut off: {} bytes of heights, {} x {} need {}", heights_bytes.size(),
-                              columns, rows, width * columns * rows));
+      reader.Fail(fmt::format("cut off: {} bytes of heights, {} x {} need {}: save it again",
+                              heights_bytes.size(), columns, rows, width * columns * rows));
     }
   } else if (reader.Rest().size() / 2 + 1 < std::size_t{columns} * rows) {
-    reader.Fail(fmt::format("cut off: too short for {} x {} heights", columns, rows));
+    reader.Fail(
+        fmt::format("cut off: too short for {} x {} heights: save it again", columns, rows));
   }
   const auto next = [&] {
-    if (!binary) return reader.Number("height value", white);
+    if (!binary) return reader.Number("height value", white, kWhiter);
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < width; ++i) {
       value = 256 * value + static_cast<unsigned char>(heights_bytes[at++]);
     }
-    if (value > white) reader.Fail(fmt::format("height value above {}", white));
+    if (value > white) reader.Fail(fmt::format("height value above {}: {}", white, kWhiter));
     return value;
   };
   std::vector<float> heights(std::size_t{columns} * rows);

@@ -108,6 +108,11 @@ TEST_F(HanziFile, DoesNotParseLinesThatAreNotNeeded) {
   EXPECT_EQ(Error(), path_ + ":1:20: broken JSON; get the file of medians again");
 }
 
+TEST_F(HanziFile, NamesLineAndColumnOfWhatIsNotUtf8) {
+  Write("{\"character\":\"\u4e00\",\"medians\":[[[0,0],[9,9]]]}\ncaf\xE9\n");
+  EXPECT_EQ(Error(), path_ + ":2:4: this is not UTF-8; save it as UTF-8");
+}
+
 TEST_F(HanziFile, RefusesThirtyMegabytesInOneLine) {
   Write("{\"x\":\"" + std::string(std::size_t{30} << 20U, 'x') + "\"}");
   EXPECT_EQ(Error(), path_ + ":1: a line of more than 1 MB; give one character's JSON a line");

@@ -121,16 +121,17 @@ TEST(Pgm, FormsAreTheSamePicture) {
 TEST(Pgm, BrokenFilesGiveOneLineWithThePlace) {
   EXPECT_EQ(ErrorOf("GIF89a"), "a.pgm: not a PGM picture: give one that begins with P2 or P5");
   EXPECT_EQ(ErrorOf("P2\n3 2\n255\n0 0 0 0 0"),
-            "a.pgm:4: the picture ends before its height value");
-  EXPECT_EQ(ErrorOf("P2\n3 2\n255\n0 0 0 0 0 256"), "a.pgm:4: height value above 255");
-  EXPECT_EQ(ErrorOf("P2\n3 x"), "a.pgm:2: height is not a whole number");
-  EXPECT_EQ(ErrorOf("P5\n99999 2\n255\n"), "a.pgm:2: width above 4096");
+            "a.pgm:4: the picture ends before its height value: save it again");
+  EXPECT_EQ(ErrorOf("P2\n3 2\n255\n0 0 0 0 0 256"),
+            "a.pgm:4: height value above 255: raise the greatest value before the heights");
+  EXPECT_EQ(ErrorOf("P2\n3 x"), "a.pgm:2: height is not a whole number: write one");
+  EXPECT_EQ(ErrorOf("P5\n99999 2\n255\n"), "a.pgm:2: width above 4096: make the picture smaller");
   EXPECT_EQ(ErrorOf("P5\n4096 4096\n255\nabc"),
-            "a.pgm:4: cut off: 3 bytes of heights, 4096 x 4096 need 16777216");
+            "a.pgm:4: cut off: 3 bytes of heights, 4096 x 4096 need 16777216: save it again");
   EXPECT_EQ(ErrorOf("P2\n4000 4000\n255\n0"),
-            "a.pgm:3: cut off: too short for 4000 x 4000 heights");
-  EXPECT_EQ(ErrorOf("P5\n1 2\n255\nab"), "a.pgm:3: a side of less than 2 samples");
-  EXPECT_EQ(ErrorOf("P5\n2 2\n0\nabcd"), "a.pgm:3: a greatest value of 0");
+            "a.pgm:3: cut off: too short for 4000 x 4000 heights: save it again");
+  EXPECT_EQ(ErrorOf("P5\n1 2\n255\nab"), "a.pgm:3: a side of less than 2 samples: give more");
+  EXPECT_EQ(ErrorOf("P5\n2 2\n0\nabcd"), "a.pgm:3: a greatest value of 0: write 255, say");
 }
 
 }  // namespace
