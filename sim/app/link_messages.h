@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "textures/groove_links.h"
@@ -9,10 +10,14 @@
 /// Sentences about groove links and about tracing without lifting.
 namespace moontrace::say {
 
-/// How many links a page has and at how many places none keeps the gap.
-std::string Links(std::size_t links, std::size_t missing, const LinkStyle& style);
+/// How many links a page has and at how many places none keeps the gap; how many the tip left, if
+/// that is known.
+std::string Links(std::size_t links, std::size_t missing, const LinkStyle& style,
+                  std::optional<std::size_t> left = {});
 /// The same for the words beside a picture.
 std::string LinksDrawn(std::size_t links, std::size_t missing);
+/// The colour of links in the picture of a trace, and how many were left: " Pale blue: links."
+std::string LinksTraced(std::size_t links, std::optional<std::size_t> left);
 /// How often the tip left the page within a line, and how many lines there are.
 std::string Lifts(std::size_t lifts, std::size_t lines);
 

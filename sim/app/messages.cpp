@@ -294,13 +294,13 @@ std::string TracePictureWords(std::string_view text, const TraceMetrics& total) 
                      Times(total.excursions));
 }
 
-std::string TracePictureLegend(const TraceMetrics& total, const TypeStyle& style, bool blank) {
+std::string TracePictureLegend(const TypeStyle& style, bool blank, bool rings) {
   const std::string_view relief = Relief(style);
   const std::string ground = blank ? fmt::format("Dashed grey: where each {} would be.", relief)
                                    : fmt::format("Grey band: the {}, {} mm wide.", relief,
                                                  Short(kMillimetres * style.width, 2));
   return fmt::format("{} Blue line: the tip of the stylus.{}", ground,
-                     total.excursions == 0 ? "" : " Orange rings: where it left.");
+                     rings ? " Orange rings: where it left." : "");
 }
 
 std::string NoPoint() { return "no point: write moontrace probe X Y Z TEXT, X Y Z in mm"; }

@@ -84,7 +84,8 @@ std::string PagePictureTitle(std::string_view script, std::size_t page, std::siz
 std::string PagePictureWords(std::size_t signs, std::size_t lines, const TypeStyle& style);
 std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank);
 std::string TracePictureWords(std::string_view text, const TraceMetrics& total);
-std::string TracePictureLegend(const TraceMetrics& total, const TypeStyle& style, bool blank);
+/// `rings`: there are some.
+std::string TracePictureLegend(const TypeStyle& style, bool blank, bool rings);
 
 // A probe.
 std::string NoPoint();

@@ -74,6 +74,7 @@ Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   json["mean_guidance_n"] = result.mean_guidance;
   json["guidance_work_mj"] = 1e3 * result.guidance_work;
   json["lifts_within_lines"] = result.lifts_within_lines;
+  json["links_left"] = result.links_left ? Json(result.links_left->size()) : Json(nullptr);
   if (with_real_time_factor) json["real_time_factor"] = result.real_time_factor;
   return json;
 }

@@ -36,6 +36,18 @@ std::string TextureShape(const PaperTexture& paper) {
                      Mm(paper.wavelength));
 }
 
+const char* HowDrawn(PaperDrawn drawn) {
+  switch (drawn) {
+    case PaperDrawn::kShaded:
+      return "its crests shaded";
+    case PaperDrawn::kTooFine:
+      return "too fine to be drawn";
+    case PaperDrawn::kLeftOut:
+      return "left out here";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string Rules(const TypeStyle& style, std::size_t count) {
@@ -58,7 +70,7 @@ std::string SheetTexture(const TypeStyle& style) {
   return fmt::format("Texture: {}, {}.", TextureName(paper), TextureShape(paper));
 }
 
-std::string SheetWords(const TypeStyle& style, bool texture_drawn) {
+std::string SheetWords(const TypeStyle& style, PaperDrawn drawn) {
   std::string words;
   if (style.rules.lines) {
     words += fmt::format(" Line rules {} wide.", Mm(RuleProfile(style).width));
@@ -69,7 +81,7 @@ std::string SheetWords(const TypeStyle& style, bool texture_drawn) {
   if (style.texture.paper) {
     const PaperTexture& paper = *style.texture.paper;
     words += fmt::format(" Paper rough with {}, {}, {}.", TextureName(paper), TextureShape(paper),
-                         texture_drawn ? "its crests shaded" : "too fine to be drawn");
+                         HowDrawn(drawn));
   }
   return words;
 }

@@ -17,8 +17,10 @@ std::string RaisedMargin(const TypeStyle& style);
 std::string SheetTexture(const TypeStyle& style);
 /// What a ridge does to a tip: "A rule turns the tip back up to ...".
 std::string TurnsBack(const char* what, const Profile& ridge);
+/// How a picture shows the paper's texture.
+enum class PaperDrawn { kShaded, kTooFine, kLeftOut };
 /// All of that on one line, for a picture; empty if the sheet is plain.
-std::string SheetWords(const TypeStyle& style, bool texture_drawn);
+std::string SheetWords(const TypeStyle& style, PaperDrawn drawn);
 
 namespace help {
 inline constexpr const char* kRules =

@@ -1,6 +1,7 @@
 #include "sim/app/trace_report.h"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "sim/app/guide_messages.h"
@@ -78,7 +79,9 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
   }
   if (style.links.reach != LinkReach::kNone) {
     const LinkCounts links = CountLinks(trace.text.set, trace.text.script);
-    console.Result(say::Links(links.links, links.missing, style.links));
+    std::optional<std::size_t> left;
+    if (all.links_left) left = all.links_left->size();
+    console.Result(say::Links(links.links, links.missing, style.links, left));
     console.Result(say::Lifts(all.lifts_within_lines, all.lines));
   }
   console.Result(say::Force(total));

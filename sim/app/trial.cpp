@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "devices/simulated_stylus.h"
+#include "lessons/link_meter.h"
 #include "lessons/merged_metrics.h"
 #include "sim/app/metrics_json.h"
 #include "sim/scene/bound.h"
@@ -120,8 +121,8 @@ class TrialPush {
 
 /// The loop: device, scene, push, device, score. Everything it needs exists before it starts.
 void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& stylus,
-              TraceScorer& scorer, LiftCounter lifts, TrialPush push, Recorder* recorder,
-              TrialResult& result) {
+              TraceScorer& scorer, LinkMeter& links, LiftCounter lifts, TrialPush push,
+              Recorder* recorder, TrialResult& result) {
   PhaseClock clock(plan.spans);
   const double duration = std::min(plan.duration, setup.longest);
   const auto ticks = static_cast<std::size_t>(std::ceil(duration / setup.scene.tick));
@@ -144,6 +145,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
     sample.phase = span.phase;
     sample.stroke = span.stroke;
     scorer.Add(sample);
+    links.Add(sample);
     lifts.Add(span, sample.in_contact || output.tip_P.z < kLifted);
     Keep(result.path, {output.tip_P, span.phase, sample.in_contact}, setup.path_spacing);
     result.energy_out = std::max(result.energy_out, output.energy_out);
@@ -192,9 +194,11 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   TraceScorer scorer(strokes, setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
   const auto start = std::chrono::steady_clock::now();
-  RunTicks(setup, plan, scene, *stylus, scorer, LiftCounter(strokes, *setup.page),
+  LinkMeter link_meter(strokes, links);
+  RunTicks(setup, plan, scene, *stylus, scorer, link_meter, LiftCounter(strokes, *setup.page),
            TrialPush(setup, strokes), recorder.get(), result);
   result.score = scorer.Finish();
+  if (setup.style.links.reach != LinkReach::kNone) result.links_left = link_meter.left();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   result.real_time_factor = result.duration / std::max(elapsed.count(), 1e-9);
   if (recorder != nullptr) {
@@ -206,6 +210,16 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   }
   return result;
 }
+
+namespace {
+
+void AddLeft(TrialResult& all, const TrialResult& page) {
+  if (!page.links_left) return;
+  if (!all.links_left) all.links_left.emplace();
+  all.links_left->insert(all.links_left->end(), page.links_left->begin(), page.links_left->end());
+}
+
+}  // namespace
 
 TrialResult Merged(const std::vector<TrialResult>& pages) {
   TrialResult all;
@@ -220,6 +234,7 @@ TrialResult Merged(const std::vector<TrialResult>& pages) {
     all.faults += page.faults;
     all.lifts_within_lines += page.lifts_within_lines;
     all.lines += page.lines;
+    AddLeft(all, page);
     guidance += page.mean_guidance * page.duration;
     all.guidance_work += page.guidance_work;
     all.energy_out = std::max(all.energy_out, page.energy_out);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,7 +72,9 @@ struct TrialResult {
   /// Times that the tip left the page, more than 0.1 mm above it, and came back within a line of
   /// text.
   std::size_t lifts_within_lines = 0;
-  std::size_t lines = 0;     ///< of text
+  std::size_t lines = 0;  ///< of text
+  /// Where links were left (link_meter.h), once for each; none where nobody planned to follow them.
+  std::optional<std::vector<Excursion>> links_left;
   double mean_guidance = 0;  ///< size of the push, over the whole time [N]
   double guidance_work = 0;  ///< that it did on the tip; below 0 where it held it back [J]
   std::vector<PathPoint> path;
@@ -86,7 +89,8 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record = null
 HandModel ShippedHand();
 
 /// Totals of several pages traced one after the other (merged_metrics.h); greatest values and
-/// counts over all. `letters` and `left_at` are left empty. `real_time_factor` is of the whole.
+/// counts over all. `letters` and `left_at` are left empty, `links_left` counts. `real_time_factor`
+/// is of the whole.
 TrialResult Merged(const std::vector<TrialResult>& pages);
 
 /// Whether direct rendering stays quiet (design section 4, point 4): the sideways stiffness felt,

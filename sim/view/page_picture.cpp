@@ -43,7 +43,8 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
   AddSheetTexture(text_page, set.style, rough);
   AddStructurePatches(text_page, script, set.style, rough);
   const bool drawn = std::all_of(rough.paper.begin(), rough.paper.end(), CanDraw);
-  drawing.description += say::SheetWords(set.style, drawn) + say::HeadingWords(set.style);
+  const say::PaperDrawn paper = drawn ? say::PaperDrawn::kShaded : say::PaperDrawn::kTooFine;
+  drawing.description += say::SheetWords(set.style, paper) + say::HeadingWords(set.style);
   for (Mark& mark : TextureMarks(rough.paper)) drawing.marks.push_back(std::move(mark));
   drawing.marks.emplace_back(Edge(drawing.width, drawing.height));
   for (Mark& mark : RuleMarks(text_page, script, set.style)) {

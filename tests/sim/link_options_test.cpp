@@ -54,6 +54,25 @@ TEST_F(LinkOptionsTest, LiftsAreTold) {
   ExpectTextFace(trace.out);
 }
 
+TEST_F(LinkOptionsTest, LeftOnesAreToldCountedAndRinged) {
+  const std::vector<std::string> line = {"trace",  "moon moon", "--links", "words",
+                                         "--page", "200x50",    "--seed",  "2"};
+  const nlohmann::json json = RunLine(With(line, {"--json", "--picture", In("p.svg")})).Json();
+  const int left = json["total"]["links_left"];
+  const std::string svg = ReadAll(In("p.svg"));
+  std::size_t rings = 0;
+  for (std::size_t at = svg.find("<circle"); at != std::string::npos;
+       at = svg.find("<circle", at + 1)) {
+    ++rings;
+  }
+  EXPECT_EQ(rings, static_cast<std::size_t>(left) + json["total"]["excursions"].get<std::size_t>());
+  EXPECT_NE(svg.find("Pale blue: links"), std::string::npos);
+  const Outcome words = RunLine(line);
+  const std::string said = left == 0 ? "none" : std::to_string(left);
+  EXPECT_NE(words.out.find("Links: 7, " + said + " of them left"), std::string::npos) << words.out;
+  EXPECT_TRUE(RunLine({"trace", "I", "--json"}).Json()["total"]["links_left"].is_null());
+}
+
 TEST_F(LinkOptionsTest, AreDrawnAndSaidBesideThePicture) {
   const std::string file = In("p.svg");
   ASSERT_EQ(RunLine({"page", "la", "--links", "words", "--picture", file}).code, 0);
