@@ -143,10 +143,12 @@ Script LoadScriptFile(const std::string& path, std::string_view text) {
   return LoadSvg(path);
 }
 
+bool IsScriptPath(const std::string& name_or_path) {
+  return name_or_path.find('/') != std::string::npos || IsFile(EndingOf(name_or_path));
+}
+
 Script LoadScriptNamed(const std::string& name_or_path, std::string_view text) {
-  const bool is_path =
-      name_or_path.find('/') != std::string::npos || IsFile(EndingOf(name_or_path));
-  if (is_path) return LoadScriptFile(name_or_path, text);
+  if (IsScriptPath(name_or_path)) return LoadScriptFile(name_or_path, text);
   const std::vector<ScriptEntry> entries = ListScripts();
   for (const ScriptEntry& entry : entries) {
     if (entry.name == name_or_path) return LoadScriptFile(entry.path, text);

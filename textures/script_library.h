@@ -26,9 +26,12 @@ std::vector<ScriptEntry> ListScripts();
 /// far as it needs. Throws InputError (file, place, cause, cure).
 Script LoadScriptFile(const std::string& path, std::string_view text);
 
-/// By a name of ListScripts, or by path when it holds a '/' or ends like a file that can be loaded.
-/// Throws InputError, for an unknown name with the nearest; LackError: Hershey's fonts are not
-/// installed.
+/// Whether it is taken for a path, not for a name: it holds a '/' or ends like a file that can be
+/// loaded.
+bool IsScriptPath(const std::string& name_or_path);
+
+/// By a name of ListScripts, or by path (IsScriptPath). Throws InputError, for an unknown name with
+/// the nearest; LackError: Hershey's fonts are not installed.
 Script LoadScriptNamed(const std::string& name_or_path, std::string_view text);
 
 }  // namespace moontrace

@@ -41,24 +41,51 @@ PageSpec CutTo(glm::dvec2 extent, PageSpec sheet, double margin, bool margin_giv
   return sheet;
 }
 
+/// The sheet that a model's geom gives; one asked for that is larger is said not to fit.
+PageSpec OnGeom(const ModelPage& model, const PageSpec& asked, bool margin_given,
+                Console& console) {
+  constexpr double kMargin = 0.001;  // [m]
+  PageSpec sheet = CutTo(model.extent, asked, kMargin, margin_given);
+  if (sheet.width == asked.width && sheet.height == asked.height) return sheet;
+  sheet.name = "model";
+  if (asked.name != LayoutOptions().page.name) {
+    console.Remark(say::GeomIsSmaller(model.label.geom, sheet));
+  }
+  return sheet;
+}
+
+/// From the command line, else the label, else the command.
+std::string TextFor(const TextRequest& request, const Label* label, Console& console) {
+  const bool given = request.text.text || !request.text.file.empty();
+  if (!given && label != nullptr && !label->text.empty()) return label->text;
+  if (!given && !request.default_text.empty()) return request.default_text;
+  if (!given && label != nullptr) {
+    throw InputError(say::LabelLacksText(request.feel.model, label->geom));
+  }
+  return ReadText(request.text, request.command, console);  // or says that there is none
+}
+
+/// A script that the label names is the model's mistake, if it is one.
+Script ScriptFor(const TextRequest& request, const Label* label) {
+  const bool of_label = label != nullptr && label->script && !request.style.script;
+  if (!of_label) return ScriptOf(request.style, label);
+  try {
+    return ScriptOf(request.style, label);
+  } catch (const InputError& error) {
+    throw InputError(say::InLabel(request.feel.model, label->geom, error.what()));
+  }
+}
+
 }  // namespace
 
 TextSetup SetUpText(const TextRequest& request, Console& console) {
-  constexpr double kLabelMargin = 0.001;   // [m]
   constexpr double kDeviceMargin = 0.005;  // [m], from where the device strikes its own stops
   const std::optional<ModelPage> model = PageOfModel(request.feel);
   const Label* from = model ? &model->label : nullptr;
   if (model && model->moves) console.Remark(say::PageMoves(model->label.geom));
   TextSetup setup;
-  const bool given = request.text.text || !request.text.file.empty();
-  if (!given && from != nullptr && !from->text.empty()) {
-    setup.text = from->text;
-  } else if (!given && !request.default_text.empty()) {
-    setup.text = request.default_text;
-  } else {
-    setup.text = ReadText(request.text, request.command, console);  // or says that there is none
-  }
-  setup.script = ScriptOf(request.style, from);
+  setup.text = TextFor(request, from, console);
+  setup.script = ScriptFor(request, from);
   setup.script_name = request.style.script.value_or(
       from != nullptr && from->script ? *from->script : setup.script.name);
   StyleOptions letters = request.style;
@@ -67,12 +94,15 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   const TypeStyle style = StyleOf(letters, layout, setup.script, from);
   PageSpec sheet = PageOf(request.layout);
   const bool margin_given = request.layout.margin.has_value();
-  if (model) sheet = CutTo(model->extent, sheet, kLabelMargin, margin_given);
+  if (model) sheet = OnGeom(*model, sheet, margin_given, console);
   if (request.room.x < sheet.width || request.room.y < sheet.height) sheet.name = "custom";
   sheet = CutTo(request.room, sheet, kDeviceMargin, margin_given);
   setup.set = SetText(setup.text, setup.script, style, sheet);
   const std::size_t signs = CountSigns(setup.set);
   if (signs > kMostSigns) throw InputError(say::TooLong(signs, kMostSigns));
+  if (model && setup.set.pages.size() > 1) {
+    console.Remark(say::PagesOnGeom(setup.set.pages.size(), from->geom));
+  }
   return setup;
 }
 

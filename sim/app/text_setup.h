@@ -36,7 +36,8 @@ struct TextRequest {
 };
 
 /// Text, script and pages; what the command line leaves open comes from the model's first label.
-/// Throws InputError (as SetText; too long) and UsageError (no text).
+/// Throws InputError (as SetText; too long; a label without text or with an unknown script) and
+/// UsageError (no text).
 TextSetup SetUpText(const TextRequest& request, Console& console);
 
 /// The text that one page carries, on one line.

@@ -18,6 +18,7 @@
 #include "sim/app/typeset_report.h"
 #include "sim/app/view_messages.h"
 #include "sim/app/view_trial.h"
+#include "sim/scene/record.h"
 #include "sim/view/picture_file.h"
 #include "sim/view/trace_picture.h"
 
@@ -52,6 +53,19 @@ void Watch(TrialSetup& setup, TrialView& view, const Trace& trace, std::size_t p
   };
 }
 
+/// DIR as it is for a single page, else DIR-1, DIR-2 ...
+std::string RecordFolder(const TraceOptions& options, std::size_t page, std::size_t pages) {
+  return pages == 1 ? options.record : options.record + "-" + std::to_string(page + 1);
+}
+
+/// Of all pages, before the first is traced.
+void CheckRecords(const TraceOptions& options, std::size_t pages) {
+  if (options.record.empty()) return;
+  for (std::size_t page = 0; page < pages; ++page) {
+    CheckRecordFolder(RecordFolder(options, page, pages));
+  }
+}
+
 void TracePage(const TraceOptions& options, std::size_t page, TrialView* view, Console& console,
                Trace& trace) {
   const std::size_t pages = trace.text.set.pages.size();
@@ -59,7 +73,7 @@ void TracePage(const TraceOptions& options, std::size_t page, TrialView* view, C
   if (view != nullptr) Watch(setup, *view, trace, page);
   RecordRequest request;
   if (!options.record.empty()) {
-    request.folder = pages == 1 ? options.record : options.record + "-" + std::to_string(page + 1);
+    request.folder = RecordFolder(options, page, pages);
     request.also_csv = options.csv;
     request.parameters_json =
         ParametersJson({trace.text.text, trace.text.script_name, trace.text.set.style,
@@ -145,6 +159,7 @@ int Run(const TraceOptions& options, Console& console) {
   trace.blank = options.blank;
   trace.guidance = guidance;
   SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
+  CheckRecords(options, trace.text.set.pages.size());
   WarnOfDirect(options, trace, console);
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
   std::optional<TrialView> view;

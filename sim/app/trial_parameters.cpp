@@ -1,12 +1,28 @@
 #include "sim/app/trial_parameters.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "sim/app/messages.h"
 #include "sim/app/typeset_report.h"
 #include "textures/error.h"
+#include "textures/script_library.h"
 
 namespace moontrace {
 
 namespace {
+
+/// A record is replayed from any folder.
+std::string Whole(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
+  return path.empty() || error ? path : whole.string();
+}
+
+/// A script's name stays one.
+std::string WholeScript(const std::string& script) {
+  return IsScriptPath(script) ? Whole(script) : script;
+}
 
 Json RulesJson(const RuleStyle& rules) {
   return {{"lines", rules.lines},
@@ -30,7 +46,7 @@ Json TextureJson(const SheetTexture& texture) {
           {"angle_rad", paper.angle},
           {"seed", paper.seed},
           {"tiled", paper.tiled},
-          {"file", texture.file}};
+          {"file", Whole(texture.file)}};
 }
 
 SheetTexture TextureFrom(const Json& json) {
@@ -150,8 +166,8 @@ TypeStyle StyleFrom(const Json& json) {
 std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& setup) {
   Json json;
   json["text"] = parameters.text;
-  json["script"] = parameters.script;
-  if (setup.script != nullptr) json["fallback_script"] = setup.script->borrowed_from;
+  json["script"] = WholeScript(parameters.script);
+  if (setup.script != nullptr) json["fallback_script"] = WholeScript(setup.script->borrowed_from);
   json["style"] = StyleJson(parameters.style);
   json["paper"] = {{"name", parameters.paper.name},
                    {"width_m", parameters.paper.width},

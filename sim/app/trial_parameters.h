@@ -10,7 +10,8 @@
 namespace moontrace {
 
 /// What a record keeps beside the scene: enough to build page and field again, and to tell people
-/// what was traced. `script` is a name or a path, as FindScript takes it.
+/// what was traced. `script` is a name or a path, as FindScript takes it;
+/// paths are written whole, from the root.
 struct TrialParameters {
   std::string text;
   std::string script;

@@ -31,6 +31,9 @@ struct RecordHead {
   std::string subject_kind = "simulated";
 };
 
+/// Throws what Recorder would throw of a folder that is taken, before any work is done.
+void CheckRecordFolder(const std::string& folder);
+
 /// Writes a trial folder: trial.json, model.xml, samples.f64, events.jsonl (design section 5).
 /// Writes to a sibling folder `DIR.partial` and renames on Finish: nothing half-written is left
 /// under the final name, a failed recording is removed. Throws LackError (unwritable folder, full

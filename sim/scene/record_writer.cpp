@@ -53,26 +53,34 @@ void SyncFolder(const std::string& path) {
   ::close(folder);
 }
 
+[[noreturn]] void FailPartial(const std::string& folder) {
+  throw InputError(folder + ".partial: exists, another recording runs or was killed; remove it");
+}
+
+/// The folder's whole path, if nothing is in it.
+std::filesystem::path FreePath(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::path path = std::filesystem::absolute(folder, error).lexically_normal();
+  if (folder.empty() || error) throw InputError("record: no folder is named; name one");
+  if (!path.has_filename()) path = path.parent_path();
+  const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+  if (std::filesystem::exists(status)) {
+    if (!std::filesystem::is_directory(status)) FailTaken(folder);
+    const bool empty = std::filesystem::is_empty(path, error);
+    if (error) FailUnwritable(folder, error.value());
+    if (!empty) FailTaken(folder);
+  }
+  return path;
+}
+
 /// `DIR.partial`: removed with all it holds unless it became `DIR`.
 class PartialFolder {
  public:
-  explicit PartialFolder(const std::string& folder) : folder_(folder) {
-    std::error_code error;
-    std::filesystem::path path = std::filesystem::absolute(folder, error).lexically_normal();
-    if (folder.empty() || error) throw InputError("record: no folder is named; name one");
-    if (!path.has_filename()) path = path.parent_path();
-    final_ = path.string();
-    partial_ = final_ + ".partial";
-    const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
-    if (std::filesystem::exists(status)) {
-      if (!std::filesystem::is_directory(status)) FailTaken(folder);
-      const bool empty = std::filesystem::is_empty(path, error);
-      if (error) FailUnwritable(folder, error.value());
-      if (!empty) FailTaken(folder);
-    }
+  explicit PartialFolder(const std::string& folder)
+      : folder_(folder), final_(FreePath(folder).string()), partial_(final_ + ".partial") {
     if (::mkdir(partial_.c_str(), 0777) == 0) return;
     if (errno != EEXIST) FailUnwritable(folder + ".partial", errno);
-    throw InputError(folder + ".partial: exists, another recording runs or was killed; remove it");
+    FailPartial(folder);
   }
   ~PartialFolder() { Remove(); }
   PartialFolder(const PartialFolder&) = delete;
@@ -134,6 +142,12 @@ std::uint64_t WriteCsv(const std::string& samples_path, const std::string& csv_p
 }
 
 }  // namespace
+
+void CheckRecordFolder(const std::string& folder) {
+  std::error_code error;
+  const std::string partial = FreePath(folder).string() + ".partial";
+  if (std::filesystem::exists(partial, error)) FailPartial(folder);
+}
 
 struct Recorder::Impl {
   PartialFolder folder;

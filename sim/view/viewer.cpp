@@ -31,8 +31,9 @@ void MakeFolder(const std::string& folder) {
   if (!fs::is_directory(folder, error)) {
     throw LackError(folder + ": no folder can be made there for frames; name another");
   }
-  if (fs::exists(FramePath(folder, 1), error)) {
-    throw InputError(folder + ": has frames in it already; name an empty folder");
+  const bool empty = fs::is_empty(folder, error);
+  if (!error && !empty) {
+    throw InputError(folder + ": is not empty; name an empty folder for frames");
   }
   CheckPicturePath(FramePath(folder, 1));
 }

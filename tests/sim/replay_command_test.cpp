@@ -6,6 +6,7 @@
 
 #include "sim/scene/record_columns.h"
 #include "tests/sim/cli_fixture.h"
+#include "textures/resources.h"
 
 namespace moontrace {
 namespace {
@@ -121,6 +122,22 @@ TEST_F(ReplayCommand, ReportsTheFirstTickOfARecordThatIsWholeButComesOutOtherwis
   EXPECT_EQ(json.Json()["first_difference"], 700);
   EXPECT_EQ(json.Json()["column"], "force_z_n");
   EXPECT_FALSE(json.Json()["bit_equal"]);
+}
+
+TEST_F(ReplayCommand, FindsAScriptOfOnesOwnFromAnyFolder) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  const std::string moon = ResourcePath("textures/scripts/moon.svg");
+  std::filesystem::copy_file(moon, In("own.svg"));
+  std::filesystem::current_path(folder_);
+  const Outcome trace = RunLine({"trace", "I", "--script", "./own.svg", "--record", "r"});
+  std::filesystem::current_path(before);
+  ASSERT_EQ(trace.code, 0) << trace.err;
+  const Outcome replay = RunLine({"replay", In("r"), "--check"});
+  EXPECT_EQ(replay.code, 0) << replay.err;
+  const Outcome named = RunLine({"trace", "I", "--script", "moon", "--record", In("m")});
+  ASSERT_EQ(named.code, 0) << named.err;
+  const nlohmann::json sheet = nlohmann::json::parse(ReadAll(In("m") + "/trial.json"));
+  EXPECT_EQ(sheet["parameters"]["script"], "moon");
 }
 
 TEST_F(ReplayCommand, WantsAFolder) {

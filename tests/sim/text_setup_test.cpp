@@ -47,5 +47,51 @@ TEST_F(TextOnAModel, ThatMovesHasNoForceBound) {
   EXPECT_NE(fixed.out.find("Force bound"), std::string::npos) << fixed.out;
 }
 
+TEST_F(TextOnAModel, HasTheModelsPaper) {
+  const std::string model = Box("text='LO', size_mm=12");
+  const Outcome plain = RunLine({"trace", "--model", model, "--json"});
+  EXPECT_EQ(plain.Json()["paper"]["name"], "model");
+  EXPECT_EQ(plain.err.find("--page"), std::string::npos) << plain.err;
+  const Outcome larger = RunLine({"trace", "--model", model, "--page", "200x50"});
+  EXPECT_NE(larger.err.find("--page is larger than the geom 'face'"), std::string::npos)
+      << larger.err;
+  const Outcome smaller = RunLine({"trace", "--model", model, "--page", "60x40", "--json"});
+  EXPECT_EQ(smaller.Json()["paper"]["name"], "custom");
+  EXPECT_EQ(smaller.Json()["paper"]["width_mm"], 60);
+  EXPECT_EQ(smaller.err.find("--page"), std::string::npos) << smaller.err;
+}
+
+TEST_F(TextOnAModel, NeedsAText) {
+  for (const char* label : {"size_mm=12", "text='', size_mm=12"}) {
+    const std::string model = Box(label);
+    const Outcome outcome = RunLine({"trace", "--model", model});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.err.rfind(model + ": label on 'face' has no text: ", 0), 0U) << outcome.err;
+    EXPECT_EQ(RunLine({"trace", "L", "--model", model}).code, 0);
+  }
+}
+
+TEST_F(TextOnAModel, ThatDoesNotFitIsToldByItsPages) {
+  const std::string model = Box("text='LLL', size_mm=30");
+  const Outcome outcome = RunLine({"trace", "--model", model});
+  EXPECT_EQ(outcome.code, 0);
+  const nlohmann::json json = RunLine({"trace", "--model", model, "--json"}).Json();
+  ASSERT_GT(json["pages"], 1);
+  EXPECT_EQ(outcome.err.find(std::to_string(json["pages"].get<int>()) + " pages: the text does"),
+            outcome.err.find(" pages: the text does") - 1)
+      << outcome.err;
+  const Outcome fits = RunLine({"trace", "--model", Box("text='L', size_mm=30")});
+  EXPECT_EQ(fits.err.find("pages"), std::string::npos) << fits.err;
+}
+
+TEST_F(TextOnAModel, InAnUnknownScriptNamesModelAndLabel) {
+  const std::string model = Box("text='L', script='nope'");
+  const Outcome outcome = RunLine({"trace", "--model", model});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err.rfind(model + ": label on 'face': ", 0), 0U) << outcome.err;
+  EXPECT_NE(outcome.err.find("nope"), std::string::npos) << outcome.err;
+  EXPECT_EQ(RunLine({"trace", "--model", model, "--script", "moon"}).code, 0);
+}
+
 }  // namespace
 }  // namespace moontrace

@@ -245,9 +245,43 @@ TEST_F(TraceCommand, ALabelBesideItsGeomIsRefused) {
   EXPECT_NE(outcome.err.find("at_mm lies outside the geom"), std::string::npos) << outcome.err;
 }
 
-TEST_F(TraceCommand, ModelWithoutATextNeedsOne) {
-  WriteAll(In("sign.xml"), Model("size_mm=20"));
-  EXPECT_EQ(RunLine({"trace", "--model", In("sign.xml")}).code, 2);
+TEST_F(TraceCommand, LooksAtAllFoldersBeforeTheFirstPage) {
+  std::filesystem::create_directory(In("n-2"));
+  WriteAll(In("n-2/x"), "");
+  const Outcome outcome = RunLine(
+      {"trace", "the moon is bright tonight and still", "--page", "80x60", "--record", In("n")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err.rfind(In("n-2") + ": exists and is not an empty folder", 0), 0U)
+      << outcome.err;
+  ExpectOnly({"n-2"});
+}
+
+TEST_F(TraceCommand, PutsNoFramesAmongOtherFiles) {
+  std::filesystem::create_directory(In("r"));
+  WriteAll(In("r/trial.json"), "{}");
+  const Outcome outcome = RunLine({"trace", "I", "--frames", In("r")});
+  if (outcome.code == 4) GTEST_SKIP() << outcome.err;  // built without a view
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find(In("r") + ": is not empty"), std::string::npos) << outcome.err;
+}
+
+TEST_F(TraceCommand, PictureShowsRulesAndMarginAndNamesThePaper) {
+  const std::vector<std::string> line = {"trace",  "LO", "--size-mm", "8",
+                                         "--page", "a5", "--picture"};
+  ASSERT_EQ(RunLine(With(line, {In("plain.svg")})).code, 0);
+  ASSERT_EQ(
+      RunLine(With(line, {In("sheet.svg"), "--rules", "--raised-margin", "--texture", "sine"}))
+          .code,
+      0);
+  const std::string green = "#009e73";  // the colour of rules on a page's own picture
+  ASSERT_EQ(RunLine({"page", "LO", "--size-mm", "8", "--rules", "--picture", In("page.svg")}).code,
+            0);
+  ASSERT_NE(ReadAll(In("page.svg")).find(green), std::string::npos);
+  EXPECT_EQ(ReadAll(In("plain.svg")).find(green), std::string::npos);
+  const std::string sheet = ReadAll(In("sheet.svg"));
+  EXPECT_NE(sheet.find(green), std::string::npos);
+  EXPECT_NE(sheet.find("Raised margin"), std::string::npos);
+  EXPECT_NE(sheet.find("left out"), std::string::npos);
 }
 
 TEST_F(TraceCommand, StopsAtOnceAndLeavesNothing) {
