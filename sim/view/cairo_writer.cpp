@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 namespace moontrace {
 
@@ -126,6 +127,31 @@ void Draw(cairo_surface_t* surface, const Drawing& drawing, double scale) {
   }
 }
 
+std::string BigEndian(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFFU);
+  return bytes;
+}
+
+/// The check of a PNG's chunk (ISO/IEC 15948, annex D), bit by bit: it is short.
+std::uint32_t Crc(std::string_view bytes) {
+  std::uint32_t crc = 0xFFFFFFFFU;
+  for (const char c : bytes) {
+    crc ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1U ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+  return ~crc;
+}
+
+/// A PNG with its true size, in points a metre: cairo has no call for it.
+std::string WithSize(std::string png, double points_per_metre) {
+  constexpr std::size_t kHead = 8 + 25;  // signature and the chunk IHDR, which comes first
+  if (png.size() < kHead) return png;
+  const std::string density = BigEndian(static_cast<std::uint32_t>(std::lround(points_per_metre)));
+  const std::string chunk = "pHYs" + density + density + '\x01';  // 1: of a metre
+  return png.insert(kHead, BigEndian(9) + chunk + BigEndian(Crc(chunk)));
+}
+
 }  // namespace
 
 bool HaveCairo() noexcept { return true; }
@@ -139,7 +165,7 @@ std::string ToPng(const Drawing& drawing) {
   Draw(surface.get(), drawing, scale);
   std::string bytes;
   cairo_surface_write_to_png_stream(surface.get(), &Append, &bytes);
-  return bytes;
+  return WithSize(std::move(bytes), 1000 * scale);
 }
 
 std::string ToPng(const Raster& raster) {

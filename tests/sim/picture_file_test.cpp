@@ -81,6 +81,32 @@ TEST_F(PictureFile, PngHasThreeHundredDotsAnInch) {
   ExpectOnly({"p.png"});
 }
 
+TEST_F(PictureFile, PngOfASheetHasItsTrueSize) {
+  if (!HaveCairo()) GTEST_SKIP() << "built without cairo";
+  Drawing sheet;
+  sheet.width = 210;
+  sheet.height = 297;
+  WritePicture(In("a4.png"), sheet);
+  const std::string png = ReadAll(In("a4.png"));
+  const auto number = [&png](std::size_t at) {
+    double value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(png.at(at + i));
+    return value;
+  };
+  const std::size_t chunk = png.find("pHYs");
+  ASSERT_NE(chunk, std::string::npos);
+  EXPECT_LT(chunk, png.find("IDAT"));
+  const double pixel_mm = 1000 / number(chunk + 4);
+  EXPECT_EQ(number(chunk + 8), number(chunk + 4));
+  EXPECT_EQ(png.at(chunk + 12), 1);  // of a metre
+  EXPECT_NEAR(number(16) * pixel_mm, 210, pixel_mm / 2);
+  EXPECT_NEAR(number(20) * pixel_mm, 297, pixel_mm / 2);
+  // the check of these nine bytes at 300 dots an inch, by zlib's crc32
+  EXPECT_EQ(number(chunk + 4), 11811);
+  EXPECT_EQ(number(chunk + 13), 0x78A53F76);
+}
+
 TEST_F(PictureFile, PdfHasTheTrueSize) {
   if (!HaveCairo()) GTEST_SKIP() << "built without cairo";
   WritePicture(In("p.pdf"), Sample());
