@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostSigns = std::size_t{16} << 20;
 constexpr double kCustomMargin = 0.01;  // [m]
-constexpr double kLargestPage = 5;      // [m]
+constexpr double kLargestPage = 5;      // [m]; commands take less, a geom may be as large
 
 double Mm(double metres) { return metres * 1000; }
 
@@ -26,15 +26,22 @@ bool ReadNumber(std::string_view text, double& value) {
   return read.ec == std::errc() && read.ptr == text.data() + text.size();
 }
 
-void CheckPage(const PageSpec& page) {
-  const double shorter = std::min(page.width, page.height);
-  // Written so that a NaN fails.
-  if (!(page.margin >= 0 && shorter > 2 * page.margin &&
+// Written so that a NaN fails.
+void CheckSides(const PageSpec& page) {
+  if (!(std::min(page.width, page.height) > 0 &&
         std::max(page.width, page.height) <= kLargestPage)) {
+    throw InputError(fmt::format("page {:.6g} x {:.6g} mm: give sides above 0, at most {:.0f} mm",
+                                 Mm(page.width), Mm(page.height), Mm(kLargestPage)));
+  }
+}
+
+void CheckPage(const PageSpec& page) {
+  CheckSides(page);
+  if (!(page.margin >= 0 && std::min(page.width, page.height) > 2 * page.margin)) {
     throw InputError(
-        fmt::format("page {:.6g} x {:.6g} mm, margins {:.6g} mm: give sides above twice that, up "
-                    "to {:.0f} mm",
-                    Mm(page.width), Mm(page.height), Mm(page.margin), Mm(kLargestPage)));
+        fmt::format("page {:.6g} x {:.6g} mm, margins {:.6g} mm: give sides above twice that, or "
+                    "smaller margins",
+                    Mm(page.width), Mm(page.height), Mm(page.margin)));
   }
 }
 
@@ -69,7 +76,7 @@ PageSpec FindPage(const std::string& name) {
                     Shown(name)));
   }
   PageSpec page{"custom", width_mm / 1000, height_mm / 1000, kCustomMargin};
-  CheckPage(page);
+  CheckSides(page);
   return page;
 }
 

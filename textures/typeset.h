@@ -86,7 +86,7 @@ struct PageSpec {
 
 /// "a4", "a5" (margin 15 mm), "workspace" (160 x 120 mm, a desk-top device's reach, margin 10 mm),
 /// or a custom page in mm as "120x90" (margin 10 mm). Throws InputError for other names and for
-/// pages that are not larger than their margins or above 5 m.
+/// pages above 5 m. SetText refuses one that is not larger than its margins.
 PageSpec FindPage(const std::string& name);
 
 /// A glyph on a page, and the bytes of the source text that it stands for. The numeral sign stands

@@ -53,7 +53,7 @@ void Console::Remark(std::string_view line) {
   Spoke();
 }
 
-void Console::Error(std::string_view line) { err_ << line << '\n'; }
+void Console::Error(std::string_view line) { err_ << OneLine(line, line.size()) << '\n'; }
 
 void Console::Json(std::string_view text) { out_ << text << '\n'; }
 

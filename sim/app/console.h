@@ -56,8 +56,9 @@ class Console {
   }
   void Path(std::string_view path);    ///< on stdout, alone on its line, never wrapped
   void Remark(std::string_view line);  ///< on stderr, wrapped at words
-  void Error(std::string_view line);   ///< on stderr, one line however long
-  void Json(std::string_view text);    ///< on stdout, as it is, with a line's end
+  /// On stderr, one line however long: what a path or a name may hold to break it is shown as "?".
+  void Error(std::string_view line);
+  void Json(std::string_view text);  ///< on stdout, as it is, with a line's end
 
   /// A sign of life on stderr if nothing was said for 30 s.
   void Alive(double done);

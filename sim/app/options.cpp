@@ -20,6 +20,7 @@
 #include "textures/taught.h"
 #include "textures/text_file.h"
 #include "textures/text_pipe.h"
+#include "textures/utf8_check.h"
 
 namespace moontrace {
 
@@ -260,7 +261,9 @@ std::string ReadText(const TextOptions& options, const std::string& command, Con
     return text;
   }
   try {
-    return ReadTextOrPipe(options.file, kMaxTextBytes);
+    std::string text = ReadTextOrPipe(options.file, kMaxTextBytes);
+    RequireUtf8(text, options.file);
+    return text;
   } catch (const InputError&) {
     console.CheckStop();  // the signal ended a wait for a pipe: that is no fault of the file
     throw;

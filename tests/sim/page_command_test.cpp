@@ -141,6 +141,31 @@ TEST_F(PageCommand, LayoutOptionsReachThePage) {
   EXPECT_NEAR(custom["paper"]["height_mm"], 80.0, 1e-9);
 }
 
+TEST_F(PageCommand, MeasuresAPageByTheMarginThatIsGiven) {
+  const std::vector<std::string> small{"page", "a", "--page", "20x20", "--size-mm", "8"};
+  EXPECT_EQ(RunLine(With(small, {"--margin-mm", "2"})).code, 0);
+  const Outcome usual = RunLine(small);
+  EXPECT_EQ(usual.code, 3);
+  EXPECT_EQ(usual.err,
+            "page 20 x 20 mm, margins 10 mm: give sides above twice that, or smaller margins\n");
+  EXPECT_NE(RunLine({"page", "a", "--page", "3000x2000"}).err.find("from 1 to 1000"),
+            std::string::npos);
+}
+
+TEST_F(PageCommand, NamesTheFileThatIsNotUtf8) {
+  WriteAll(In("lat1.txt"), "caf\xE9\n");
+  const Outcome outcome = RunLine({"page", "--file", In("lat1.txt")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err, In("lat1.txt") + ":1:4: this is not UTF-8; save it as UTF-8\n");
+}
+
+TEST_F(PageCommand, KeepsItsRefusalOnOneLineWhateverThePathHolds) {
+  const Outcome outcome = RunLine({"page", "a", "--texture", "x\ny.pgm"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(Lines(outcome.err).size(), 1U);
+  EXPECT_EQ(outcome.err.substr(0, 9), "x?y.pgm: ");
+}
+
 TEST_F(PageCommand, LeavesAPictureThatSaysInWordsWhatItShows) {
   const Outcome outcome = RunLine({"page", "MOON", "--picture", In("p.svg")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -247,7 +247,7 @@ TEST(FindPage, ReadsASizeInMillimetres) {
 
 TEST(FindPage, RefusesOtherNames) {
   for (const char* name : {"", "letter", "custom", "x", "120x", "x90", "120x90mm", "120 x 90",
-                           "nanx90", "-120x90", "20x90", "infx90", "1e9x90"}) {
+                           "nanx90", "-120x90", "0x90", "infx90", "1e9x90"}) {
     EXPECT_NE(ErrorOf([&] { FindPage(name); }), "no error") << name;
   }
   EXPECT_NE(ErrorOf([] { FindPage("letter"); }).find("a4, a5, workspace"), std::string::npos);
