@@ -72,12 +72,18 @@ void Check(const Script& script, const LetterForm& form) {
   }
 }
 
+Map MapOf(const LetterForm& form) {
+  return {form.stretch, std::tan(form.slant), form.slant < 0 ? 1.0 : 0.0};
+}
+
 }  // namespace
+
+double FootShift(const LetterForm& form) { return MapOf(form).Point({0, 0}).x; }
 
 Script Reshaped(const Script& script, const LetterForm& form) {
   if (form == LetterForm{}) return script;
   Check(script, form);
-  const Map map{form.stretch, std::tan(form.slant), form.slant < 0 ? 1.0 : 0.0};
+  const Map map = MapOf(form);
   Script result = script;
   result.space_advance *= form.stretch;
   for (Glyph& glyph : result.glyphs) {

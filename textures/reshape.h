@@ -21,4 +21,7 @@ struct LetterForm {
 /// stretch outside 0.5 to 2.
 Script Reshaped(const Script& script, const LetterForm& form);
 
+/// How far that moves what stands on the base line [em].
+double FootShift(const LetterForm& form);
+
 }  // namespace moontrace

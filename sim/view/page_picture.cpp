@@ -11,6 +11,7 @@
 #include "sim/app/structure_messages.h"
 #include "sim/view/link_marks.h"
 #include "sim/view/moon_marks.h"
+#include "sim/view/print_marks.h"
 #include "sim/view/sheet_marks.h"
 #include "textures/structure_patches.h"
 
@@ -62,16 +63,8 @@ Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
     drawing.marks.push_back(std::move(mark));
   }
   if (!print_letters) return drawing;
-  // A quarter of the Moon letter, within the gap that the line pitch leaves.
-  const double gap = kMillimetres * (set.style.line_pitch - set.style.size);
-  const double height = std::clamp(0.25 * kMillimetres * set.style.size, 0.5, 0.5 * gap);
-  for (const PlacedGlyph& glyph : text_page.glyphs) {
-    TextMark mark;
-    mark.height = ScaleOf(glyph.kind, set.style) * height;
-    mark.at = kMillimetres * glyph.origin_P - glm::dvec2(0, 1.6 * mark.height);
-    mark.text = source.substr(glyph.source_begin, glyph.source_end - glyph.source_begin);
-    mark.color = palette::kTip;
-    drawing.marks.emplace_back(std::move(mark));
+  for (Mark& mark : PrintMarks(text_page, script, set.style, source)) {
+    drawing.marks.push_back(std::move(mark));
   }
   return drawing;
 }
