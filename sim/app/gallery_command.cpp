@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "sim/app/messages.h"
 #include "sim/app/output_files.h"
 #include "sim/app/typeset_report.h"
+#include "textures/error.h"
 #include "textures/resources.h"
 
 namespace moontrace {
@@ -25,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A picture: the command line that draws it, without the picture's place.
+/// A picture: the command line that draws it, without `--picture`.
 struct Exhibit {
   const char* title;
   std::vector<std::string> args;
@@ -36,10 +38,14 @@ constexpr const char* kCells =
     "\u2801\u2803\u2809\u2819\u2811\u280b\u281b\u2813\u280a\u281a\u2805\u2807\u280d\u281d\u2815"
     "\u280f"
     "\u281f\u2817\u280e\u281e\u2825\u2827\u283a\u282d\u283d\u2835";
-constexpr const char* kTile = "textures/tiles/weave.pgm";
 
-std::vector<std::string> PageArgs(const char* text, std::vector<std::string> more) {
-  std::vector<std::string> args{"page", text, "--page", "210x50", "--size-mm", "9"};
+/// A line of text on a strip, as large as most are shown, unless `more` says otherwise.
+std::vector<std::string> PageArgs(const char* text, const std::vector<std::string>& more) {
+  std::vector<std::string> args{"page", text};
+  for (const auto& [option, value] : {std::pair{"--page", "210x50"}, std::pair{"--size-mm", "9"}}) {
+    if (std::find(more.begin(), more.end(), option) != more.end()) continue;
+    args.insert(args.end(), {option, value});
+  }
   args.insert(args.end(), more.begin(), more.end());
   return args;
 }
@@ -95,7 +101,8 @@ std::vector<Exhibit> Options() {
       {"Paper of waves both ways", PageArgs("grid", {"--texture", "grid"})},
       {"Rough paper", PageArgs("rough", {"--texture", "noise"})},
       {"Woven paper, from a picture",
-       PageArgs("woven", {"--texture", kTile, "--texture-wavelength-mm", "8"})},
+       PageArgs("woven", {"--texture", ResourcePath("textures/tiles/weave.pgm"),
+                          "--texture-wavelength-mm", "8"})},
       {"Two sizes: a heading, a quotation, a link",
        PageArgs("# News\nThe [moon](m) is up.\n> So bright!",
                 {"--page", "160x110", "--size-mm", "8", "--structure", "--structure-texture", "yes",
@@ -106,19 +113,33 @@ std::vector<Exhibit> Options() {
   };
 }
 
-/// As it would be typed in a shell.
-std::string Typed(const std::vector<std::string>& args) {
-  std::string line = "moontrace";
-  for (const std::string& arg : args) {
-    const bool plain = std::all_of(arg.begin(), arg.end(), [](unsigned char c) {
-      return std::isalnum(c) != 0 || std::strchr("-./:", c) != nullptr;
-    });
-    const bool broken = arg.find('\n') != std::string::npos;
-    line.append(plain ? " " : broken ? " $'" : " '");
-    for (const char c : arg) line.append(c == '\n' ? "\\n" : std::string(1, c));
-    line.append(plain ? "" : "'");
+/// A word as it would be typed in a shell (bash); lines are parted as $'...' has them.
+std::string Typed(const std::string& word) {
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("-./:_", c) != nullptr;
+  });
+  if (plain) return word;
+  std::string typed = word.find('\n') == std::string::npos ? "'" : "$'";
+  const bool escapes = typed.size() > 1;
+  for (const char c : word) {
+    if (c == '\n') {
+      typed += "\\n";
+    } else if (c == '\'') {
+      typed += escapes ? "\\'" : "'\\''";
+    } else if (c == '\\' && escapes) {
+      typed += "\\\\";
+    } else {
+      typed += c;
+    }
   }
-  return line;
+  return typed + "'";
+}
+
+/// The command that draws `file` where it is typed.
+std::string Typed(const Exhibit& exhibit, const std::string& file) {
+  std::string line = "moontrace";
+  for (const std::string& arg : exhibit.args) line.append(" ").append(Typed(arg));
+  return line.append(" --picture ").append(file);
 }
 
 std::string FileName(const std::string& title, std::size_t number) {
@@ -132,14 +153,40 @@ std::string FileName(const std::string& title, std::size_t number) {
   return name + ".svg";
 }
 
+/// The files and folders that a run adds: taken away again, unless it is kept.
+class Additions {
+ public:
+  ~Additions() {
+    std::error_code ignored;
+    for (auto added = added_.rbegin(); added != added_.rend(); ++added) fs::remove(*added, ignored);
+  }
+  Additions() = default;
+  Additions(const Additions&) = delete;
+  Additions& operator=(const Additions&) = delete;
+
+  /// Called before it is made; what is there already stays.
+  void Expect(const fs::path& path) {
+    std::error_code unknown;
+    const fs::file_status status = fs::symlink_status(path, unknown);
+    if (status.type() != fs::file_type::not_found) return;
+    if (path.has_relative_path()) Expect(path.parent_path());
+    added_.push_back(path);
+  }
+  void Keep() { added_.clear(); }
+
+ private:
+  std::vector<fs::path> added_;  ///< folders before what is in them
+};
+
 /// Runs the exhibit's command. Where the machine lacks something its line stands in place of a
 /// picture; any other failure ends the work.
-GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const std::string& folder,
-                    Console& console) {
-  GalleryPicture shown{exhibit.title, Typed(exhibit.args), FileName(exhibit.title, number), ""};
+GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const fs::path& folder,
+                    Additions& additions, Console& console) {
+  const std::string file = FileName(exhibit.title, number);
+  GalleryPicture shown{exhibit.title, Typed(exhibit, file), file, ""};
+  const std::string path = (folder / file).string();
+  additions.Expect(path);
   std::vector<std::string> args = exhibit.args;
-  std::replace(args.begin(), args.end(), std::string(kTile), ResourcePath(kTile));
-  const std::string path = (fs::path(folder) / shown.picture).string();
   args.insert(args.end(), {"--picture", path});
   std::istringstream in;
   std::ostringstream out, err;
@@ -148,6 +195,8 @@ GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const std::strin
   console.CheckStop();
   std::string refusal = err.str();
   if (!refusal.empty() && refusal.back() == '\n') refusal.pop_back();
+  // a refusal that names the picture is of its place, which the others share
+  if (code == exit_code::kLack && refusal.find(file) != std::string::npos) throw LackError(refusal);
   if (code != exit_code::kGood && code != exit_code::kLack) {
     throw WorkFailed(say::ExhibitFailed(exhibit.title, refusal));
   }
@@ -173,21 +222,24 @@ void AddOptions(CLI::App& app, GalleryOptions& options) {
 }
 
 int Run(const GalleryOptions& options, Console& console) {
+  const fs::path folder = fs::absolute(options.folder / fs::path()).lexically_normal();
+  const std::string page = (folder / "index.html").string();
+  Additions additions;
+  additions.Expect(page);
   MakeFolder(options.folder);
   std::vector<GalleryPicture> pictures;
   std::size_t missing = 0;
   std::vector<Exhibit> exhibits = Scripts();
   for (Exhibit& exhibit : Options()) exhibits.push_back(std::move(exhibit));
   for (const Exhibit& exhibit : exhibits) {
-    pictures.push_back(Show(exhibit, pictures.size() + 1, options.folder, console));
+    pictures.push_back(Show(exhibit, pictures.size() + 1, folder, additions, console));
     if (pictures.back().picture.empty()) {
       ++missing;
       console.Remark(say::ExhibitMissing(exhibit.title, pictures.back().words));
     }
   }
-  const std::string page =
-      (fs::absolute(options.folder).lexically_normal() / "index.html").string();
   WriteWhole(page, GalleryPage(pictures));
+  additions.Keep();
   if (options.output.json) {
     Json list = Json::array();
     for (const GalleryPicture& shown : pictures) {

@@ -53,14 +53,13 @@ int List(const ScriptOptions& options, Console& console) {
   return exit_code::kGood;
 }
 
-/// The characters that have a sign, a few hundred at most, then "...".
+/// The characters that have a sign, parted by blanks, a few hundred at most, then "...".
 std::string Covered(const Script& script) {
   std::string characters;
   std::size_t count = 0;
   for (const auto& sign : script.signs) {
     if (++count > kMostCharactersSaid) return characters + " ...";
-    // A blank now and then, so that a long line of them can be wrapped.
-    if (count > 1 && count % 32 == 1) characters += ' ';
+    if (count > 1) characters += ' ';
     characters += Shown(ToUtf8(sign.first));
   }
   if (!script.digits.empty()) characters += " 0 to 9 behind the numeral sign";

@@ -57,6 +57,14 @@ TEST_F(ScriptCommand, TellsAuthorLicenceAndWhatIsWritten) {
             "\u6728");
 }
 
+TEST_F(ScriptCommand, PartsAllSignsAlike) {
+  std::string out = RunLine({"script", "info", "moon"}).out;
+  std::replace(out.begin(), out.end(), '\n', ' ');  // wrapped
+  EXPECT_NE(out.find("a b c d e f g h i j k l m n o p q r s t u v w x y z 0 to 9"),
+            std::string::npos)
+      << out;
+}
+
 TEST_F(ScriptCommand, ChecksAndExitsWithOneWhereThereIsSomethingToMend) {
   WriteAll(In("good.svg"), Font("M0 0L1000 0"));
   EXPECT_EQ(RunLine({"script", "check", In("good.svg")}).code, 0);
