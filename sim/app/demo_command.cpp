@@ -6,13 +6,13 @@
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
-#include "sim/app/output_files.h"
 #include "sim/app/trial.h"
 #include "sim/app/typeset_report.h"
 #include "sim/view/cairo_writer.h"
 #include "sim/view/picture_file.h"
 #include "sim/view/trace_picture.h"
 #include "textures/error.h"
+#include "textures/output_file.h"
 
 namespace moontrace {
 

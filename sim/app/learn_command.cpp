@@ -61,6 +61,9 @@ void CheckTogether(const LearnOptions& options) {
   if (!options.sounds.empty() && !options.sound) {
     throw UsageError(say::NeedsOther("--sounds", "--sound"));
   }
+  if (!options.print.empty() && options.simulate) {
+    throw UsageError(say::PrintRunsNothing());
+  }
   if (options.print.empty()) {
     if (!options.lesson.empty()) throw UsageError(say::OnlyWithPrint("--lesson"));
     if (options.size) throw UsageError(say::OnlyWithPrint("--size-mm"));
@@ -69,7 +72,7 @@ void CheckTogether(const LearnOptions& options) {
   }
 }
 
-void SayBeginning(LearnStage& stage, const LearnOptions& options, LearnTeller& teller) {
+void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, LearnTeller& teller) {
   LoopSession& session = stage.session();
   if (stage.simulated()) {
     teller.Say(Priority::kText, say::Demonstration());
@@ -83,7 +86,7 @@ void SayBeginning(LearnStage& stage, const LearnOptions& options, LearnTeller& t
   if (!session.loop().not_realtime().empty()) {
     teller.Remark(say::NotRealtime(session.loop().not_realtime()));
   }
-  teller.Remark(say::LearnBegins());
+  teller.Remark(keys ? say::LearnBeginsWithKeys() : say::LearnBegins());
   teller.EndTurn();
 }
 
@@ -126,9 +129,10 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, aims, console);
   LearnStage stage({options.live, options.press, options.seed, aims, memory.keeps_tracks()},
                    console);
-  LearnSession session(course, memory, stage, teller, options.seed, keys.has_value());
+  LearnSession session(course, memory, stage, teller, options.seed,
+                       keys ? say::KeysHelp(*keys) : say::LearnHelp());
   const std::unique_ptr<TutorDesk> tutor = DeskFor(options, session, feed.get());
-  SayBeginning(stage, options, teller);  // once nothing can be refused any more
+  SayBeginning(stage, options, keys.has_value(), teller);  // once nothing can be refused any more
   std::unique_ptr<LearnView> view;
   if (feed) view = std::make_unique<LearnView>(*feed, session, *tutor, console);
   std::unique_ptr<PathListener> path;

@@ -31,20 +31,35 @@ std::string Awaited(lesson_action::Await await, Question question) {
   return {};
 }
 
-std::vector<std::string> LearnHelp(bool keys) {
+namespace {
+
+std::string TraceEnds() {
+  return "A trace has ended when you have followed it all and lift for half a second, when you say "
+         "done, or press the button twice. One press tells where you are; held, it stops.";
+}
+
+}  // namespace
+
+std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys) {
+  std::vector<std::string> words;
+  words.reserve(keys.size());
+  for (const auto& [key, word] : keys) words.push_back(fmt::format("{} {}", key, word));
+  return {fmt::format("One key a word, without Enter: {}.", Joined(words, ", ")),
+          "While something is asked, signs, numbers and names are answers, with Enter behind them; "
+          "a word then begins with / and has Enter behind it: /again. Escape always stops.",
+          TraceEnds()};
+}
+
+std::vector<std::string> LearnHelp() {
   std::vector<std::string> words;
   for (const std::string& word : LearnWords()) {
     words.push_back(fmt::format("{} {}", words.size() + 1, word));
   }
-  std::vector<std::string> lines = {
+  return {
       fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
       "While something is asked, signs, numbers and names are answers; a line that begins with / "
       "is a word: /7 is bigger, /a is again. Stop and quit always are words.",
-      "A trace has ended when you have followed it all and lift for half a second, when you say "
-      "done, or press the button twice. One press tells where you are; held, it stops.",
-      "An empty line tells what is waited for."};
-  if (keys) lines.emplace_back("Keys: Escape stops, the blank pauses; the others are in README.");
-  return lines;
+      TraceEnds(), "An empty line tells what is waited for."};
 }
 
 std::string LearnUnknown(std::string_view given) {
@@ -138,6 +153,9 @@ std::string NotFelt() {
 }
 std::string LearnScaled() { return "Scaled: trials do not count for mastery."; }
 std::string LearnBegins() { return "Type a word and Enter; ? tells the words, quit ends."; }
+std::string LearnBeginsWithKeys() {
+  return "One key a word: for next, press the key of next. ? tells the keys.";
+}
 std::string SessionEnded(std::size_t trials, std::size_t sure) {
   return fmt::format("Ended: {} this time, {} sure.", Counted(trials, "trial", "trials"),
                      Counted(sure, "sign", "signs"));
@@ -180,6 +198,9 @@ std::string NoSuchLesson(std::string_view given, std::string_view nearest) {
 std::string NothingToPrint(std::string_view lesson) {
   return fmt::format("lesson {} shows nothing that could be printed; name another",
                      OneLine(lesson));
+}
+std::string PrintRunsNothing() {
+  return "--print draws a lesson and runs none: leave out --simulate";
 }
 std::string OnlyWithPrint(std::string_view option) {
   return fmt::format("{} is for printing: add --print FILE", option);

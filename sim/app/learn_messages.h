@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,7 +57,9 @@ std::string LedNow();
 std::string ProgramTraces();
 
 // What words are answered by.
-std::vector<std::string> LearnHelp(bool keys);
+/// What ? tells: of words, of single keys (key -> word).
+std::vector<std::string> LearnHelp();
+std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys);
 std::string LearnUnknown(std::string_view given);
 std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words);
 std::string AlreadyStopped();
@@ -103,6 +106,7 @@ std::string WithDevice(std::string_view device);
 std::string NotFelt();
 std::string LearnScaled();
 std::string LearnBegins();
+std::string LearnBeginsWithKeys();
 std::string SessionEnded(std::size_t trials, std::size_t sure);
 std::string EndOfInput();
 std::string LostTrial();
@@ -119,6 +123,7 @@ std::string NoDeviceGiven();
 std::string Printed(std::string_view title, std::size_t pages, double size);
 std::string NoSuchLesson(std::string_view given, std::string_view nearest);
 std::string NothingToPrint(std::string_view lesson);
+std::string PrintRunsNothing();
 std::string OnlyWithPrint(std::string_view option);
 
 // Single keys.

@@ -33,6 +33,7 @@ void LearnSession::Obey(const std::string& line) {
   const int before = teller_.told();
   teller_.Interrupt();
   // while all rests, "go" is no answer, whatever the course teaches
+  const bool was_stopped = stopped_;
   const bool goes = stopped_ && (line == "go" || line == "go ");
   const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
   switch (read.kind) {
@@ -51,7 +52,11 @@ void LearnSession::Obey(const std::string& line) {
       teller_.Say(Priority::kText, say::LearnAmbiguous(line, LearnWordsFrom(line)));
       break;
   }
-  if (teller_.told() == before && !over_) {
+  const bool stops = read.kind == LearnLine::Kind::kWord &&
+                     (read.word == LearnWord::kStop || read.word == LearnWord::kPause);
+  // What is shown and asked while all rests comes with no force: that must not be forgotten.
+  const bool rests = was_stopped && stopped_ && !stops;
+  if ((teller_.told() == before || rests) && !over_) {
     teller_.Say(Priority::kText, Awaited());
   }
   teller_.EndTurn();
@@ -116,7 +121,7 @@ void LearnSession::Speak(LearnWord word) {
       over_ = true;
       return;
     case LearnWord::kHelp:
-      for (const std::string& line : say::LearnHelp(keys_)) teller_.Say(Priority::kText, line);
+      for (const std::string& line : help_) teller_.Say(Priority::kText, line);
       return;
   }
 }
@@ -176,7 +181,9 @@ void LearnSession::Letter(LearnWord word) {
   if (word == LearnWord::kLetter) {
     return teller_.Say(Priority::kText, say::LetterHere(NameOf(course_, letter->name)));
   }
-  if (word == LearnWord::kWord) return teller_.Say(Priority::kText, say::WordHere(letter->word));
+  if (word == LearnWord::kWord) {
+    return teller_.Say(Priority::kText, say::WordHere(NameOf(course_, letter->word)));
+  }
   std::vector<std::string> names;
   for (const std::string& sign : CharactersOf(letter->word)) {
     names.emplace_back(NameOf(course_, sign));

@@ -34,12 +34,12 @@ std::vector<std::string> LinesOf(const std::string& text) {
 }  // namespace
 
 LearnSession::LearnSession(const Course& course, LearnMemory& memory, LearnStage& stage,
-                           LearnTeller& teller, std::uint64_t seed, bool keys)
+                           LearnTeller& teller, std::uint64_t seed, std::vector<std::string> help)
     : course_(course),
       memory_(memory),
       stage_(stage),
       teller_(teller),
-      keys_(keys),
+      help_(std::move(help)),
       state_(StartLesson(course, memory.Recall(course), seed)),
       looked_(Clock::now()),
       ordered_(looked_),

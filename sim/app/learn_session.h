@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lessons/course.h"
 #include "lessons/lesson_machine.h"
@@ -18,9 +19,9 @@ namespace moontrace {
 /// what the hand did and the clock become its events. All in one thread.
 class LearnSession {
  public:
-  /// All must outlive this. `keys`: help names keys too.
+  /// All must outlive this. `help`: the lines that ? tells.
   LearnSession(const Course& course, LearnMemory& memory, LearnStage& stage, LearnTeller& teller,
-               std::uint64_t seed, bool keys);
+               std::uint64_t seed, std::vector<std::string> help);
 
   /// The learner sits down.
   void Begin();
@@ -86,7 +87,7 @@ class LearnSession {
   LearnMemory& memory_;
   LearnStage& stage_;
   LearnTeller& teller_;
-  bool keys_;
+  std::vector<std::string> help_;
   LessonState state_;
   lesson_action::Await await_ = lesson_action::Await::kNext;
   LoopSnapshot newest_;

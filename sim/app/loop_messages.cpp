@@ -18,6 +18,7 @@ std::string Micro(double microseconds) { return Figure(microseconds) + " microse
 }  // namespace
 
 std::string OnThePage(std::string_view text, bool chosen) {
+  text = text.substr(0, text.find_last_not_of("\r\n") + 1);  // the end of a piped line
   return fmt::format("On the page: {}{}", OneLine(text),
                      chosen ? "" : ". No text was given; write one after the command.");
 }

@@ -116,14 +116,6 @@ std::string Failed(std::string_view cause) { return fmt::format("failed: {}", ca
 
 std::string NoMemory() { return "memory: there is not enough for this; give a shorter text"; }
 
-std::string CannotWriteFile(std::string_view path, std::string_view cause) {
-  return fmt::format("{}: cannot be written ({}); choose another place", path, cause);
-}
-
-std::string CannotMakeFolder(std::string_view folder, std::string_view cause) {
-  return fmt::format("{}: the folder cannot be made ({}); name another place", folder, cause);
-}
-
 std::string Version(std::string_view program, std::string_view mujoco) {
   return fmt::format("moontrace {}, MuJoCo {}", program, mujoco);
 }

@@ -38,8 +38,6 @@ std::string CannotWriteOutput();
 std::string Stopped();
 std::string Failed(std::string_view cause);
 std::string NoMemory();
-std::string CannotMakeFolder(std::string_view folder, std::string_view cause);
-std::string CannotWriteFile(std::string_view path, std::string_view cause);
 std::string Version(std::string_view program, std::string_view mujoco);
 std::string StillWorking(double done);
 std::string TooLong(std::size_t letters, std::size_t limit);

@@ -13,11 +13,11 @@
 #include "sim/app/line_reader.h"
 #include "sim/app/messages.h"
 #include "sim/app/metrics_json.h"
-#include "sim/app/output_files.h"
 #include "sim/app/records_messages.h"
 #include "sim/app/typeset_report.h"
 #include "textures/error.h"
 #include "textures/nearest_word.h"
+#include "textures/output_file.h"
 #include "textures/text_file.h"
 
 namespace moontrace {

@@ -11,13 +11,13 @@
 #include "sim/app/learn_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/metrics_json.h"
-#include "sim/app/output_files.h"
 #include "sim/app/records_command.h"
 #include "sim/app/records_messages.h"
 #include "sim/app/report_messages.h"
 #include "sim/app/report_page.h"
 #include "sim/app/typeset_report.h"
 #include "textures/error.h"
+#include "textures/output_file.h"
 
 namespace moontrace {
 

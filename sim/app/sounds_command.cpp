@@ -11,7 +11,6 @@
 #include <thread>
 #include <vector>
 
-#include "sim/app/output_files.h"
 #include "sim/app/sound.h"
 #include "sim/app/sound_messages.h"
 #include "sim/app/sound_mixer.h"
@@ -19,6 +18,7 @@
 #include "sim/app/sound_table.h"
 #include "sim/app/wav.h"
 #include "textures/error.h"
+#include "textures/output_file.h"
 
 namespace moontrace {
 

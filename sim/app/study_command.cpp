@@ -12,12 +12,12 @@
 #include "lessons/study_protocol.h"
 #include "sim/app/help.h"
 #include "sim/app/metrics_json.h"
-#include "sim/app/output_files.h"
 #include "sim/app/study_messages.h"
 #include "sim/app/typeset_report.h"
 #include "sim/learner/study_files.h"
 #include "sim/learner/study_summary.h"
 #include "textures/error.h"
+#include "textures/output_file.h"
 #include "textures/resources.h"
 #include "textures/script.h"
 

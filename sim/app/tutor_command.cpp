@@ -40,7 +40,7 @@ const std::vector<Rule>& Rules() {
       {W::kAgain, "again"},
       {W::kSkip, "skip"},
       {W::kNext, "next", Behind::kLessonWord},
-      {W::kLesson, "lesson", Behind::kText, "the id of a lesson"},
+      {W::kLesson, "lesson", Behind::kText, "the number of a lesson"},
       {W::kRecord, "record"},
       {W::kPlayback, "playback"},
       {W::kWhere, "where"},

@@ -3,7 +3,6 @@
 #include "sim/app/help.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
-#include "sim/app/output_files.h"
 #include "sim/app/text_trial.h"
 #include "sim/app/typeset_report.h"
 #include "sim/app/view_messages.h"
@@ -11,6 +10,7 @@
 #include "sim/app/view_trial.h"
 #include "sim/view/picture_file.h"
 #include "textures/error.h"
+#include "textures/output_file.h"
 
 namespace moontrace {
 

@@ -18,8 +18,8 @@
 #include <thread>
 #include <utility>
 
-#include "sim/app/output_files.h"
 #include "textures/error.h"
+#include "textures/output_file.h"
 #include "textures/text_file.h"
 
 namespace moontrace {

@@ -106,6 +106,7 @@ TEST_F(LearnCommand, RefusesWhatItCannotDo) {
   refused({"--print", In("page.txt")}, 2);
   EXPECT_TRUE(Holds(RunLine({"learn", "--print", "page.txt"}).err, "--print needs an ending"));
   refused({"--print", In("page.svg"), "--lesson", "oen"}, 2);
+  refused({"--print", In("page.svg"), "--simulate"}, 2);
   refused({"--lesson", "one"}, 2);
   refused({"--size-mm", "20"}, 2);
 

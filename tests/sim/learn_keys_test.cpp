@@ -86,6 +86,7 @@ TEST_F(LearnKeys, WorkAtATerminalWhichIsAsItWasOnEveryWayOut) {
       ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
       session.Send("\n");
     }
+    EXPECT_TRUE(session.WaitFor("? tells the keys")) << session.all();
     ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
     EXPECT_FALSE(session.echoes());
     session.Send("w");

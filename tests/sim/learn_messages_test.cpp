@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/app/learn_keys.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {
@@ -78,9 +79,16 @@ TEST(LearnMessages, AnUnknownKeyIsToldWithoutTheSlashOfWords) {
 }
 
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
-  const std::string words = say::LearnHelp(false).front();
+  const std::string words = say::LearnHelp().front();
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     EXPECT_NE(words.find(std::to_string(i + 1) + " " + LearnWords()[i]), std::string::npos);
+  }
+}
+
+TEST(LearnMessages, HelpWithKeysNamesEveryKeyWithItsWord) {
+  const std::string words = say::KeysHelp(UsualKeys()).front();
+  for (const auto& [key, word] : UsualKeys()) {
+    EXPECT_NE(words.find(key + " " + word), std::string::npos) << key;
   }
 }
 

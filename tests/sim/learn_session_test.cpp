@@ -127,6 +127,9 @@ TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
   EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
   session.Send("\n");
   EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  session.Send("where\n");  // answered, and that all rests
+  EXPECT_TRUE(session.WaitFor("Lesson 1 of 2")) << session.all();
+  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
   session.Send("stop\n");  // a pause is not taken for a stop, nor a stop for a pause
   session.Send("\n");
   EXPECT_TRUE(session.WaitFor("Say go to go on.")) << session.all();
