@@ -16,9 +16,9 @@
 #include "sim/app/gallery_page.h"
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
-#include "sim/app/output_files.h"
 #include "sim/app/typeset_report.h"
 #include "textures/error.h"
+#include "textures/output_file.h"
 #include "textures/resources.h"
 
 namespace moontrace {
@@ -227,6 +227,7 @@ int Run(const GalleryOptions& options, Console& console) {
   Additions additions;
   additions.Expect(page);
   MakeFolder(options.folder);
+  RequireWritable(page);
   std::vector<GalleryPicture> pictures;
   std::size_t missing = 0;
   std::vector<Exhibit> exhibits = Scripts();
