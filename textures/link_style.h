@@ -19,7 +19,9 @@ inline constexpr const char* kLinkReaches = "none, letters, words";
 /// so that their curvature is the same and their slope less.
 struct LinkStyle {
   LinkReach reach = LinkReach::kNone;
-  double depth = 0.4;         ///< share of the letters' depth, above 0, at most 1
+  /// Share of the letters' depth, above 0, at most 1. At 0.4 the shipped hand leaves a third of the
+  /// links of 12 mm letters (SlowLinkedTracing), at 0.6 one in fifteen.
+  double depth = 0.6;
   std::optional<double> gap;  ///< kept to strokes, rim to rim [m]; default a quarter of the width
   bool operator==(const LinkStyle&) const = default;
 };

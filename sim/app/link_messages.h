@@ -26,7 +26,7 @@ inline constexpr const char* kLinks =
     "shallow grooves that join the letters: none, letters (of each word) or words (across spaces "
     "too). Default none.";
 inline constexpr const char* kLinkDepth =
-    "depth of links as a share of the letters', 0.05 to 1. Default 0.4.";
+    "depth of links as a share of the letters', 0.05 to 1. Default 0.6.";
 inline constexpr const char* kLinkGap =
     "what links keep clear of strokes, rim to rim, in mm. Default a quarter of the width.";
 }  // namespace help

@@ -311,6 +311,8 @@ void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedS
       if (left != nullptr) {
         LeaveRing(writer, *left, step.way_P, stroke.width);
       } else {
+        // a link begins shallower than the stroke: a hand that has drifted would slide back in that
+        if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));
         FollowRuns(writer, RunsOf(step.way_P, stroke.width, 0), stroke.width);
       }
       writer.Rest(kEndRest);

@@ -23,7 +23,7 @@ TEST_F(LinkOptionsTest, ArePutOnThePageAndTold) {
   EXPECT_DOUBLE_EQ(json["links"]["depth"], 0.5);
   EXPECT_DOUBLE_EQ(json["links"]["gap_mm"], 0.3);
   const Outcome words = RunLine({"page", "la la", "--links", "letters"});
-  EXPECT_NE(words.out.find("Links: 2, 0.4 of the letters' depth."), std::string::npos) << words.out;
+  EXPECT_NE(words.out.find("Links: 2, 0.6 of the letters' depth."), std::string::npos) << words.out;
   ExpectTextFace(words.out);
   const Outcome crowded = RunLine({"page", "la", "--links", "words", "--link-gap-mm", "12"});
   EXPECT_NE(crowded.out.find("no room for 1."), std::string::npos) << crowded.out;

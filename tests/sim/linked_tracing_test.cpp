@@ -24,9 +24,13 @@ TEST_P(SlowLinkedTracing, CoversAPangramWithoutLiftingWithinALine) {
   setup.plan.press = setup.hand.press;
   for (setup.seed = 1; setup.seed <= 5; ++setup.seed) {
     const TrialResult result = RunTrial(setup);
-    std::printf("%2.0f mm, seed %d: coverage %.4f, lifted %d times in %d lines\n", 1e3 * GetParam(),
-                static_cast<int>(setup.seed), result.score.total.coverage,
-                static_cast<int>(result.lifts_within_lines), static_cast<int>(result.lines));
+    ASSERT_TRUE(result.links_left);
+    std::printf(
+        "%2.0f mm, seed %d: coverage %.4f, lifted %d times in %d lines, %d of %d links left\n",
+        1e3 * GetParam(), static_cast<int>(setup.seed), result.score.total.coverage,
+        static_cast<int>(result.lifts_within_lines), static_cast<int>(result.lines),
+        static_cast<int>(result.links_left->size()),
+        static_cast<int>(set.pages.front().glyphs.size()) - static_cast<int>(result.lines));
     EXPECT_GE(result.score.total.coverage, 0.98) << setup.seed;
     EXPECT_EQ(result.lifts_within_lines, 0u) << setup.seed;
   }

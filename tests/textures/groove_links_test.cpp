@@ -190,7 +190,7 @@ TEST(GrooveLinks, BecomeShallowerWithoutAStep) {
   }
   EXPECT_GT(length, 0.012);
   EXPECT_NEAR(-deepest, style.depth, 1e-9);
-  EXPECT_NEAR(shallowest, 0.4 * style.depth, 1e-9);
+  EXPECT_NEAR(shallowest, 0.6 * style.depth, 1e-9);
   EXPECT_NEAR(-before, style.depth, 1e-6);
 }
 
