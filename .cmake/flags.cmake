@@ -10,8 +10,8 @@ if(MOONTRACE_SANITIZE)
     -fsanitize=${MOONTRACE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(moontrace_flags INTERFACE -fsanitize=${MOONTRACE_SANITIZE})
   # code of others' headers, a quarter of the time to build
-  target_compile_options(moontrace_flags INTERFACE
-    -fsanitize-ignorelist=${PROJECT_SOURCE_DIR}/.ci/sanitizer.ignore)
+  file(RELATIVE_PATH ignorelist ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/.ci/sanitizer.ignore)
+  target_compile_options(moontrace_flags INTERFACE -fsanitize-ignorelist=${ignorelist})
 endif()
 
 # moontrace_room(<room> [PUBLIC libraries...] [PRIVATE libraries...]): one target for one room,

@@ -9,11 +9,12 @@
 #include "devices/device_error.h"
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
-const std::string kProfiles = std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles";
+const std::string kProfiles = SourcePath("devices/profiles");
 
 std::vector<std::string> Names(const std::vector<DeviceEntry>& entries) {
   std::vector<std::string> names;

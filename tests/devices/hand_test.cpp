@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/source_path.h"
+
 namespace moontrace {
 namespace {
 
@@ -89,7 +91,7 @@ TEST(LoadHand, NamesAFileThatCannotBeRead) {
 
 // The figures of the design (section 6), which are the same for every letter size.
 TEST(LoadHand, ShipsTheHandOfTheDesign) {
-  const HandModel hand = LoadHand(MOONTRACE_SOURCE_DIR "/devices/hand.toml");
+  const HandModel hand = LoadHand(SourcePath("devices/hand.toml"));
   EXPECT_DOUBLE_EQ(hand.mass, 0.1);
   EXPECT_DOUBLE_EQ(hand.stiffness, 200);
   EXPECT_DOUBLE_EQ(hand.damping, 3);

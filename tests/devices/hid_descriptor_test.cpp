@@ -11,6 +11,7 @@
 #include "devices/random.h"
 #include "tests/devices/fake/descriptor_writer.h"
 #include "tests/devices/fake/pid_descriptors.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -19,7 +20,7 @@ using Bytes = std::vector<std::uint8_t>;
 using W = fake::DescriptorWriter;
 
 Bytes ThreeAxes() {
-  std::ifstream file(MOONTRACE_SOURCE_DIR "/tests/data/hid/three_axes.hex");
+  std::ifstream file(SourcePath("tests/data/hid/three_axes.hex"));
   Bytes bytes;
   for (std::string word; file >> word;) {
     bytes.push_back(static_cast<std::uint8_t>(std::stoi(word, nullptr, 16)));

@@ -4,13 +4,12 @@
 
 #include <string>
 
+#include "tests/source_path.h"
+
 namespace moontrace {
 namespace {
 
-ArmGeometry Arm() {
-  return LoadProfile(std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles/woodenhaptics.toml")
-      .arm;
-}
+ArmGeometry Arm() { return LoadProfile(SourcePath("devices/profiles/woodenhaptics.toml")).arm; }
 
 constexpr ArmCounts kRestCounts = {100, -200, 300};
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "devices/device_error.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -147,7 +148,7 @@ TEST(LimitsOf, CountsTheTicksThatAForceIsLate) {
 }
 
 TEST(Profiles, ThatAreShippedAreAllReadable) {
-  const std::string folder = std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles";
+  const std::string folder = SourcePath("devices/profiles");
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const DeviceProfile profile = LoadProfile(entry.path().string());
@@ -162,8 +163,7 @@ TEST(Profiles, ThatAreShippedAreAllReadable) {
 }
 
 TEST(Profiles, OfTheArmAgreeWithItsMotors) {
-  const std::string path =
-      std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles/woodenhaptics.toml";
+  const std::string path = SourcePath("devices/profiles/woodenhaptics.toml");
   const DeviceProfile profile = LoadProfile(path);
   // 3 A through 25.9 mNm/A and 12 : 1 on a lever of 245 mm; the profile rounds down to 0.1 N.
   EXPECT_NEAR(profile.limits.peak_force, 3 * 0.0259 * 12 / 0.245, 0.1);

@@ -8,13 +8,12 @@
 
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
-DeviceProfile Profile() {
-  return LoadProfile(std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles/spacemouse.toml");
-}
+DeviceProfile Profile() { return LoadProfile(SourcePath("devices/profiles/spacemouse.toml")); }
 
 std::unique_ptr<Device> Open() { return MakePuck(FindHid(0x256f, 0xc635), Profile(), 0.001); }
 

@@ -8,6 +8,7 @@
 #include "devices/device_error.h"
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 const char* const kKind = "moontrace-raw";
 
 DeviceProfile RawProfile() {
-  return LoadProfile(std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles/moontrace-raw.toml");
+  return LoadProfile(SourcePath("devices/profiles/moontrace-raw.toml"));
 }
 
 std::unique_ptr<Device> Open() {

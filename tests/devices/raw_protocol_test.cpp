@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/source_path.h"
+
 namespace moontrace {
 namespace {
 
@@ -30,7 +32,7 @@ std::string Trimmed(const std::string& text) {
 
 /// The tables by the report's number, as the page tells them.
 std::map<int, std::vector<Row>> ReadTables() {
-  std::ifstream file(std::string(MOONTRACE_SOURCE_DIR) + "/devices/raw_protocol.md");
+  std::ifstream file(SourcePath("devices/raw_protocol.md"));
   std::map<int, std::vector<Row>> tables;
   int number = 0;
   for (std::string line; std::getline(file, line);) {

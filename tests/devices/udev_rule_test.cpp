@@ -7,11 +7,12 @@
 #include <string>
 
 #include "devices/catalogue.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
-const std::string kDevices = std::string(MOONTRACE_SOURCE_DIR) + "/devices";
+const std::string kDevices = SourcePath("devices");
 
 // The line of mujoco-and-hid reference 2.5 for OpenFFBoard, without its spaces.
 TEST(UdevRule, NamesTheHidParentInUpperCase) {

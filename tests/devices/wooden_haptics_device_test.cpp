@@ -9,6 +9,7 @@
 #include "devices/homing.h"
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 // The emulated person homes the arm in 2.3 s (fake/arm_emulator.h): faults come after 2.6 s.
 
 DeviceProfile Profile(const std::string& name) {
-  return LoadProfile(std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles/" + name + ".toml");
+  return LoadProfile(SourcePath("devices/profiles/" + name + ".toml"));
 }
 
 std::unique_ptr<Device> Open(const std::string& name) {

@@ -6,11 +6,13 @@
 #include <random>
 #include <string>
 
+#include "tests/source_path.h"
+
 namespace moontrace {
 namespace {
 
 ArmGeometry Arm(const char* name) {
-  return LoadProfile(std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles/" + name + ".toml").arm;
+  return LoadProfile(SourcePath(std::string("devices/profiles/") + name + ".toml")).arm;
 }
 
 constexpr double kRight = 1.5707963267948966;  // 90 degrees

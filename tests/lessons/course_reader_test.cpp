@@ -5,12 +5,13 @@
 #include <string>
 
 #include "tests/lessons/course_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
 TEST(LoadCourse, TakesAShippedNameAFolderAndAFile) {
-  const std::string folder = MOONTRACE_SOURCE_DIR "/lessons/courses/learn-moon";
+  const std::string folder = SourcePath("lessons/courses/learn-moon");
   for (const std::string& name : {std::string("learn-moon"), folder, folder + "/course.toml"}) {
     const Course course = LoadCourse(name);
     EXPECT_EQ(course.id, "learn-moon");

@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -49,7 +50,7 @@ class BadInput : public CliTest {
   std::string ScriptFile(const std::string& svg, const std::string& toml = "") {
     WriteAll(In("own.svg"), svg);
     WriteAll(In("own.toml"),
-             toml.empty() ? ReadAll(MOONTRACE_SOURCE_DIR "/textures/scripts/moon.toml") : toml);
+             toml.empty() ? ReadAll(SourcePath("textures/scripts/moon.toml")) : toml);
     return In("own.svg");
   }
 };
@@ -147,7 +148,7 @@ TEST_F(BadInput, Scripts) {
          "own.svg");
   Expect(3, {"page", "A", "--script", Script("M0 0 W5 5")}, "own.svg:1");
   Expect(3, {"page", "A", "--script", Script("M0 0 L nan 5")}, "own.svg:1");
-  const std::string good = ReadAll(MOONTRACE_SOURCE_DIR "/textures/scripts/moon.svg");
+  const std::string good = ReadAll(SourcePath("textures/scripts/moon.svg"));
   Expect(3, {"page", "A", "--script", ScriptFile(good, "name = [")}, "own.toml:1");
 }
 

@@ -9,11 +9,12 @@
 #include "devices/homing.h"
 #include "sim/app/console.h"
 #include "tests/devices/fake_hid.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
-const std::string kProfiles = std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles";
+const std::string kProfiles = SourcePath("devices/profiles");
 
 std::unique_ptr<Device> Open(const std::string& name, std::vector<std::string>& told,
                              const std::atomic<bool>* stop = nullptr) {

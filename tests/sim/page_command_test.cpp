@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -122,7 +123,7 @@ TEST_F(PageCommand, LetterOptionsReachThePage) {
   EXPECT_NEAR(embossed["depth_mm"], 0.1165 * 12 / 4, 1e-9);
   EXPECT_EQ(PageJson({"--grade", "0.5"}, "THE")["signs"], 3);
   EXPECT_EQ(PageJson({"--h-form", "arc"})["pages"][0]["glyphs"][0]["name"], "h.arc");
-  const std::string script = MOONTRACE_SOURCE_DIR "/textures/scripts/moon.svg";
+  const std::string script = SourcePath("textures/scripts/moon.svg");
   EXPECT_EQ(PageJson({"--script", script}), PageJson({"--script", "moon"}));
 }
 

@@ -5,13 +5,14 @@
 #include "devices/catalogue.h"
 #include "sim/bench/device_rig.h"
 #include "sim/bench/stability.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
-const std::string kProfiles = std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles";
+const std::string kProfiles = SourcePath("devices/profiles");
 
-HandModel Hand() { return LoadHand(MOONTRACE_SOURCE_DIR "/devices/hand.toml"); }
+HandModel Hand() { return LoadHand(SourcePath("devices/hand.toml")); }
 
 // The bound is derived in sim/bench/stability.cpp: what scene and safety give to the hand, less
 // what the damping of hand and device takes, never exceeds what can be stored, however long it goes

@@ -6,11 +6,12 @@
 #include <cstdlib>
 
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
-const std::string kKanji = MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji";
+const std::string kKanji = SourcePath("textures/scripts/sample-kanji");
 
 /// No scripts of the user who runs the tests.
 class ScriptCommand : public CliTest {

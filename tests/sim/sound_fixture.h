@@ -8,6 +8,7 @@
 
 #include "sim/app/sound_synthesis.h"
 #include "sim/app/sound_table.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 
@@ -17,7 +18,7 @@ inline std::vector<float> Render(const SoundTable& table, Earcon earcon) {
   return RenderEarcon(table.earcons[static_cast<std::size_t>(earcon)]);
 }
 
-inline SoundTable Shipped() { return LoadSounds(MOONTRACE_SOURCE_DIR "/sim/app/sounds.toml"); }
+inline SoundTable Shipped() { return LoadSounds(SourcePath("sim/app/sounds.toml")); }
 
 /// Amplitude at one pitch of a part of a sound, through a Hann window.
 inline double AmplitudeAt(const std::vector<float>& sound, std::size_t from, std::size_t count,

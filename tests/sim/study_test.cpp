@@ -17,6 +17,7 @@
 #include "sim/learner/study_files.h"
 #include "sim/learner/study_summary.h"
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -286,8 +287,7 @@ TEST(SlowStudy, ShowsTheOrderOfTheLiterature) {
   StudyOutput output;
   output.path = path;
   output.threads = 2;
-  const auto rows = RunStudy(
-      LoadStudy(std::string(MOONTRACE_SOURCE_DIR) + "/lessons/studies/guidance.toml"), output);
+  const auto rows = RunStudy(LoadStudy(SourcePath("lessons/studies/guidance.toml")), output);
   fs::remove(path);
   std::map<std::string, std::map<std::string, StudyCell>> cells;
   for (const StudyCell& cell : Summarise(rows).cells) cells[cell.phase][cell.condition] = cell;

@@ -7,6 +7,7 @@
 
 #include "sim/view/cairo_writer.h"
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -119,7 +120,7 @@ TEST_F(TraceCommand, EveryOptionChangesTheTrace) {
   }
   EXPECT_EQ(TraceJson({"--h-form", "arc"}, "H")["letters"][0]["glyph"], "h.arc");
   EXPECT_EQ(TraceJson({"--grade", "0.5"}, "AND")["letters"].size(), 3U);
-  const std::string script = MOONTRACE_SOURCE_DIR "/textures/scripts/moon.svg";
+  const std::string script = SourcePath("textures/scripts/moon.svg");
   EXPECT_EQ(Exact(TraceJson({"--script", script}, "L"))["total"], plain);
 }
 

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "tests/source_path.h"
 #include "tests/textures/stroke_distance.h"
 #include "textures/script.h"
 #include "textures/script_check.h"
@@ -75,7 +76,7 @@ void ExpectSame(const Script& moon, const Script& again) {
 }
 
 std::string Shipped(const char* file) {
-  return ReadTextFile(std::string(MOONTRACE_SOURCE_DIR "/textures/scripts/") + file, 8U << 20U);
+  return ReadTextFile(SourcePath(std::string("textures/scripts/") + file), 8U << 20U);
 }
 
 TEST_F(Fontforge, BringsEveryGlyphOfMoonBack) {

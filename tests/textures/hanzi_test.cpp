@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/source_path.h"
 #include "tests/textures/stroke_distance.h"
 #include "textures/error.h"
 
@@ -15,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kFile = MOONTRACE_SOURCE_DIR "/tests/data/hanzi/graphics.txt";
-const std::string kFolder = MOONTRACE_SOURCE_DIR "/textures/scripts/sample-hanzi";
+const std::string kFile = SourcePath("tests/data/hanzi/graphics.txt");
+const std::string kFolder = SourcePath("textures/scripts/sample-hanzi");
 
 template <typename Load>
 std::string ErrorOf(const Load& load) {
@@ -140,7 +141,7 @@ TEST_F(HanziFile, SaysWhenNoneOfTheTextIsThere) {
 
 TEST(LoadHanziFolder, ReadsAFileACharacter) {
   EXPECT_TRUE(IsHanziFolder(kFolder));
-  EXPECT_FALSE(IsHanziFolder(MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji"));
+  EXPECT_FALSE(IsHanziFolder(SourcePath("textures/scripts/sample-kanji")));
   EXPECT_EQ(LoadHanziFolder(kFolder, {}).glyphs.size(), 2U);
   const Script one = LoadHanziFolder(kFolder, {U'\u6728'});
   const Script other = LoadHanziFile(kFile, {U'\u6728'});

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "tests/source_path.h"
 #include "tests/textures/stroke_distance.h"
 #include "textures/error.h"
 #include "textures/text_file.h"
@@ -12,7 +13,7 @@
 namespace moontrace {
 namespace {
 
-const std::string kFolder = MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji";
+const std::string kFolder = SourcePath("textures/scripts/sample-kanji");
 
 std::string Svg(const std::string& inside) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\">\n" + inside + "\n</svg>";
@@ -90,7 +91,7 @@ TEST(ParseKanjiVg, NamesWhatIsWrong) {
 
 TEST(LoadKanjiVg, ReadsOnlyWhatIsNeeded) {
   EXPECT_TRUE(IsKanjiVgFolder(kFolder));
-  EXPECT_FALSE(IsKanjiVgFolder(MOONTRACE_SOURCE_DIR "/tests/data/hanzi"));
+  EXPECT_FALSE(IsKanjiVgFolder(SourcePath("tests/data/hanzi")));
   EXPECT_EQ(LoadKanjiVg(kFolder, {}).glyphs.size(), 7U);
   const Script script = LoadKanjiVg(kFolder, {U'\u65e5', U'\u6728', U'\u9f8d'});
   ASSERT_EQ(script.glyphs.size(), 2U);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/source_path.h"
 #include "textures/error.h"
 #include "textures/fold.h"
 
@@ -53,8 +54,8 @@ std::string Cells(const BrailleTable& table, std::u32string_view text) {
 // pages.
 std::vector<std::string> Corpus(const BrailleTable& table) {
   std::vector<std::string> lines;
-  for (const char* page : {"/README.md", "/CONTRIBUTING.md", "/CHANGELOG.md"}) {
-    std::ifstream in(std::string(MOONTRACE_SOURCE_DIR) + page);
+  for (const char* page : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md"}) {
+    std::ifstream in(SourcePath(page));
     for (std::string line; std::getline(in, line);) {
       bool has_all = line.find('\\') == std::string::npos;  // lou_translate reads those as its own
       // What a table lacks, lou_translate writes as an escape sequence.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/source_path.h"
 #include "textures/resources.h"
 #include "textures/script.h"
 
@@ -27,7 +28,7 @@ const Script& Moon() {
 
 const json& Reference() {
   static const json reference =
-      json::parse(std::ifstream(MOONTRACE_SOURCE_DIR "/tests/data/moon-reference.json"));
+      json::parse(std::ifstream(SourcePath("tests/data/moon-reference.json")));
   return reference;
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/source_path.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -14,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kScripts = MOONTRACE_SOURCE_DIR "/textures/scripts";
-const std::string kData = MOONTRACE_SOURCE_DIR "/tests/data";
+const std::string kScripts = SourcePath("textures/scripts");
+const std::string kData = SourcePath("tests/data");
 
 /// A user's folder of scripts, found by XDG_DATA_HOME.
 class ScriptLibrary : public testing::Test {

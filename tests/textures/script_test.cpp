@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "tests/source_path.h"
 #include "textures/error.h"
 
 namespace moontrace {
@@ -125,7 +126,7 @@ TEST(ParseScript, RefusesMeasuresAndGradesOutOfRange) {
 
 TEST(FindScript, LoadsMoonByNameAndByPath) {
   const Script by_name = FindScript("moon");
-  const Script by_path = FindScript(MOONTRACE_SOURCE_DIR "/textures/scripts/moon.svg");
+  const Script by_path = FindScript(SourcePath("textures/scripts/moon.svg"));
   EXPECT_EQ(by_name.name, "moon");
   EXPECT_EQ(by_name.title, "Moon");
   EXPECT_EQ(by_path.glyphs.size(), by_name.glyphs.size());

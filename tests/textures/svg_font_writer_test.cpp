@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "tests/source_path.h"
 #include "textures/foreign_font.h"
 #include "textures/hershey.h"
 #include "textures/kanjivg.h"
@@ -77,7 +78,7 @@ TEST(WriteSvgFont, BrailleComesBackWithItsTables) {
 }
 
 TEST(WriteSvgFont, CharactersAndSpecialNamesComeBack) {
-  const Script kanji = LoadKanjiVg(MOONTRACE_SOURCE_DIR "/textures/scripts/sample-kanji", {});
+  const Script kanji = LoadKanjiVg(SourcePath("textures/scripts/sample-kanji"), {});
   ExpectSameGlyphs(kanji, Again(kanji), kRounding);
   const std::string path = "/usr/share/hershey-fonts/rowmans.jhf";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "hershey-fonts-data is not installed";

@@ -12,6 +12,7 @@
 #include "devices/wooden_haptics_device.h"
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
+#include "tests/source_path.h"
 
 namespace {
 // Of this thread only: the I/O threads and the fake hidapi may allocate.
@@ -44,7 +45,7 @@ long AllocationsOf(Device& device) {
 }
 
 DeviceProfile Profile(const std::string& name) {
-  return LoadProfile(std::string(MOONTRACE_SOURCE_DIR) + "/devices/profiles/" + name + ".toml");
+  return LoadProfile(SourcePath("devices/profiles/" + name + ".toml"));
 }
 
 TEST(RawDevice, AllocatesNothingInTheTickEvenWhenItIsLost) {

@@ -6,6 +6,7 @@
 
 #include "devices/aimed_stylus.h"
 #include "devices/simulated_stylus.h"
+#include "tests/source_path.h"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -23,7 +24,7 @@ namespace moontrace {
 namespace {
 
 TEST(SimulatedStylus, AllocatesNothingInTheTick) {
-  const HandModel hand = LoadHand(MOONTRACE_SOURCE_DIR "/devices/hand.toml");
+  const HandModel hand = LoadHand(SourcePath("devices/hand.toml"));
   HandPath path;
   for (int i = 0; i < 200; ++i) {  // pressing and lifting in turn
     path.points.push_back({0.01 * i, {1e-4 * i, 0, 0}, i / 20 % 2 == 0 ? 1.0 : 0.0});
@@ -40,7 +41,7 @@ TEST(SimulatedStylus, AllocatesNothingInTheTick) {
 }
 
 TEST(AimedStylus, AllocatesNothingInTheTick) {
-  const HandModel hand = LoadHand(MOONTRACE_SOURCE_DIR "/devices/hand.toml");
+  const HandModel hand = LoadHand(SourcePath("devices/hand.toml"));
   const auto aims = std::make_shared<Mailbox<StylusAim>>();
   const auto device = MakeAimedStylus(hand, aims, {0, 0, -1}, 0.001);
   DeviceState state;

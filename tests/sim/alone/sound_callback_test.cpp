@@ -8,6 +8,7 @@
 #include "sim/app/sound.h"
 #include "tests/counted_memory.h"
 #include "tests/sim/tutor_fixture.h"
+#include "tests/source_path.h"
 
 #ifdef MOONTRACE_COUNTED_MEMORY
 
@@ -30,7 +31,7 @@ class IdleOutput final : public SoundOutput {
 
 TEST(SoundCallback, AllocatesNothing) {
   std::atomic<SoundSource*> source{nullptr};
-  Sound sound(LoadSounds(MOONTRACE_SOURCE_DIR "/sim/app/sounds.toml"), [&](SoundSource& asked) {
+  Sound sound(LoadSounds(SourcePath("sim/app/sounds.toml")), [&](SoundSource& asked) {
     source = &asked;
     return std::make_unique<IdleOutput>();
   });

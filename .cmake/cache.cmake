@@ -1,0 +1,13 @@
+# A compiler cache, where there is one, that also serves clones in other folders: paths below the tree
+# are made relative before they are looked up and in what is compiled, debug information included.
+find_program(CCACHE ccache)
+if(NOT CCACHE)
+  return()
+endif()
+set(cache_launcher ${CMAKE_COMMAND} -E env
+  CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_COMPILERCHECK=content
+  CCACHE_EXTRAFILES=${PROJECT_SOURCE_DIR}/.ci/sanitizer.ignore ${CCACHE})
+set(CMAKE_C_COMPILER_LAUNCHER ${cache_launcher})
+set(CMAKE_CXX_COMPILER_LAUNCHER ${cache_launcher})
+file(RELATIVE_PATH up ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${up}=)
