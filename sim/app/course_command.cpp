@@ -239,7 +239,7 @@ void CheckUse(const CourseOptions& options) {
 }  // namespace
 
 void AddOptions(CLI::App& app, CourseOptions& options) {
-  app.add_option("WORDS", options.words, say::help::kCourseWords);
+  AddWords(app, options.words, say::help::kCourseWords);
   AddPath(app, "--device", "NAME", options.device, say::help::kCourseDevice);
   AddOptions(app, options.output);
 }

@@ -146,8 +146,8 @@ void AddOptions(CLI::App& app, PageOptions& options) {
   AddOptions(app, options.style);
   AddOptions(app, options.layout);
   AddPicture(app, options.picture, say::help::kPicture);
-  app.add_flag("--letters", options.letters, say::help::kLetters);
-  app.add_flag("--read-back", options.read_back, say::help::kReadBack);
+  AddFlag(app, "--letters", options.letters, say::help::kLetters);
+  AddFlag(app, "--read-back", options.read_back, say::help::kReadBack);
   AddOptions(app, options.output);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -157,7 +158,7 @@ int Merge(const StudyOptions& options, Console& console) {
 }  // namespace
 
 void AddOptions(CLI::App& app, StudyOptions& options) {
-  app.add_option("WORDS", options.words, say::help::kStudyWords);
+  AddWords(app, options.words, say::help::kStudyWords);
   AddPath(app, "--output", "FILE", options.path, say::help::kStudyOutput);
   AddNumber(app, "--threads", options.threads, 1, kMostThreads, 1, say::help::kStudyThreads);
   app.add_option("--shard", options.shard, say::help::kStudyShard)->type_name("K/N");

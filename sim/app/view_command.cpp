@@ -83,7 +83,7 @@ int DrawPicture(const ViewCommandOptions& options, Console& console) {
 
 void AddOptions(CLI::App& app, ViewCommandOptions& options) {
   AddLoopOptions(app, options);
-  app.get_option("--device")->description(say::help::kViewDevice);
+  Redescribe(app, "--device", say::help::kViewDevice);
   AddPath(app, "--picture", "F.png", options.picture, say::help::kViewPicture);
   AddLookOptions(app, options.view);
 }
