@@ -1,6 +1,6 @@
 #include "devices/raw_device.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "sim/app/demo_command.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 

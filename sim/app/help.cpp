@@ -1,6 +1,6 @@
 #include "sim/app/help.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/App.hpp>
 

@@ -1,6 +1,6 @@
 #include "sim/app/study_command.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>

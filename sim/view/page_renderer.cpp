@@ -1,6 +1,6 @@
 #include "sim/view/page_renderer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
