@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include "sim/app/help.h"
 #include "sim/app/messages.h"
 #include "sim/app/trial.h"

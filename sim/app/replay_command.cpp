@@ -1,5 +1,6 @@
 #include "sim/app/replay_command.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "sim/app/help.h"

@@ -1,6 +1,7 @@
 #include "sim/app/trace_command.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 

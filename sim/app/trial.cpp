@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "devices/simulated_stylus.h"
@@ -205,8 +204,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
     for (const Excursion& left : result.score.left_at) {
       recorder->AddEvent(left.time, "excursion", "stroke " + std::to_string(left.stroke));
     }
-    // Without the real-time factor, so that the same seed gives the same bytes.
-    recorder->Finish(TotalJson(result, false).dump(), record->also_csv);
+    recorder->Finish(ResultText(result), record->also_csv);
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #include "sim/app/view_command.h"
 
+#include <nlohmann/json.hpp>
+
 #include "sim/app/help.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
