@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/glm.hpp>
 
 #include "devices/device_error.h"
 #include "devices/hid_link.h"

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <glm/glm.hpp>
 
 #include "sim/app/words.h"
 #include "textures/text_file.h"

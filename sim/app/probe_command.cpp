@@ -1,6 +1,6 @@
 #include "sim/app/probe_command.h"
 
-#include <glm/glm.hpp>
+#include <glm/geometric.hpp>
 
 #include <nlohmann/json.hpp>
 

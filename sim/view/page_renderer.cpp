@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 
 #include "sim/scene/mujoco_compat.h"
 #include "sim/view/view_text.h"
