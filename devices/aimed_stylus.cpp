@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <string>
 

@@ -1,6 +1,7 @@
 #include "devices/drift.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace moontrace {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 
 #include "devices/random.h"
 #include "devices/tick_motion.h"

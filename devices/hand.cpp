@@ -1,6 +1,6 @@
 #include "devices/hand.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <toml++/toml.h>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "devices/hid_port.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cerrno>

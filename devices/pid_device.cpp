@@ -1,6 +1,6 @@
 #include "devices/pid_device.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "devices/pid_layout.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 #include "devices/pid_setup.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>

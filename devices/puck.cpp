@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/glm.hpp>
 
 #include "devices/hid_link.h"
 #include "devices/little_endian.h"

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <span>

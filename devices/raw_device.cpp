@@ -1,11 +1,12 @@
 #include "devices/raw_device.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/glm.hpp>
 
 #include "devices/device_error.h"
 #include "devices/hid_link.h"

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <stdexcept>
 #include <utility>
 

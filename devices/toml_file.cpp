@@ -1,6 +1,6 @@
 #include "devices/toml_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstddef>
 #include <fstream>

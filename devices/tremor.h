@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 
 namespace moontrace {
 

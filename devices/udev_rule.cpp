@@ -1,6 +1,6 @@
 #include "devices/udev_rule.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <map>

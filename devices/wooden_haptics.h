@@ -3,7 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <vector>

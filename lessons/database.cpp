@@ -1,6 +1,6 @@
 #include "lessons/database.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <exception>
 

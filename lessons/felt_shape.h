@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace moontrace {

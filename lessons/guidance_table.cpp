@@ -1,6 +1,6 @@
 #include "lessons/guidance_table.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>

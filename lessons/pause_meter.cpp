@@ -1,5 +1,7 @@
 #include "lessons/pause_meter.h"
 
+#include <glm/geometric.hpp>
+
 namespace moontrace {
 
 PauseMeter::Step PauseMeter::Add(double time, glm::dvec2 p) {

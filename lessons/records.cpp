@@ -1,6 +1,6 @@
 #include "lessons/records.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <cstdlib>

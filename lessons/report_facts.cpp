@@ -1,6 +1,6 @@
 #include "lessons/report_facts.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <ctime>

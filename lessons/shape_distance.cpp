@@ -1,6 +1,7 @@
 #include "lessons/shape_distance.h"
 
 #include <algorithm>
+#include <glm/glm.hpp>
 #include <limits>
 
 namespace moontrace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 #include <vector>
 
 namespace moontrace {

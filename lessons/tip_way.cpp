@@ -1,5 +1,7 @@
 #include "lessons/tip_way.h"
 
+#include <glm/geometric.hpp>
+
 namespace moontrace {
 
 void TipWay::Add(glm::dvec2 p) {

@@ -1,6 +1,6 @@
 #include "lessons/trial_csv.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "lessons/trial_fields.h"
 
@@ -16,7 +16,7 @@ std::string Cell(std::string_view text) {
 }
 
 std::string Cell(const TrialField::Value& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::to_string(*whole);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
   return Cell(std::string_view(std::get<std::string>(value)));
 }

@@ -1,6 +1,6 @@
 #include "lessons/trial_json.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,7 @@
 #include "textures/arc_line_arc.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 

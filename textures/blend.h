@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cmath>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 #include <span>
 
 #include "textures/element.h"

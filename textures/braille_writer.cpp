@@ -1,6 +1,6 @@
 #include "textures/braille_writer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "textures/error.h"
 

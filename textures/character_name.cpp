@@ -1,6 +1,6 @@
 #include "textures/character_name.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <utf8proc.h>
 
 #include "textures/fold.h"

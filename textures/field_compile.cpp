@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <map>
 #include <numbers>
 

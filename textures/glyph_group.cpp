@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <map>
 #include <memory>

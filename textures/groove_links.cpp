@@ -1,6 +1,7 @@
 #include "textures/groove_links.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <optional>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "textures/kanjivg.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 #include "textures/text_file.h"
 
 #ifdef MOONTRACE_HAVE_LOUIS
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <liblouis.h>
 
 #include <algorithm>

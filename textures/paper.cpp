@@ -1,9 +1,10 @@
 #include "textures/paper.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <numbers>
 
 #include "textures/error.h"

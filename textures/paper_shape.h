@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 
 #include "textures/element.h"
 

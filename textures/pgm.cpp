@@ -1,6 +1,6 @@
 #include "textures/pgm.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstddef>
 #include <cstdint>

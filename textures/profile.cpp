@@ -1,6 +1,6 @@
 #include "textures/profile.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

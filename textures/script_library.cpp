@@ -1,6 +1,6 @@
 #include "textures/script_library.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>

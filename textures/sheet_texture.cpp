@@ -1,6 +1,6 @@
 #include "textures/sheet_texture.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #include "textures/svg_font.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,10 @@
 #include "textures/svg_font_writer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
 #include <string_view>

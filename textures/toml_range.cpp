@@ -1,6 +1,6 @@
 #include "textures/toml_range.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace moontrace {
 

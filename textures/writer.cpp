@@ -1,6 +1,6 @@
 #include "textures/writer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "textures/braille_writer.h"
 #include "textures/character_name.h"

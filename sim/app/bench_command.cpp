@@ -28,8 +28,8 @@ Json RowJson(const BenchRow& row) {
 
 void AddOptions(CLI::App& app, BenchOptions& options) {
   AddOptions(app, options.output);
-  app.add_flag("--stability", options.stability, say::help::kStability);
-  app.add_flag("--heat", options.heat, say::help::kHeat);
+  AddFlag(app, "--stability", options.stability, say::help::kStability);
+  AddFlag(app, "--heat", options.heat, say::help::kHeat);
 }
 
 int Run(const BenchOptions& options, Console& console) {

@@ -1,6 +1,7 @@
 #include "sim/app/console.h"
 
 #include <algorithm>
+#include <chrono>
 #include <istream>
 #include <ostream>
 
@@ -8,6 +9,15 @@
 #include "textures/text_file.h"
 
 namespace moontrace {
+
+namespace {
+
+/// [s]
+double Now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
 
 std::string Wrapped(std::string_view text, std::size_t columns) {
   std::string lines;
@@ -33,7 +43,9 @@ std::string Wrapped(std::string_view text, std::size_t columns) {
 
 Console::Console(std::istream& in, std::ostream& out, std::ostream& err,
                  const std::atomic<bool>* stop)
-    : in_(in), out_(out), err_(err), stop_(stop), last_spoke_(std::chrono::steady_clock::now()) {}
+    : in_(in), out_(out), err_(err), stop_(stop), last_spoke_(Now()) {}
+
+void Console::Spoke() { last_spoke_ = Now(); }
 
 void Console::Result(std::string_view line) {
   if (json_) return;
@@ -58,7 +70,7 @@ void Console::Error(std::string_view line) { err_ << OneLine(line, line.size()) 
 void Console::Json(std::string_view text) { out_ << text << '\n'; }
 
 void Console::Alive(double done) {
-  if (std::chrono::steady_clock::now() - last_spoke_ < std::chrono::seconds(30)) return;
+  if (Now() - last_spoke_ < 30) return;
   out_.flush();
   Remark(say::StillWorking(done));
   err_.flush();

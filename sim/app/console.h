@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
@@ -71,7 +70,7 @@ class Console {
   const std::atomic<bool>* stop() const { return stop_; }
 
  private:
-  void Spoke() { last_spoke_ = std::chrono::steady_clock::now(); }
+  void Spoke();
 
   std::istream& in_;
   std::ostream& out_;
@@ -79,7 +78,7 @@ class Console {
   const std::atomic<bool>* stop_;
   bool json_ = false;
   bool quiet_ = false;
-  std::chrono::steady_clock::time_point last_spoke_;
+  double last_spoke_;  ///< [s], of a clock that never goes back; <chrono> takes long to compile
 };
 
 /// Breaks at spaces so that no line passes `columns` characters (not bytes); a longer word stands

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "devices/catalogue.h"
 #include "devices/smallest_letter.h"
@@ -239,7 +240,7 @@ void CheckUse(const CourseOptions& options) {
 }  // namespace
 
 void AddOptions(CLI::App& app, CourseOptions& options) {
-  app.add_option("WORDS", options.words, say::help::kCourseWords);
+  AddWords(app, options.words, say::help::kCourseWords);
   AddPath(app, "--device", "NAME", options.device, say::help::kCourseDevice);
   AddOptions(app, options.output);
 }

@@ -1,8 +1,9 @@
 #include "sim/app/demo_command.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"

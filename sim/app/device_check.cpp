@@ -11,6 +11,7 @@
 #include <csignal>
 #include <ctime>
 #include <exception>
+#include <glm/glm.hpp>
 #include <istream>
 #include <limits>
 #include <optional>

@@ -26,7 +26,7 @@ void AddOptions(CLI::App& app, LiveOptions& options) {
   AddNumber(app, "--seconds", options.seconds, 0.01, 1e6, 1, say::help::kSeconds);
   AddNumber(app, "--rate-hz", options.rate, kSlowestRate, kFastestRate, 1, say::help::kRate);
   AddNumber(app, "--scale", options.scale, 0.1, 10, 1, say::help::kScale);
-  app.add_flag("--hold-to-feel", options.hold_to_feel, say::help::kHoldToFeel);
+  AddFlag(app, "--hold-to-feel", options.hold_to_feel, say::help::kHoldToFeel);
 }
 
 }  // namespace moontrace

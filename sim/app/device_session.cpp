@@ -1,6 +1,7 @@
 #include "sim/app/device_session.h"
 
 #include <algorithm>
+#include <glm/glm.hpp>
 
 #include "sim/loop/pacing.h"
 

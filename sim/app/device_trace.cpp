@@ -1,6 +1,8 @@
 #include "sim/app/device_trace.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 

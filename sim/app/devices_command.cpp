@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "devices/catalogue.h"
@@ -188,8 +189,8 @@ int Test(const std::string& name, const DevicesOptions& options, Console& consol
 std::string ProfilesFolder() { return ResourcePath("devices/profiles"); }
 
 void AddOptions(CLI::App& app, DevicesOptions& options) {
-  app.add_option("WORDS", options.words, say::help::kDevicesWords);
-  app.add_flag("--udev", options.udev, say::help::kUdev);
+  AddWords(app, options.words, say::help::kDevicesWords);
+  AddFlag(app, "--udev", options.udev, say::help::kUdev);
   AddOptions(app, options.output);
 }
 

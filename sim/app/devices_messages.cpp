@@ -1,8 +1,9 @@
 #include "sim/app/devices_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
+#include <glm/glm.hpp>
 
 #include "sim/app/words.h"
 #include "textures/text_file.h"

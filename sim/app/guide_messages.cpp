@@ -1,6 +1,6 @@
 #include "sim/app/guide_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace moontrace::say {
 

@@ -14,15 +14,13 @@ constexpr double kUsualHelp = 6;  ///< as FadeSettings::start
 }
 
 void AddOptions(CLI::App& app, GuideOptions& options) {
-  app.add_option_function<std::string>(
-         "--guide",
-         [&options](const std::string& given) {
-           options.mode = GuidanceModeOf(given);
-           if (!options.mode) throw UsageError(say::NotAChoice("--guide", given, kGuidanceModes));
-         },
-         say::help::kGuide)
-      ->type_name("MODE")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  AddValue(
+      app, "--guide", "MODE",
+      [&options](const std::string& given) {
+        options.mode = GuidanceModeOf(given);
+        if (!options.mode) throw UsageError(say::NotAChoice("--guide", given, kGuidanceModes));
+      },
+      say::help::kGuide);
   AddNumber(app, "--help-level", options.help, 0, GuidanceTable::kMostHelp, 1,
             say::help::kHelpLevel);
 }

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <vector>
 
 #include "lessons/guidance.h"
+
+namespace CLI {
+class App;
+}
 
 namespace moontrace {
 

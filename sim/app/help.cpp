@@ -1,6 +1,8 @@
 #include "sim/app/help.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
+
+#include <CLI/App.hpp>
 
 #include "sim/app/console.h"
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <CLI/App.hpp>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -168,16 +169,16 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
   AddPath(app, "--course", "FILE", options.course, say::help::kCourse);
   AddPath(app, "--records", "FILE", options.records, say::help::kRecords);
   AddOptions(app, options.live);
-  app.get_option("--device")->description(say::help::kLearnDevice);
-  app.get_option("--seconds")->description(say::help::kLearnSeconds);
+  Redescribe(app, "--device", say::help::kLearnDevice);
+  Redescribe(app, "--seconds", say::help::kLearnSeconds);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
-  app.add_flag("--speak", options.speak, say::help::kSpeak);
-  app.add_flag("--sound", options.sound, say::help::kSound);
+  AddFlag(app, "--speak", options.speak, say::help::kSpeak);
+  AddFlag(app, "--sound", options.sound, say::help::kSound);
   AddPath(app, "--sounds", "FILE", options.sounds, say::help::kOwnSounds);
-  app.add_flag("--tutor", options.tutor, say::help::kLetTutor);
+  AddFlag(app, "--tutor", options.tutor, say::help::kLetTutor);
   AddOptions(app, options.view);
-  app.add_flag("--keys", options.keys, say::help::kKeys);
-  app.add_flag("--simulate", options.simulate, say::help::kSimulate);
+  AddFlag(app, "--keys", options.keys, say::help::kKeys);
+  AddFlag(app, "--simulate", options.simulate, say::help::kSimulate);
   std::function<void(const std::string&)> read_days = [&options](const std::string& given) {
     const double days = ReadNumber("--days", given, 1, 3650);
     if (days != std::floor(days)) throw UsageError(say::NotAWholeNumber("--days", given));
@@ -185,11 +186,11 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
   };
   app.add_option_function("--days", read_days, say::help::kDays)->type_name("NUMBER");
   AddSeed(app, options.seed);
-  app.get_option("--seed")->description(say::help::kLearnSeed);
+  Redescribe(app, "--seed", say::help::kLearnSeed);
   AddPath(app, "--print", "FILE", options.print, say::help::kPrint);
   AddPath(app, "--lesson", "ID", options.lesson, say::help::kPrintLesson);
   AddNumber(app, "--size-mm", options.size, 1, 200, 1e-3, say::help::kPrintSize);
-  app.add_flag("--quiet", options.output.quiet, say::help::kQuiet);
+  AddFlag(app, "--quiet", options.output.quiet, say::help::kQuiet);
 }
 
 int Run(const LearnOptions& options, Console& console) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include "sim/app/learn_options.h"
 
 namespace moontrace {

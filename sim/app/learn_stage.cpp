@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <glm/glm.hpp>
 #include <utility>
 
 #include "textures/error.h"

@@ -1,6 +1,6 @@
 #include "sim/app/learn_tutor_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "sim/app/page_messages.h"
 #include "sim/app/words.h"

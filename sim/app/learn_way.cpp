@@ -1,6 +1,7 @@
 #include "sim/app/learn_way.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "sim/app/learn_messages.h"

@@ -1,6 +1,6 @@
 // What the lesson machine says, in words.
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

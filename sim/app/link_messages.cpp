@@ -1,6 +1,6 @@
 #include "sim/app/link_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "sim/app/words.h"
 

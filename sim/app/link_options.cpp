@@ -10,15 +10,13 @@
 namespace moontrace {
 
 void AddOptions(CLI::App& app, LinkOptions& options) {
-  app.add_option_function<std::string>(
-         "--links",
-         [&options](const std::string& given) {
-           options.reach = LinkReachOf(given);
-           if (!options.reach) throw UsageError(say::NotAChoice("--links", given, kLinkReaches));
-         },
-         say::help::kLinks)
-      ->type_name("WORD")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  AddValue(
+      app, "--links", "WORD",
+      [&options](const std::string& given) {
+        options.reach = LinkReachOf(given);
+        if (!options.reach) throw UsageError(say::NotAChoice("--links", given, kLinkReaches));
+      },
+      say::help::kLinks);
   AddNumber(app, "--link-depth", options.depth, 0.05, 1, 1, say::help::kLinkDepth);
   AddNumber(app, "--link-gap-mm", options.gap, 0, 1000, 1e-3, say::help::kLinkGap);
 }

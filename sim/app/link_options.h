@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 
 #include "sim/scene/label.h"
 #include "textures/link_style.h"
+
+namespace CLI {
+class App;
+}
 
 namespace moontrace {
 

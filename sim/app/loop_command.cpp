@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "sim/app/device_choice.h"
@@ -118,7 +120,7 @@ void AddOptions(CLI::App& app, LoopCommandOptions& options) {
 
 void AddLoopOptions(CLI::App& app, LoopCommandOptions& options) {
   AddOptions(app, options.text);
-  app.get_option("TEXT")->description(say::help::kLoopText);
+  Redescribe(app, "TEXT", say::help::kLoopText);
   AddOptions(app, options.live);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
   AddOptions(app, options.style);

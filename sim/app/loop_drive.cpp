@@ -1,6 +1,7 @@
 #include "sim/app/loop_drive.h"
 
 #include <chrono>
+#include <glm/glm.hpp>
 #include <ostream>
 #include <string>
 

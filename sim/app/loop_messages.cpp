@@ -1,6 +1,6 @@
 #include "sim/app/loop_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

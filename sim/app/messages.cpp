@@ -1,6 +1,6 @@
 #include "sim/app/messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "sim/app/words.h"
 #include "sim/app/writing_messages.h"

@@ -1,5 +1,8 @@
 #include "sim/app/metrics_json.h"
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
 #include "lessons/movement_meter.h"
 
 namespace moontrace {
@@ -44,6 +47,8 @@ void ForgetErrors(Json& json) {
 
 }  // namespace
 
+Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 Json MetricsJson(const TraceMetrics& metrics) {
   Json json;
   json["coverage"] = metrics.coverage;
@@ -78,5 +83,7 @@ Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   if (with_real_time_factor) json["real_time_factor"] = result.real_time_factor;
   return json;
 }
+
+std::string ResultText(const TrialResult& result) { return TotalJson(result, false).dump(); }
 
 }  // namespace moontrace

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "lessons/scoring.h"
 #include "sim/app/trial.h"
@@ -12,7 +12,7 @@ namespace moontrace {
 using Json = nlohmann::ordered_json;
 
 /// JSON has no infinity: null stands for "without limit" and for "none".
-inline Json OrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json OrNull(double value);
 
 /// Then there are no errors either, and zero would read as perfect.
 inline bool NeverTouched(const TraceMetrics& metrics) { return !(metrics.contact_share > 0); }
@@ -23,5 +23,9 @@ Json MetricsJson(const TraceMetrics& metrics);
 
 /// Metrics of the whole with energy, faults and, if asked for, the real-time factor.
 Json TotalJson(const TrialResult& result, bool with_real_time_factor);
+
+/// What a record keeps of a trial: without the real-time factor, so that the same seed gives the
+/// same bytes.
+std::string ResultText(const TrialResult& result);
 
 }  // namespace moontrace

@@ -1,7 +1,6 @@
 #include "sim/app/options.h"
 
-#include <fmt/format.h>
-
+#include <CLI/App.hpp>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -31,15 +30,6 @@ constexpr double kLongest = 1000;  // [mm], of anything on a page
 constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20U;
 
 namespace help = say::help;
-
-/// An option with one value, read by `read`; the last one given counts.
-CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& type,
-                      const std::function<void(const std::string&)>& read,
-                      const std::string& description) {
-  return app.add_option_function<std::string>(name, read, description)
-      ->type_name(type)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
 
 /// A choice between words.
 template <typename Value>
@@ -113,6 +103,30 @@ double ReadNumber(const std::string& option, const std::string& given, double lo
   return value;
 }
 
+void AddValue(CLI::App& app, const std::string& name, const std::string& type,
+              const std::function<void(const std::string&)>& read, const std::string& description) {
+  app.add_option_function<std::string>(name, read, description)
+      ->type_name(type)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void AddFlag(CLI::App& app, const std::string& name, bool& flag, const std::string& description) {
+  app.add_flag(name, flag, description);
+}
+
+void AddFlag(CLI::App& app, const std::string& name, std::string& value,
+             const std::string& description) {
+  app.add_flag(name, value, description);
+}
+
+void AddWords(CLI::App& app, std::vector<std::string>& words, const std::string& description) {
+  app.add_option("WORDS", words, description);
+}
+
+void Redescribe(CLI::App& app, const std::string& name, const std::string& description) {
+  app.get_option(name)->description(description);
+}
+
 void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double low,
                double high, double scale, const std::string& description) {
   AddValue(
@@ -121,15 +135,16 @@ void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& va
       description);
 }
 
-void AddSeed(CLI::App& app, std::uint64_t& seed) {
+void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all) {
   AddValue(
       app, "--seed", "NUMBER",
-      [&seed](const std::string& given) {
+      [&seed, given_at_all](const std::string& given) {
         const char* end = given.data() + given.size();
         const std::from_chars_result read = std::from_chars(given.data(), end, seed);
         if (given.empty() || read.ec != std::errc() || read.ptr != end) {
           throw UsageError(say::NotAWholeNumber("--seed", given));
         }
+        if (given_at_all != nullptr) *given_at_all = true;
       },
       help::kSeed);
 }
@@ -157,8 +172,8 @@ void AddPicture(CLI::App& app, std::string& path, const std::string& description
 }
 
 void AddOptions(CLI::App& app, OutputOptions& options) {
-  app.add_flag("--json", options.json, help::kJson);
-  app.add_flag("--quiet", options.quiet, help::kQuiet);
+  AddFlag(app, "--json", options.json, help::kJson);
+  AddFlag(app, "--quiet", options.quiet, help::kQuiet);
 }
 
 void AddOptions(CLI::App& app, TextOptions& options) {
@@ -190,7 +205,7 @@ void AddOptions(CLI::App& app, StyleOptions& options) {
   AddOptions(app, options.links);
   AddNumber(app, "--slant-deg", options.slant, -30, 30, std::numbers::pi / 180, help::kSlant);
   AddNumber(app, "--stretch", options.stretch, 0.5, 2, 1, help::kStretch);
-  app.add_flag("--structure", options.structure, help::kStructure);
+  AddFlag(app, "--structure", options.structure, help::kStructure);
   AddNumber(app, "--heading-scale", options.heading_scale, 1, 5, 1, help::kHeadingScale);
   AddChoice<std::optional<Relief>>(app, "--heading-relief", "engraved", Relief::kEngraved,
                                    "embossed", Relief::kEmbossed, options.heading_relief,

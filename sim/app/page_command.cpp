@@ -1,10 +1,11 @@
 #include "sim/app/page_command.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <vector>
@@ -146,8 +147,8 @@ void AddOptions(CLI::App& app, PageOptions& options) {
   AddOptions(app, options.style);
   AddOptions(app, options.layout);
   AddPicture(app, options.picture, say::help::kPicture);
-  app.add_flag("--letters", options.letters, say::help::kLetters);
-  app.add_flag("--read-back", options.read_back, say::help::kReadBack);
+  AddFlag(app, "--letters", options.letters, say::help::kLetters);
+  AddFlag(app, "--read-back", options.read_back, say::help::kReadBack);
   AddOptions(app, options.output);
 }
 

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <optional>
 

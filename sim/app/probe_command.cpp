@@ -1,6 +1,8 @@
 #include "sim/app/probe_command.h"
 
-#include <glm/glm.hpp>
+#include <glm/geometric.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include "sim/app/help.h"
 #include "sim/app/messages.h"

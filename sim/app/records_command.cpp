@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -167,8 +168,8 @@ void AddOptions(CLI::App& app, RecordsOptions& options) {
   AddPath(app, "ANSWER", "WORD", options.answer, help::kRecordsAnswer);
   AddPath(app, "--records", "FILE", options.records, help::kRecords);
   AddPath(app, "--output", "FILE", options.to, help::kRecordsOutput);
-  app.add_flag("--anonymous", options.anonymous, help::kAnonymous);
-  app.add_flag("--yes", options.yes, help::kEraseYes);
+  AddFlag(app, "--anonymous", options.anonymous, help::kAnonymous);
+  AddFlag(app, "--yes", options.yes, help::kEraseYes);
   AddOptions(app, options.output);
 }
 

@@ -1,6 +1,6 @@
 #include "sim/app/records_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "lessons/report_facts.h"
 #include "sim/app/words.h"

@@ -1,5 +1,6 @@
 #include "sim/app/replay_command.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "sim/app/help.h"
@@ -63,7 +64,7 @@ void SayResult(const Record& record, Console& console) {
 
 void AddOptions(CLI::App& app, ReplayOptions& options) {
   AddPath(app, "FOLDER", "FOLDER", options.folder, say::help::kFolder);
-  app.add_flag("--check", options.check, say::help::kCheck);
+  AddFlag(app, "--check", options.check, say::help::kCheck);
   AddOptions(app, options.view);
   AddOptions(app, options.output);
 }

@@ -1,5 +1,6 @@
 #include "sim/app/report_command.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>

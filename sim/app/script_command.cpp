@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "sim/app/help.h"
@@ -248,7 +249,7 @@ void AddOptions(CLI::App& app, ScriptOptions& options) {
   AddPath(app, "--only", "TEXT", options.only, help::kScriptOnly);
   AddNumber(app, "--size-mm", options.size, 1, 1000, 1e-3, help::kScriptSize);
   AddPath(app, "--to", "FILE", options.to, help::kScriptTo);
-  app.add_flag("--join", options.join, help::kScriptJoin);
+  AddFlag(app, "--join", options.join, help::kScriptJoin);
   AddPicture(app, options.picture, help::kScriptPicture);
   AddOptions(app, options.output);
 }

@@ -1,6 +1,6 @@
 #include "sim/app/sheet_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <vector>
 

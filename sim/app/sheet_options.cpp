@@ -22,23 +22,21 @@ void AddOptions(CLI::App& app, SheetOptions& options) {
                           const char* description) {
     AddNumber(app, name, value, low, kLongest, kMillimetre, description);
   };
-  app.add_flag("--rules", options.rules, say::help::kRules);
+  AddFlag(app, "--rules", options.rules, say::help::kRules);
   add("--rule-width-mm", options.rule_width, 0.01, say::help::kRuleWidth);
   add("--rule-height-mm", options.rule_height, 0.001, say::help::kRuleHeight);
-  app.add_flag("--raised-margin", options.raised_margin, say::help::kRaisedMargin);
+  AddFlag(app, "--raised-margin", options.raised_margin, say::help::kRaisedMargin);
   add("--raised-margin-width-mm", options.margin_width, 0.01, say::help::kRaisedMarginWidth);
   add("--raised-margin-height-mm", options.margin_height, 0.001, say::help::kRaisedMarginHeight);
-  app.add_option_function<std::string>(
-         "--texture",
-         [&options](const std::string& given) {
-           if (!IsTextureWord(given)) {
-             throw UsageError(say::NotAChoice("--texture", given, say::kTextureWords));
-           }
-           options.texture = given;
-         },
-         say::help::kTexture)
-      ->type_name("NAME")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  AddValue(
+      app, "--texture", "NAME",
+      [&options](const std::string& given) {
+        if (!IsTextureWord(given)) {
+          throw UsageError(say::NotAChoice("--texture", given, say::kTextureWords));
+        }
+        options.texture = given;
+      },
+      say::help::kTexture);
   add("--texture-amplitude-mm", options.amplitude, 0.0001, say::help::kTextureAmplitude);
   add("--texture-wavelength-mm", options.wavelength, 0.01, say::help::kTextureWavelength);
   AddNumber(app, "--texture-angle-deg", options.angle, -180, 180, std::numbers::pi / 180,

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
 #include "textures/typeset.h"
+
+namespace CLI {
+class App;
+}
 
 namespace moontrace {
 

@@ -1,6 +1,6 @@
 #include "sim/app/sound_table.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdlib>
 #include <filesystem>

@@ -134,7 +134,7 @@ nlohmann::json ListJson(const SoundTable& table) {
 }  // namespace
 
 void AddOptions(CLI::App& app, SoundsOptions& options) {
-  app.add_flag("--play", options.play, say::help::kSoundsPlay);
+  AddFlag(app, "--play", options.play, say::help::kSoundsPlay);
   AddPath(app, "--wav", "DIR", options.wav, say::help::kSoundsWav);
   AddPath(app, "--sounds", "FILE", options.sounds, say::help::kSoundsFile);
   AddOptions(app, options.output);

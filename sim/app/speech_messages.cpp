@@ -1,6 +1,6 @@
 #include "sim/app/speech_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "textures/text_file.h"
 

@@ -1,6 +1,6 @@
 #include "sim/app/structure_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>

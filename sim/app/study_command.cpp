@@ -1,11 +1,13 @@
 #include "sim/app/study_command.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <thread>
 #include <utility>
 
@@ -157,7 +159,7 @@ int Merge(const StudyOptions& options, Console& console) {
 }  // namespace
 
 void AddOptions(CLI::App& app, StudyOptions& options) {
-  app.add_option("WORDS", options.words, say::help::kStudyWords);
+  AddWords(app, options.words, say::help::kStudyWords);
   AddPath(app, "--output", "FILE", options.path, say::help::kStudyOutput);
   AddNumber(app, "--threads", options.threads, 1, kMostThreads, 1, say::help::kStudyThreads);
   app.add_option("--shard", options.shard, say::help::kStudyShard)->type_name("K/N");

@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

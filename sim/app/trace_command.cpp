@@ -1,6 +1,7 @@
 #include "sim/app/trace_command.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -119,11 +120,10 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kPress);
   AddNumber(app, "--speed-mm-s", options.speed, 0.1, 1000, 1e-3, say::help::kSpeed);
   AddOptions(app, options.guide);
-  AddSeed(app, options.seed);
-  app.parse_complete_callback([&app, &options] { options.seed_given = app.count("--seed") > 0; });
-  app.add_flag("--blank", options.blank, say::help::kBlank);
+  AddSeed(app, options.seed, &options.seed_given);
+  AddFlag(app, "--blank", options.blank, say::help::kBlank);
   AddPath(app, "--record", "DIR", options.record, say::help::kRecord);
-  app.add_flag("--csv", options.csv, say::help::kCsv);
+  AddFlag(app, "--csv", options.csv, say::help::kCsv);
   AddPicture(app, options.picture, say::help::kPicture);
   AddOptions(app, options.view);
   AddOptions(app, options.live);

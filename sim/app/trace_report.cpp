@@ -1,6 +1,7 @@
 #include "sim/app/trace_report.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 

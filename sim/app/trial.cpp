@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "devices/simulated_stylus.h"
@@ -205,8 +205,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
     for (const Excursion& left : result.score.left_at) {
       recorder->AddEvent(left.time, "excursion", "stroke " + std::to_string(left.stroke));
     }
-    // Without the real-time factor, so that the same seed gives the same bytes.
-    recorder->Finish(TotalJson(result, false).dump(), record->also_csv);
+    recorder->Finish(ResultText(result), record->also_csv);
   }
   return result;
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <string>

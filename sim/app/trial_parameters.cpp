@@ -1,6 +1,7 @@
 #include "sim/app/trial_parameters.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "sim/app/messages.h"

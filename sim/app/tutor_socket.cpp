@@ -1,7 +1,7 @@
 #include "sim/app/tutor_socket.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>

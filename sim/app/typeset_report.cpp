@@ -1,6 +1,7 @@
 #include "sim/app/typeset_report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <vector>
 

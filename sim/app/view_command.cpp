@@ -1,5 +1,7 @@
 #include "sim/app/view_command.h"
 
+#include <nlohmann/json.hpp>
+
 #include "sim/app/help.h"
 #include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
@@ -83,7 +85,7 @@ int DrawPicture(const ViewCommandOptions& options, Console& console) {
 
 void AddOptions(CLI::App& app, ViewCommandOptions& options) {
   AddLoopOptions(app, options);
-  app.get_option("--device")->description(say::help::kViewDevice);
+  Redescribe(app, "--device", say::help::kViewDevice);
   AddPath(app, "--picture", "F.png", options.picture, say::help::kViewPicture);
   AddLookOptions(app, options.view);
 }

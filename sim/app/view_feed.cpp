@@ -1,6 +1,7 @@
 #include "sim/app/view_feed.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "sim/app/view_messages.h"

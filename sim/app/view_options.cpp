@@ -8,12 +8,12 @@ namespace moontrace {
 
 void AddLookOptions(CLI::App& app, ViewOptions& options) {
   AddPath(app, "--frames", "DIR", options.frames, say::help::kFrames);
-  app.add_flag("--contrast", options.contrast, say::help::kContrast);
-  app.add_flag("--large-text", options.large_text, say::help::kLargeText);
+  AddFlag(app, "--contrast", options.contrast, say::help::kContrast);
+  AddFlag(app, "--large-text", options.large_text, say::help::kLargeText);
 }
 
 void AddOptions(CLI::App& app, ViewOptions& options) {
-  app.add_flag("--view", options.window, say::help::kView);
+  AddFlag(app, "--view", options.window, say::help::kView);
   AddLookOptions(app, options);
 }
 

@@ -1,6 +1,6 @@
 #include "sim/app/view_panels.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <numbers>

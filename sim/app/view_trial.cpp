@@ -1,5 +1,6 @@
 #include "sim/app/view_trial.h"
 
+#include <glm/geometric.hpp>
 #include <thread>
 #include <utility>
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "textures/field.h"

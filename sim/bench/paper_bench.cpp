@@ -1,7 +1,7 @@
 // The paper's two measurements (its section 5) in its form: reaction forces of single characters,
 // each averaged over 10^4 positions (then 0.14 to 38 us), and forces a second on a page of 64 x 30
 // characters (then 1.5e4).
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <random>

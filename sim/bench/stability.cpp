@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <glm/glm.hpp>
 #include <numbers>
 #include <random>
 

@@ -1,6 +1,7 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
+#include <glm/glm.hpp>
 
 #include "devices/catalogue.h"
 #include "sim/app/trial.h"

@@ -1,6 +1,7 @@
 #include "sim/learner/aim_error.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "devices/random.h"
 

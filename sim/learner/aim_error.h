@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
 #include <string_view>
 
 namespace moontrace {

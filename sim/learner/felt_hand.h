@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "devices/hand.h"

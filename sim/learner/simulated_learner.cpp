@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "lessons/trial_meter.h"
 #include "sim/learner/exploration.h"

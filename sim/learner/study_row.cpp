@@ -1,6 +1,6 @@
 #include "sim/learner/study_row.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <charconv>

@@ -2,7 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 

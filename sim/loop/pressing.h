@@ -1,7 +1,5 @@
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include "devices/device.h"
 #include "sim/scene/pose.h"
 #include "sim/scene/scene_options.h"

@@ -1,6 +1,6 @@
 #include "sim/loop/realtime.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>

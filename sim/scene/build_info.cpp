@@ -1,6 +1,6 @@
 #include "sim/scene/build_info.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <mujoco/mujoco.h>
 
 #include <fstream>

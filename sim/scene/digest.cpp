@@ -1,6 +1,6 @@
 #include "sim/scene/digest.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 

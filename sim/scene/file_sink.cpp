@@ -1,7 +1,7 @@
 #include "sim/scene/file_sink.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "sim/scene/friction.h"
 
+#include <glm/geometric.hpp>
+
 namespace moontrace {
 
 glm::dvec3 Friction::Advance(double mu, double stiffness, glm::dvec3 p_P, glm::dvec3 normal_P,

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 namespace moontrace {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

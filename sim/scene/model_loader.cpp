@@ -1,6 +1,6 @@
 #include "sim/scene/model_loader.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "sim/scene/record_columns.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <limits>

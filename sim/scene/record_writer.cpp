@@ -1,5 +1,5 @@
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -125,7 +125,9 @@ void WriteWhole(const std::string& path, std::string_view text) {
 std::uint64_t WriteCsv(const std::string& samples_path, const std::string& csv_path) {
   std::ifstream samples(samples_path, std::ios::binary);
   FileSink sink(csv_path);
-  std::string line = fmt::format("{}\n", fmt::join(kRecordColumns, ","));
+  std::string line;
+  for (const std::string_view name : kRecordColumns) line.append(name).append(",");
+  line.back() = '\n';
   sink.Write(line);
   RecordColumns columns{};
   while (samples.read(reinterpret_cast<char*>(columns.data()), kRowBytes)) {

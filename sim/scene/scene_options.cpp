@@ -1,6 +1,6 @@
 #include "sim/scene/scene_options.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 
 #include "sim/view/drawing.h"
 #include "sim/view/raster.h"

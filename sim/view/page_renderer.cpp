@@ -1,10 +1,11 @@
 #include "sim/view/page_renderer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 
 #include "sim/scene/mujoco_compat.h"
 #include "sim/view/view_text.h"

@@ -1,6 +1,6 @@
 #include "sim/view/script_table.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <utility>
 
 #include "sim/view/contour.h"

@@ -1,6 +1,6 @@
 #include "sim/view/trace_picture.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,7 @@
 #include "sim/view/view_marks.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "sim/view/view_text.h"

@@ -1,6 +1,6 @@
 #include "sim/view/view_messages.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace moontrace::say {
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 
 namespace moontrace {

@@ -1,6 +1,6 @@
 #include "sim/view/view_text.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <mujoco/mujoco.h>
 
 #include <sstream>

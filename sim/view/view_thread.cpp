@@ -1,6 +1,6 @@
 #include "sim/view/view_thread.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "sim/view/view_window.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdlib>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <chrono>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 #include <thread>
 #include <vector>
 

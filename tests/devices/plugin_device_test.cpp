@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <glm/geometric.hpp>
 
 #include "devices/device_error.h"
 #include "devices/plugin_process.h"

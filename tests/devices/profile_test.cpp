@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <string>
 #include <vector>
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <string>
 
 #include "tests/devices/device_run.h"

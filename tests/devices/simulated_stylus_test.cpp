@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 #include <vector>
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <glm/geometric.hpp>
 #include <vector>
 
 namespace moontrace {

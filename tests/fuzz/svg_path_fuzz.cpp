@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <string_view>
 
 #include "textures/svg_path.h"

@@ -1,6 +1,7 @@
 #include "sim/scene/bound.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <random>
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "sim/scene/bound.h"

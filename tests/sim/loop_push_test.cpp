@@ -4,6 +4,7 @@
 #include "sim/loop/loop_push.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "sim/loop/device_feel.h"
 #include "tests/sim/loop_fixture.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <memory>
 
 #include "sim/view/field_shading.h"

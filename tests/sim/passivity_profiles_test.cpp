@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/glm.hpp>
 
 #include "devices/catalogue.h"
 #include "sim/bench/device_rig.h"

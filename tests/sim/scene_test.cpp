@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "tests/sim/scene_fixture.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "sim/view/gl_headless.h"
 #include "tests/sim/view_fixture.h"
 #include "textures/error.h"

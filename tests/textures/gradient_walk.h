@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/glm.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <random>
 
 #include "textures/field.h"

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <glm/geometric.hpp>
 
 #include "tests/textures/stroke_distance.h"
 #include "textures/error.h"

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <algorithm>
-#include <glm/glm.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "textures/element.h"

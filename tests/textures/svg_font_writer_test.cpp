@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "tests/source_path.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <glm/glm.hpp>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 #include <vector>

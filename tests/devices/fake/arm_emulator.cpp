@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/glm.hpp>
 
 #include "tests/devices/fake/descriptor_writer.h"
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <span>
 #include <string>

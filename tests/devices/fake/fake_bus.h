@@ -2,7 +2,7 @@
 
 #include <cstdio>
 #include <deque>
-#include <glm/glm.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <mutex>
 #include <random>
