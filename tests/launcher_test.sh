@@ -40,6 +40,7 @@ new_tree() {
   tree=$work/tree
   mkdir -p "$work/tools" "$tree"/{.cmake,textures,devices,lessons,sim/app,tests}
   cp "$source/moontrace" "$tree/"
+  cp "$source"/tests/{run.sh,flaky.txt} "$tree/tests/"
   touch "$tree"/{CMakeLists.txt,CMakePresets.json,sim/app/main.cpp,textures/field.cpp}
   find "$tree" -exec touch -d '1 hour ago' {} +
   local command
