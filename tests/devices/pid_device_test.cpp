@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <glm/glm.hpp>
 #include <memory>
 #include <string>
 #include <thread>

@@ -4,8 +4,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cmath>
 #include <csignal>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
+#include <thread>
 
 #include "devices/device_error.h"
 #include "devices/plugin_process.h"

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <string>
 #include <thread>
 #include <vector>

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <string>
+#include <thread>
 
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"

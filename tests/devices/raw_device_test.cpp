@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <glm/vec3.hpp>
 #include <string>
+#include <thread>
 
 #include "devices/device_error.h"
 #include "tests/devices/device_run.h"

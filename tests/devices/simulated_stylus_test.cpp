@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <stdexcept>
 #include <vector>
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace moontrace {

@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "devices/homing.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 #include <glm/mat3x3.hpp>
 #include <random>
 #include <string>

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <string_view>
 
 #include "textures/svg_path.h"

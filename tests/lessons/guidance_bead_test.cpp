@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 
 #include "lessons/guidance.h"

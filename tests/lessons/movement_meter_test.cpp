@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <random>
 #include <vector>
 

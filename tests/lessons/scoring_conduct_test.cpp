@@ -4,6 +4,7 @@
 #include <malloc.h>
 
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <random>
 #include <vector>
 

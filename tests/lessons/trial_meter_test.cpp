@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/vec3.hpp>
 #include <limits>
 
 #include "lessons/movement_meter.h"

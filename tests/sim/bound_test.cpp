@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <random>
 

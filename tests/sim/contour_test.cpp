@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <numbers>
 
 namespace moontrace {

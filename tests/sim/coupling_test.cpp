@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 namespace moontrace {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <sstream>
 #include <string>

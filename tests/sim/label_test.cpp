@@ -1,5 +1,7 @@
 #include "sim/scene/label.h"
 
+#include <glm/vec2.hpp>
+
 #include "tests/sim/scene_fixture.h"
 
 namespace moontrace {

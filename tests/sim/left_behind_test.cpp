@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 
 #include "sim/scene/bound.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <string>
 #include <utility>

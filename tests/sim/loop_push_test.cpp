@@ -4,7 +4,7 @@
 #include "sim/loop/loop_push.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
 #include "sim/loop/device_feel.h"
 #include "tests/sim/loop_fixture.h"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <sstream>
 #include <thread>
 

@@ -1,6 +1,7 @@
 #include "sim/loop/loop.h"
 
 #include <chrono>
+#include <glm/vec3.hpp>
 #include <thread>
 
 #include "devices/device_error.h"

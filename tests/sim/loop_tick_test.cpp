@@ -1,7 +1,7 @@
 #include "sim/loop/loop_tick.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 
 #include "tests/sim/loop_fixture.h"
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <glm/vec3.hpp>
 
 #include "tests/sim/scene_fixture.h"
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/vec2.hpp>
+
 #include "sim/app/sound_messages.h"
 #include "textures/script_library.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/glm.hpp>
 #include <glm/mat3x3.hpp>
 
 #include "sim/plan/speed_profile.h"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <string>
 
 #include "sim/scene/scene.h"

@@ -2,8 +2,11 @@
 
 #include <mujoco/mujoco.h>
 
+#include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 
 #include "tests/sim/scene_fixture.h"

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/vec3.hpp>
+
 #include "tests/sim/loop_fixture.h"
 
 namespace moontrace {

@@ -1,6 +1,7 @@
 #include "sim/app/sound.h"
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <vector>

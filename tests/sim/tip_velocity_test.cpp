@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/vec3.hpp>
+
 namespace moontrace {
 namespace {
 

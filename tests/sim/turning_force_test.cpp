@@ -2,6 +2,7 @@
 // above: in MuJoCo, with the proxy and its coupling as the hand.
 #include <gtest/gtest.h>
 
+#include <glm/vec3.hpp>
 #include <string>
 
 #include "tests/sim/scene_fixture.h"

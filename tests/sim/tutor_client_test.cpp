@@ -1,6 +1,8 @@
 #include "sim/app/tutor_client.h"
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "sim/app/tutor_messages.h"
 #include "sim/app/tutor_server.h"

@@ -1,6 +1,7 @@
 #include "sim/app/tutor_server.h"
 
 #include <random>
+#include <thread>
 
 #include "tests/sim/tutor_fixture.h"
 #include "textures/error.h"

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "sim/view/view_mailbox.h"
 #include "tests/sim/view_fixture.h"

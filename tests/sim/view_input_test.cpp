@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "sim/view/gl_headless.h"
 #include "tests/sim/view_fixture.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <glm/vec2.hpp>
 #include <iterator>
 #include <thread>
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "textures/error.h"
 #include "textures/typeset.h"

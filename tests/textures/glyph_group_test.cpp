@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include "small_script.h"

@@ -1,6 +1,7 @@
 // Lines of two sizes on a page: where they stand, and what is felt.
 #include <gtest/gtest.h>
 
+#include <glm/vec2.hpp>
 #include <random>
 
 #include "gradient_walk.h"

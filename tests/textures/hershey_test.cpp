@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "tests/textures/stroke_distance.h"
 #include "textures/error.h"

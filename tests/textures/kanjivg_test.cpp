@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <string>
 
 #include "tests/source_path.h"

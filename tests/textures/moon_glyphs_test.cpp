@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>

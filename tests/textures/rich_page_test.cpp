@@ -1,6 +1,7 @@
 // A page with everything on at once: links, rules, margin, rough paper, a heading of ridges.
 #include <gtest/gtest.h>
 
+#include <glm/vec2.hpp>
 #include <random>
 
 #include "gradient_walk.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/vec2.hpp>
 #include <numbers>
 
 namespace moontrace {

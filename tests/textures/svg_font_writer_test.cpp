@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 
 #include "tests/source_path.h"

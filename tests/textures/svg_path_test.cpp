@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 #include <string>
 #include <vector>

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <glm/vec3.hpp>
 #include <thread>
 
 #include "devices/catalogue.h"

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <glm/vec3.hpp>
 #include <memory>
 
 #include "tests/devices/fake/emulator.h"

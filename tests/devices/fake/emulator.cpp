@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
 
 #include "tests/devices/fake/arm_emulator.h"
 #include "tests/devices/fake/pid_emulator.h"

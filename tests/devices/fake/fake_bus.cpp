@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <glm/vec3.hpp>
 
 namespace moontrace::fake {
 namespace {

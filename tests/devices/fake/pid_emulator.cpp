@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vec3.hpp>
 
 #include "tests/devices/fake/pid_descriptors.h"
 

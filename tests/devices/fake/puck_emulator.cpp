@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <glm/vec3.hpp>
 
 #include "tests/devices/fake/descriptor_writer.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/vec3.hpp>
 
 #include "tests/devices/fake/descriptor_writer.h"
 

@@ -13,8 +13,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <thread>
 
 #include "sim/loop/loop.h"

@@ -5,6 +5,7 @@
 #include <mujoco/mujoco.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "sim/loop/button.h"
 #include "sim/loop/safety.h"
