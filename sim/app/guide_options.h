@@ -4,10 +4,7 @@
 #include <vector>
 
 #include "lessons/guidance.h"
-
-namespace CLI {
-class App;
-}
+#include "sim/app/cli_app.h"
 
 namespace moontrace {
 

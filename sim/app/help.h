@@ -2,9 +2,7 @@
 
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "sim/app/cli_app.h"
 
 namespace moontrace {
 

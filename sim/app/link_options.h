@@ -2,12 +2,9 @@
 
 #include <optional>
 
+#include "sim/app/cli_app.h"
 #include "sim/scene/label.h"
 #include "textures/link_style.h"
-
-namespace CLI {
-class App;
-}
 
 namespace moontrace {
 

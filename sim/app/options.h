@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/app/cli_app.h"
 #include "sim/app/console.h"
 #include "sim/app/link_options.h"
 #include "sim/app/sheet_options.h"
@@ -15,10 +16,6 @@
 #include "textures/script.h"
 #include "textures/surface.h"
 #include "textures/typeset.h"
-
-namespace CLI {
-class App;
-}
 
 namespace moontrace {
 

@@ -3,11 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "sim/app/cli_app.h"
 #include "textures/typeset.h"
-
-namespace CLI {
-class App;
-}
 
 namespace moontrace {
 
