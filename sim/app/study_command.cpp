@@ -64,7 +64,7 @@ StudyProtocol ProtocolAt(const std::string& file) {
 std::string ProtocolPath(const std::string& given) {
   const bool name = given.find('/') == std::string::npos && given.find('.') == std::string::npos;
   if (!name || fs::exists(given)) return given;
-  const std::string shipped = ResourcePath("lessons/studies") + "/" + given + ".toml";
+  std::string shipped = ResourcePath("lessons/studies") + "/" + given + ".toml";
   if (!fs::exists(shipped)) throw InputError(say::NoSuchStudy(given));
   return shipped;
 }
