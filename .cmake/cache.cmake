@@ -6,7 +6,9 @@ if(NOT CCACHE)
 endif()
 set(cache_launcher ${CMAKE_COMMAND} -E env
   CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_COMPILERCHECK=content
-  CCACHE_EXTRAFILES=${PROJECT_SOURCE_DIR}/.ci/sanitizer.ignore ${CCACHE})
+  CCACHE_EXTRAFILES=${PROJECT_SOURCE_DIR}/.ci/sanitizer.ignore
+  CCACHE_SLOPPINESS=locale  # a message's language changes no object
+  ${CCACHE})
 set(CMAKE_C_COMPILER_LAUNCHER ${cache_launcher})
 set(CMAKE_CXX_COMPILER_LAUNCHER ${cache_launcher})
 file(RELATIVE_PATH up ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
