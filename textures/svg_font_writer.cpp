@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <numbers>
 #include <string_view>
 
@@ -215,9 +214,8 @@ std::string WriteSvgFont(const Script& script) {
         character == characters.end()
             ? ""
             : fmt::format(" unicode=\"{}\"", Escaped(ToUtf8(character->second)));
-    fmt::format_to(std::back_inserter(svg),
-                   "<glyph{} glyph-name=\"{}\" horiz-adv-x=\"{}\"\n  d=\"{}\"/>\n", unicode,
-                   Escaped(glyph.name), Number(kUnits * glyph.advance), PathOf(glyph));
+    svg += fmt::format("<glyph{} glyph-name=\"{}\" horiz-adv-x=\"{}\"\n  d=\"{}\"/>\n", unicode,
+                       Escaped(glyph.name), Number(kUnits * glyph.advance), PathOf(glyph));
   }
   return svg + "</font>\n</defs>\n</svg>\n";
 }

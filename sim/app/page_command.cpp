@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -82,11 +81,10 @@ const char* KindJson(LineKind kind) {
 std::string PageJson(const TextPage& page, const std::vector<std::string>& names) {
   std::string json = fmt::format("{{\"lines\":{},\"glyphs\":[", page.lines);
   for (const PlacedGlyph& glyph : page.glyphs) {
-    fmt::format_to(std::back_inserter(json),
-                   "{{\"name\":{},\"origin_mm\":[{},{}],\"line\":{},\"source\":[{},{}]{}{}}},",
-                   names[glyph.glyph], 1e3 * glyph.origin_P.x, 1e3 * glyph.origin_P.y, glyph.line,
-                   glyph.source_begin, glyph.source_end, KindJson(glyph.kind),
-                   glyph.link ? ",\"link\":true" : "");
+    json += fmt::format("{{\"name\":{},\"origin_mm\":[{},{}],\"line\":{},\"source\":[{},{}]{}{}}},",
+                        names[glyph.glyph], 1e3 * glyph.origin_P.x, 1e3 * glyph.origin_P.y,
+                        glyph.line, glyph.source_begin, glyph.source_end, KindJson(glyph.kind),
+                        glyph.link ? ",\"link\":true" : "");
   }
   if (!page.glyphs.empty()) json.pop_back();
   return json + "]}";

@@ -10,7 +10,6 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -132,7 +131,7 @@ std::uint64_t WriteCsv(const std::string& samples_path, const std::string& csv_p
   RecordColumns columns{};
   while (samples.read(reinterpret_cast<char*>(columns.data()), kRowBytes)) {
     line.clear();
-    for (const double value : columns) fmt::format_to(std::back_inserter(line), "{:.17g},", value);
+    for (const double value : columns) line += fmt::format("{:.17g},", value);
     line.back() = '\n';
     sink.Write(line);
   }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <string_view>
 
@@ -86,7 +85,7 @@ class Writer {
  private:
   template <typename... Args>
   void Put(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    text_ += fmt::format(format, std::forward<Args>(args)...);
   }
 
   void Subpath(const std::vector<Piece>& pieces, bool close) {
