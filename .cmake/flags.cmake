@@ -14,16 +14,27 @@ if(MOONTRACE_SANITIZE)
   target_compile_options(moontrace_flags INTERFACE -fsanitize-ignorelist=${ignorelist})
 endif()
 
-# moontrace_room(<room> [PUBLIC libraries...] [PRIVATE libraries...]): one target for one room,
-# from every .cpp below it. What a room may use is what it links; nothing else is found.
+# moontrace_room(<room> [FOLDER folder] [PUBLIC libraries...] [PRIVATE libraries...]): one leaf room, a
+# target from every .cpp of the folder of its name. What a room may include is what it links, itself
+# or through others' PUBLIC lines; a test holds every file to it (tests/rooms_test.sh).
 function(moontrace_room room)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE;EXCLUDE" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  foreach(pattern IN LISTS ARG_EXCLUDE)
-    list(FILTER sources EXCLUDE REGEX ${pattern})
-  endforeach()
-  add_library(moontrace_${room} STATIC ${sources})
+  cmake_parse_arguments(ARG "" "FOLDER" "PUBLIC;PRIVATE" ${ARGN})
+  if(NOT ARG_FOLDER)
+    set(ARG_FOLDER ${room})
+  endif()
+  cmake_path(SET folder NORMALIZE ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_FOLDER})
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  if(sources)
+    add_library(moontrace_${room} STATIC ${sources})
+    target_include_directories(moontrace_${room} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_link_libraries(moontrace_${room} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} moontrace_flags)
+  else()  # headers only
+    add_library(moontrace_${room} INTERFACE)
+    target_include_directories(moontrace_${room} INTERFACE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(moontrace_${room} INTERFACE ${ARG_PUBLIC})
+  endif()
   add_library(moontrace::${room} ALIAS moontrace_${room})
-  target_include_directories(moontrace_${room} PUBLIC ${PROJECT_SOURCE_DIR})
-  target_link_libraries(moontrace_${room} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} moontrace_flags)
+  cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_property(GLOBAL APPEND PROPERTY moontrace_rooms
+    "${room}|${folder}|$<TARGET_PROPERTY:moontrace_${room},INTERFACE_LINK_LIBRARIES>|$<TARGET_PROPERTY:moontrace_${room},LINK_LIBRARIES>")
 endfunction()

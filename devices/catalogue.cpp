@@ -8,16 +8,16 @@
 #include <string_view>
 #include <system_error>
 
-#include "devices/device_error.h"
-#include "devices/hid_descriptor.h"
-#include "devices/hid_port.h"
-#include "devices/nearest_name.h"
-#include "devices/pid_device.h"
-#include "devices/pid_layout.h"
-#include "devices/plugin_device.h"
-#include "devices/puck.h"
-#include "devices/raw_device.h"
-#include "devices/wooden_haptics_device.h"
+#include "devices/core/device_error.h"
+#include "devices/core/nearest_name.h"
+#include "devices/hid/hid_descriptor.h"
+#include "devices/hid/hid_port.h"
+#include "devices/hid/pid_device.h"
+#include "devices/hid/pid_layout.h"
+#include "devices/hid/puck.h"
+#include "devices/hid/raw_device.h"
+#include "devices/hid/wooden_haptics_device.h"
+#include "devices/plugin/plugin_device.h"
 
 namespace moontrace {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "devices/device.h"
-#include "devices/profile.h"
+#include "devices/core/device.h"
+#include "devices/core/profile.h"
 
 namespace moontrace {
 

@@ -41,7 +41,7 @@ new_tree() {
   mkdir -p "$work/tools" "$tree"/{.cmake,textures,devices,lessons,sim/app,tests}
   cp "$source/moontrace" "$tree/"
   cp "$source"/tests/{run.sh,flaky.txt} "$tree/tests/"
-  touch "$tree"/{CMakeLists.txt,CMakePresets.json,sim/app/main.cpp,textures/field.cpp}
+  touch "$tree"/{CMakeLists.txt,CMakePresets.json,sim/app/main.cpp,textures/field/field.cpp}
   find "$tree" -exec touch -d '1 hour ago' {} +
   local command
   for command in bash env cat cp mv rm mkdir find grep tail sed tr wc fold sleep flock nproc head chmod; do
@@ -84,8 +84,8 @@ start page
 expect 'a second start asks no tool at all' not grep -q . "$calls"
 expect 'a second start says nothing itself' not said building
 
-for change in 'edited textures/field.cpp' 'added lessons/new.h' 'edited CMakeLists.txt' \
-  'removed textures/field.cpp'; do
+for change in 'edited textures/field/field.cpp' 'added lessons/new.h' 'edited CMakeLists.txt' \
+  'removed textures/field/field.cpp'; do
   age
   case $change in removed*) rm "$tree/${change#* }" ;; *) echo >"$tree/${change#* }" ;; esac
   start

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/app/help.h"
 #include "sim/app/messages.h"
 #include "sim/bench/row.h"
+#include "sim/setup/help.h"
 
 namespace moontrace {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/app/options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/console.h"
+#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "devices/catalogue.h"
-#include "devices/smallest_letter.h"
-#include "lessons/course_reader.h"
+#include "devices/core/smallest_letter.h"
+#include "lessons/course/course_reader.h"
 #include "sim/app/course_messages.h"
 #include "sim/app/devices_command.h"
-#include "sim/app/help.h"
 #include "sim/app/messages.h"
-#include "sim/app/typeset_report.h"
-#include "textures/error.h"
-#include "textures/nearest_word.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
 
 namespace moontrace {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

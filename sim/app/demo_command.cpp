@@ -5,15 +5,15 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "sim/app/help.h"
 #include "sim/app/messages.h"
-#include "sim/app/trial.h"
-#include "sim/app/typeset_report.h"
-#include "sim/view/cairo_writer.h"
-#include "sim/view/picture_file.h"
-#include "sim/view/trace_picture.h"
-#include "textures/error.h"
-#include "textures/output_file.h"
+#include "sim/picture/cairo_writer.h"
+#include "sim/picture/picture_file.h"
+#include "sim/picture/trace_picture.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/trial.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
 
 namespace moontrace {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/app/options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "sim/app/messages.h"
-#include "sim/app/words.h"
+#include "sim/wording/words.h"
 
 namespace moontrace::say {
 

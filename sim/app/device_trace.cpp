@@ -6,19 +6,19 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/nearest_stroke.h"
-#include "lessons/scoring.h"
-#include "sim/app/learn_trace.h"
-#include "sim/app/loop_drive.h"
-#include "sim/app/loop_messages.h"
-#include "sim/app/loop_session.h"
+#include "lessons/measure/nearest_stroke.h"
+#include "lessons/measure/scoring.h"
 #include "sim/app/messages.h"
-#include "sim/app/touch_energy.h"
 #include "sim/app/trace_report.h"
-#include "sim/app/typeset_report.h"
-#include "sim/app/view_feed.h"
-#include "sim/view/picture_file.h"
-#include "sim/view/trace_picture.h"
+#include "sim/learn/learn_trace.h"
+#include "sim/picture/picture_file.h"
+#include "sim/picture/trace_picture.h"
+#include "sim/session/loop_drive.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/loop_session.h"
+#include "sim/session/view_feed.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/touch_energy.h"
 
 namespace moontrace {
 

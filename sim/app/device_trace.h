@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/app/console.h"
 #include "sim/app/trace_command.h"
+#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -7,18 +7,18 @@
 #include <ostream>
 
 #include "devices/catalogue.h"
-#include "devices/hid_port.h"
-#include "devices/plugin_device.h"
-#include "devices/smallest_letter.h"
-#include "devices/udev_rule.h"
-#include "sim/app/device_check.h"
-#include "sim/app/devices_messages.h"
-#include "sim/app/help.h"
+#include "devices/core/smallest_letter.h"
+#include "devices/hid/hid_port.h"
+#include "devices/hid/udev_rule.h"
+#include "devices/plugin/plugin_device.h"
 #include "sim/app/messages.h"
-#include "sim/app/metrics_json.h"
-#include "sim/app/typeset_report.h"
 #include "sim/loop/clock.h"
-#include "textures/resources.h"
+#include "sim/session/device_check.h"
+#include "sim/session/devices_messages.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/metrics_json.h"
+#include "textures/base/resources.h"
 
 namespace moontrace {
 

@@ -14,13 +14,13 @@
 
 #include "sim/app/cli.h"
 #include "sim/app/gallery_messages.h"
-#include "sim/app/gallery_page.h"
-#include "sim/app/help.h"
 #include "sim/app/messages.h"
-#include "sim/app/typeset_report.h"
-#include "textures/error.h"
-#include "textures/output_file.h"
-#include "textures/resources.h"
+#include "sim/report/gallery_page.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
+#include "textures/base/resources.h"
 
 namespace moontrace {
 

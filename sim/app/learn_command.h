@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/app/learn_options.h"
+#include "sim/learn/learn_options.h"
 
 namespace moontrace {
 

@@ -6,14 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "sim/app/device_choice.h"
-#include "sim/app/help.h"
-#include "sim/app/loop_drive.h"
-#include "sim/app/loop_messages.h"
-#include "sim/app/loop_session.h"
-#include "sim/app/metrics_json.h"
-#include "sim/app/touch_energy.h"
-#include "sim/app/typeset_report.h"
+#include "sim/session/device_choice.h"
+#include "sim/session/loop_drive.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/loop_session.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/metrics_json.h"
+#include "sim/trial/touch_energy.h"
 
 namespace moontrace {
 

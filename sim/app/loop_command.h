@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/app/device_choice.h"
-#include "sim/app/options.h"
-#include "sim/app/view_feed.h"
-#include "sim/app/view_options.h"
+#include "sim/session/device_choice.h"
+#include "sim/session/view_feed.h"
+#include "sim/session/view_options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

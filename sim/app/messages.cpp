@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include "sim/app/words.h"
-#include "sim/app/writing_messages.h"
-#include "textures/character_name.h"
-#include "textures/text_file.h"
+#include "sim/setup/writing_messages.h"
+#include "sim/wording/words.h"
+#include "textures/base/text_file.h"
+#include "textures/typeset/character_name.h"
 
 namespace moontrace::say {
 

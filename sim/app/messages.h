@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "sim/app/trial.h"
 #include "sim/bench/row.h"
-#include "sim/scene/record.h"
-#include "textures/typeset.h"
+#include "sim/trial/record.h"
+#include "sim/trial/trial.h"
+#include "textures/typeset/typeset.h"
 
 /// Every sentence of the commands stands here, so that one page shows the program's voice and a
 /// translator finds it. Plain lines: the outcome first, numbers and paths last, no columns, no

@@ -9,16 +9,16 @@
 #include <ostream>
 #include <vector>
 
-#include "sim/app/help.h"
-#include "sim/app/link_messages.h"
 #include "sim/app/messages.h"
-#include "sim/app/structure_messages.h"
-#include "sim/app/typeset_report.h"
-#include "sim/app/writing_messages.h"
-#include "sim/view/page_picture.h"
-#include "sim/view/picture_file.h"
-#include "textures/back_translate.h"
-#include "textures/error.h"
+#include "sim/picture/page_picture.h"
+#include "sim/picture/picture_file.h"
+#include "sim/setup/help.h"
+#include "sim/setup/link_messages.h"
+#include "sim/setup/structure_messages.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/setup/writing_messages.h"
+#include "textures/base/error.h"
+#include "textures/typeset/back_translate.h"
 
 namespace moontrace {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/app/options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

@@ -4,11 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/app/help.h"
 #include "sim/app/messages.h"
-#include "sim/app/trial.h"
-#include "sim/app/typeset_report.h"
-#include "textures/error.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/trial.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "sim/app/options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

@@ -8,18 +8,18 @@
 #include <optional>
 #include <vector>
 
-#include "lessons/trial_json.h"
-#include "sim/app/help.h"
-#include "sim/app/learn_messages.h"
-#include "sim/app/line_reader.h"
+#include "lessons/records/trial_json.h"
 #include "sim/app/messages.h"
-#include "sim/app/metrics_json.h"
-#include "sim/app/records_messages.h"
-#include "sim/app/typeset_report.h"
-#include "textures/error.h"
-#include "textures/nearest_word.h"
-#include "textures/output_file.h"
-#include "textures/text_file.h"
+#include "sim/learn/learn_messages.h"
+#include "sim/report/records_messages.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/metrics_json.h"
+#include "sim/wording/line_reader.h"
+#include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
+#include "textures/base/output_file.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "lessons/records.h"
-#include "sim/app/options.h"
+#include "lessons/records/records.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

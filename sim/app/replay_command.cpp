@@ -3,17 +3,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "sim/app/help.h"
 #include "sim/app/messages.h"
-#include "sim/app/trial.h"
-#include "sim/app/trial_parameters.h"
-#include "sim/app/typeset_report.h"
-#include "sim/app/view_messages.h"
-#include "sim/app/view_trial.h"
-#include "sim/scene/record.h"
-#include "textures/error.h"
-#include "textures/fallback.h"
-#include "textures/layout.h"
+#include "sim/session/view_messages.h"
+#include "sim/session/view_trial.h"
+#include "sim/setup/help.h"
+#include "sim/setup/trial_parameters.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/record.h"
+#include "sim/trial/trial.h"
+#include "textures/base/error.h"
+#include "textures/script/fallback.h"
+#include "textures/typeset/layout.h"
 
 namespace moontrace {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "sim/app/options.h"
-#include "sim/app/view_options.h"
+#include "sim/session/view_options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

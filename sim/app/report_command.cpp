@@ -5,20 +5,20 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/records.h"
-#include "lessons/report_facts.h"
-#include "lessons/trial_csv.h"
-#include "sim/app/help.h"
-#include "sim/app/learn_messages.h"
+#include "lessons/records/records.h"
+#include "lessons/records/report_facts.h"
+#include "lessons/records/trial_csv.h"
 #include "sim/app/messages.h"
-#include "sim/app/metrics_json.h"
 #include "sim/app/records_command.h"
-#include "sim/app/records_messages.h"
-#include "sim/app/report_messages.h"
-#include "sim/app/report_page.h"
-#include "sim/app/typeset_report.h"
-#include "textures/error.h"
-#include "textures/output_file.h"
+#include "sim/learn/learn_messages.h"
+#include "sim/report/records_messages.h"
+#include "sim/report/report_messages.h"
+#include "sim/report/report_page.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/metrics_json.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
 
 namespace moontrace {
 

@@ -6,19 +6,19 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "sim/app/help.h"
 #include "sim/app/messages.h"
 #include "sim/app/script_messages.h"
-#include "sim/app/typeset_report.h"
-#include "sim/view/picture_file.h"
-#include "sim/view/script_table.h"
-#include "textures/error.h"
-#include "textures/fold.h"
-#include "textures/output_file.h"
-#include "textures/script_check.h"
-#include "textures/script_library.h"
-#include "textures/svg_font_writer.h"
-#include "textures/text_file.h"
+#include "sim/picture/picture_file.h"
+#include "sim/picture/script_table.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
+#include "textures/base/text_file.h"
+#include "textures/script/script_check.h"
+#include "textures/script/script_library.h"
+#include "textures/script/svg_font_writer.h"
+#include "textures/typeset/fold.h"
 
 namespace moontrace {
 

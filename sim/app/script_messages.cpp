@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "sim/app/words.h"
-#include "textures/text_file.h"
+#include "sim/wording/words.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace::say {
 

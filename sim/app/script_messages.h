@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "textures/script.h"
-#include "textures/script_check.h"
+#include "textures/script/script.h"
+#include "textures/script/script_check.h"
 
 /// The sentences of `moontrace script` and of its pictures.
 namespace moontrace::say {

@@ -11,14 +11,14 @@
 #include <thread>
 #include <vector>
 
-#include "sim/app/sound.h"
-#include "sim/app/sound_messages.h"
-#include "sim/app/sound_mixer.h"
-#include "sim/app/sound_synthesis.h"
-#include "sim/app/sound_table.h"
-#include "sim/app/wav.h"
-#include "textures/error.h"
-#include "textures/output_file.h"
+#include "sim/audio/sound.h"
+#include "sim/audio/sound_messages.h"
+#include "sim/audio/sound_mixer.h"
+#include "sim/audio/sound_synthesis.h"
+#include "sim/audio/sound_table.h"
+#include "sim/audio/wav.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
 
 namespace moontrace {
 

@@ -11,17 +11,17 @@
 #include <thread>
 #include <utility>
 
-#include "lessons/study_protocol.h"
-#include "sim/app/help.h"
-#include "sim/app/metrics_json.h"
 #include "sim/app/study_messages.h"
-#include "sim/app/typeset_report.h"
 #include "sim/learner/study_files.h"
+#include "sim/learner/study_protocol.h"
 #include "sim/learner/study_summary.h"
-#include "textures/error.h"
-#include "textures/output_file.h"
-#include "textures/resources.h"
-#include "textures/script.h"
+#include "sim/setup/help.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/metrics_json.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
+#include "textures/base/resources.h"
+#include "textures/script/script.h"
 
 namespace moontrace {
 

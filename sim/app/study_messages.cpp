@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "sim/app/words.h"
-#include "textures/text_file.h"
+#include "sim/wording/words.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace::say {
 

@@ -5,23 +5,23 @@
 #include <utility>
 #include <vector>
 
-#include "devices/simulated_stylus.h"
-#include "sim/app/device_choice.h"
+#include "devices/hand/simulated_stylus.h"
 #include "sim/app/device_trace.h"
-#include "sim/app/help.h"
-#include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
-#include "sim/app/text_setup.h"
-#include "sim/app/text_trial.h"
 #include "sim/app/trace_report.h"
-#include "sim/app/trial.h"
-#include "sim/app/trial_parameters.h"
-#include "sim/app/typeset_report.h"
-#include "sim/app/view_messages.h"
-#include "sim/app/view_trial.h"
-#include "sim/scene/record.h"
-#include "sim/view/picture_file.h"
-#include "sim/view/trace_picture.h"
+#include "sim/picture/picture_file.h"
+#include "sim/picture/trace_picture.h"
+#include "sim/session/device_choice.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/view_messages.h"
+#include "sim/session/view_trial.h"
+#include "sim/setup/help.h"
+#include "sim/setup/text_setup.h"
+#include "sim/setup/text_trial.h"
+#include "sim/setup/trial_parameters.h"
+#include "sim/setup/typeset_report.h"
+#include "sim/trial/record.h"
+#include "sim/trial/trial.h"
 
 namespace moontrace {
 

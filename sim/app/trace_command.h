@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "sim/app/device_choice.h"
-#include "sim/app/guide_options.h"
-#include "sim/app/options.h"
-#include "sim/app/view_options.h"
+#include "sim/session/device_choice.h"
+#include "sim/session/view_options.h"
+#include "sim/setup/guide_options.h"
+#include "sim/setup/options.h"
 
 namespace moontrace {
 

@@ -12,12 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "sim/app/line_buffer.h"
-#include "sim/app/line_reader.h"
-#include "sim/app/tutor_command.h"
-#include "sim/app/tutor_messages.h"
-#include "sim/app/tutor_socket.h"
-#include "textures/error.h"
+#include "sim/tutor/tutor_command.h"
+#include "sim/tutor/tutor_messages.h"
+#include "sim/tutor/tutor_socket.h"
+#include "sim/wording/line_buffer.h"
+#include "sim/wording/line_reader.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

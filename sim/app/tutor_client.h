@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "sim/app/console.h"
-#include "sim/app/options.h"
+#include "sim/setup/options.h"
+#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -2,17 +2,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/app/help.h"
-#include "sim/app/loop_messages.h"
 #include "sim/app/messages.h"
-#include "sim/app/text_trial.h"
-#include "sim/app/typeset_report.h"
-#include "sim/app/view_messages.h"
-#include "sim/app/view_panels.h"
-#include "sim/app/view_trial.h"
-#include "sim/view/picture_file.h"
-#include "textures/error.h"
-#include "textures/output_file.h"
+#include "sim/picture/picture_file.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/view_messages.h"
+#include "sim/session/view_panels.h"
+#include "sim/session/view_trial.h"
+#include "sim/setup/help.h"
+#include "sim/setup/text_trial.h"
+#include "sim/setup/typeset_report.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
 
 namespace moontrace {
 

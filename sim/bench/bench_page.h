@@ -5,9 +5,9 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "textures/field.h"
-#include "textures/script.h"
-#include "textures/typeset.h"
+#include "textures/field/field.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

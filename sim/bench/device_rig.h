@@ -1,7 +1,7 @@
 #pragma once
 
-#include "devices/hand.h"
-#include "devices/profile.h"
+#include "devices/core/profile.h"
+#include "devices/hand/hand.h"
 #include "sim/bench/sampled_device.h"
 #include "sim/loop/safety.h"
 #include "sim/loop/tip_velocity.h"

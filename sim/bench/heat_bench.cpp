@@ -6,11 +6,11 @@
 #include <limits>
 #include <numbers>
 
-#include "devices/profile.h"
-#include "sim/app/trial.h"
+#include "devices/core/profile.h"
 #include "sim/bench/device_rig.h"
 #include "sim/bench/row.h"
-#include "textures/resources.h"
+#include "sim/trial/trial.h"
+#include "textures/base/resources.h"
 
 namespace moontrace {
 

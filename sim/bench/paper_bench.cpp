@@ -9,7 +9,7 @@
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
-#include "textures/surface.h"
+#include "textures/field/surface.h"
 
 namespace moontrace {
 

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <string>
 
-#include "devices/simulated_stylus.h"
-#include "sim/app/guide_options.h"
-#include "sim/app/trial.h"
+#include "devices/hand/simulated_stylus.h"
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
 #include "sim/loop/safety.h"
-#include "sim/plan/plan.h"
 #include "sim/scene/mujoco_compat.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_push.h"
+#include "sim/setup/guide_options.h"
+#include "sim/trial/plan.h"
+#include "sim/trial/trial.h"
 
 namespace moontrace {
 

@@ -1,6 +1,6 @@
 #include "sim/bench/row.h"
 
-#include "sim/app/words.h"
+#include "sim/wording/words.h"
 
 namespace moontrace {
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <glm/vec3.hpp>
 
-#include "devices/device.h"
-#include "devices/profile.h"
-#include "devices/tick_motion.h"
+#include "devices/core/device.h"
+#include "devices/core/profile.h"
+#include "devices/hand/tick_motion.h"
 
 namespace moontrace {
 

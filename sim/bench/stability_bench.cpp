@@ -4,11 +4,11 @@
 #include <glm/glm.hpp>
 
 #include "devices/catalogue.h"
-#include "sim/app/trial.h"
 #include "sim/bench/device_rig.h"
 #include "sim/bench/row.h"
 #include "sim/bench/stability.h"
-#include "textures/resources.h"
+#include "sim/trial/trial.h"
+#include "textures/base/resources.h"
 
 namespace moontrace {
 

@@ -6,13 +6,13 @@
 #include <random>
 #include <thread>
 
-#include "sim/app/trial.h"
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
 #include "sim/scene/mujoco_compat.h"
 #include "sim/scene/scene.h"
-#include "textures/surface.h"
+#include "sim/trial/trial.h"
+#include "textures/field/surface.h"
 
 namespace moontrace {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "devices/random.h"
+#include "textures/base/random.h"
 
 namespace moontrace {
 

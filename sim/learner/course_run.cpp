@@ -7,10 +7,10 @@
 #include <tuple>
 #include <variant>
 
-#include "lessons/guidance.h"
-#include "lessons/guidance_table.h"
-#include "sim/app/trial.h"
+#include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_table.h"
 #include "sim/learner/simulated_learner.h"
+#include "sim/trial/trial.h"
 
 namespace moontrace {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "lessons/course.h"
-#include "lessons/lesson_machine.h"
-#include "lessons/progress.h"
-#include "lessons/trial.h"
+#include "lessons/course/course.h"
+#include "lessons/course/trial.h"
+#include "lessons/machine/lesson_machine.h"
+#include "lessons/machine/progress.h"
 #include "sim/learner/learner_model.h"
 
 namespace moontrace {

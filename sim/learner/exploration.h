@@ -1,9 +1,9 @@
 #pragma once
 
-#include "devices/hand.h"
+#include "devices/hand/hand.h"
 #include "sim/learner/learner_model.h"
 #include "sim/scene/pose.h"
-#include "textures/element.h"
+#include "textures/field/element.h"
 
 namespace moontrace {
 

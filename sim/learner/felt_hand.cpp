@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "devices/random.h"
-#include "devices/simulated_stylus.h"
+#include "devices/hand/simulated_stylus.h"
 #include "sim/loop/tip_velocity.h"
+#include "textures/base/random.h"
 
 namespace moontrace {
 

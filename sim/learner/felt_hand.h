@@ -7,9 +7,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "devices/hand.h"
-#include "lessons/felt_shape.h"
-#include "lessons/guidance.h"
+#include "devices/hand/hand.h"
+#include "lessons/guide/guidance.h"
+#include "lessons/measure/felt_shape.h"
 #include "sim/learner/learner_model.h"
 #include "sim/scene/scene.h"
 

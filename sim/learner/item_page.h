@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "lessons/intended_strokes.h"
-#include "textures/field.h"
-#include "textures/script.h"
-#include "textures/typeset.h"
+#include "lessons/measure/intended_strokes.h"
+#include "textures/field/field.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

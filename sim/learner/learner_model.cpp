@@ -1,8 +1,8 @@
 #include "sim/learner/learner_model.h"
 
-#include "textures/resources.h"
-#include "textures/toml_range.h"
-#include "textures/toml_reader.h"
+#include "textures/base/resources.h"
+#include "textures/base/toml_range.h"
+#include "textures/base/toml_reader.h"
 
 namespace moontrace {
 namespace {

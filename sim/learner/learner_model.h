@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/felt_shape.h"
-#include "lessons/recogniser.h"
-#include "lessons/two_rate_memory.h"
+#include "lessons/machine/two_rate_memory.h"
+#include "lessons/measure/felt_shape.h"
+#include "lessons/measure/recogniser.h"
 
 namespace moontrace {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "lessons/trial_meter.h"
+#include "lessons/measure/trial_meter.h"
 #include "sim/learner/exploration.h"
-#include "sim/plan/plan.h"
+#include "sim/trial/plan.h"
 
 namespace moontrace {
 namespace {

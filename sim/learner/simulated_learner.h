@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
-#include "lessons/recogniser.h"
-#include "lessons/trial.h"
-#include "lessons/two_rate_memory.h"
+#include "lessons/course/trial.h"
+#include "lessons/machine/two_rate_memory.h"
+#include "lessons/measure/recogniser.h"
 #include "sim/learner/aim_error.h"
 #include "sim/learner/felt_hand.h"
 #include "sim/learner/item_page.h"

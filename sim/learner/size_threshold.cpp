@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lessons/item_choice.h"
+#include "lessons/machine/item_choice.h"
 #include "sim/learner/item_page.h"
 
 namespace moontrace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lessons/staircase.h"
+#include "lessons/machine/staircase.h"
 #include "sim/learner/simulated_learner.h"
-#include "textures/script.h"
+#include "textures/script/script.h"
 
 namespace moontrace {
 

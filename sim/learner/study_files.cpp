@@ -18,9 +18,9 @@
 #include <thread>
 #include <utility>
 
-#include "textures/error.h"
-#include "textures/output_file.h"
-#include "textures/text_file.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {

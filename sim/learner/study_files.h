@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lessons/study_protocol.h"
+#include "sim/learner/study_protocol.h"
 #include "sim/learner/study_row.h"
 #include "sim/learner/study_run.h"
 

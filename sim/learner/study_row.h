@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/study_protocol.h"
-#include "lessons/trial.h"
+#include "lessons/course/trial.h"
+#include "sim/learner/study_protocol.h"
 
 namespace moontrace {
 

@@ -4,12 +4,12 @@
 #include <memory>
 #include <utility>
 
-#include "lessons/guidance.h"
-#include "lessons/guidance_table.h"
-#include "sim/app/trial.h"
+#include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_table.h"
 #include "sim/learner/simulated_learner.h"
 #include "sim/learner/size_threshold.h"
-#include "textures/error.h"
+#include "sim/trial/trial.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "devices/device.h"
-#include "lessons/guidance_table.h"
+#include "devices/core/device.h"
+#include "lessons/guide/guidance_table.h"
 #include "sim/scene/scene_options.h"
 
 namespace moontrace {

@@ -3,7 +3,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 
 namespace moontrace {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "lessons/guidance.h"
+#include "lessons/guide/guidance.h"
 #include "sim/loop/clock.h"
 #include "sim/loop/device_place.h"
 #include "sim/loop/histogram.h"

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <cstddef>
 
-#include "devices/device.h"
-#include "devices/mailbox.h"
-#include "lessons/guidance.h"
+#include "devices/core/device.h"
+#include "devices/core/mailbox.h"
+#include "lessons/guide/guidance.h"
 #include "sim/loop/loop_types.h"
 #include "sim/loop/spsc_queue.h"
 

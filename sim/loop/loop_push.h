@@ -3,7 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "lessons/guidance.h"
+#include "lessons/guide/guidance.h"
 
 namespace moontrace {
 

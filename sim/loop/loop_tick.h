@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 #include "sim/loop/button.h"
 #include "sim/loop/device_place.h"
 #include "sim/loop/loop_mail.h"

@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 #include "sim/loop/safety.h"
-#include "textures/field.h"
+#include "textures/field/field.h"
 
 namespace moontrace {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 #include "sim/scene/pose.h"
 #include "sim/scene/scene_options.h"
-#include "textures/field.h"
+#include "textures/field/field.h"
 
 namespace moontrace {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 #include "sim/loop/motor_heat.h"
 #include "sim/loop/still_tip.h"
 #include "sim/loop/tip_velocity.h"

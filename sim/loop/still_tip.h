@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 
 namespace moontrace {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "textures/error.h"
-#include "textures/sheet_texture.h"
-#include "textures/text_file.h"
-#include "textures/toml_reader.h"
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
+#include "textures/base/toml_reader.h"
+#include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "textures/link_style.h"
+#include "textures/typeset/link_style.h"
 
 namespace moontrace {
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "textures/error.h"
-#include "textures/text_file.h"
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {

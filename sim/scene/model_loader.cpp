@@ -9,10 +9,10 @@
 
 #include "sim/scene/idle_stages.h"
 #include "sim/scene/mjcf.h"
-#include "textures/error.h"
-#include "textures/nearest_word.h"
-#include "textures/resources.h"
-#include "textures/text_file.h"
+#include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
+#include "textures/base/resources.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <mutex>
 
-#include "textures/error.h"
-#include "textures/text_file.h"
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "textures/field.h"
-#include "textures/script.h"
-#include "textures/typeset.h"
+#include "textures/field/field.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "sim/scene/scene_impl.h"
-#include "textures/error.h"
-#include "textures/resources.h"
-#include "textures/text_file.h"
+#include "textures/base/error.h"
+#include "textures/base/resources.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {

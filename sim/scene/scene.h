@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 #include "sim/scene/label.h"
 #include "sim/scene/pose.h"
 #include "sim/scene/scene_options.h"
-#include "textures/field.h"
+#include "textures/field/field.h"
 
 struct mjModel_;
 struct mjData_;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "textures/error.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "textures/surface.h"
+#include "textures/field/surface.h"
 
 namespace moontrace {
 

@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 #include <utility>
 
-#include "lessons/guidance.h"
+#include "lessons/guide/guidance.h"
 #include "sim/scene/pose.h"
 #include "sim/scene/scene_options.h"
 

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "lessons/guidance.h"
+#include "lessons/guide/guidance.h"
 #include "sim/scene/scene_options.h"
 
 namespace moontrace {

@@ -1,6 +1,6 @@
 #include "sim/view/gl_headless.h"
 
-#include "textures/error.h"
+#include "textures/base/error.h"
 
 #ifdef MOONTRACE_HAVE_EGL
 #include <EGL/egl.h>

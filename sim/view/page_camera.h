@@ -3,7 +3,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "textures/element.h"
+#include "textures/field/element.h"
 
 namespace moontrace {
 

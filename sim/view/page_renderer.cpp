@@ -9,7 +9,7 @@
 
 #include "sim/scene/mujoco_compat.h"
 #include "sim/view/view_text.h"
-#include "textures/error.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

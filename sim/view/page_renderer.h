@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/view/drawing.h"
+#include "sim/picture/drawing.h"
+#include "sim/picture/raster.h"
 #include "sim/view/page_camera.h"
-#include "sim/view/raster.h"
-#include "textures/element.h"
+#include "textures/field/element.h"
 
 struct mjrContext_;
 

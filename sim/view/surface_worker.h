@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "sim/view/field_shading.h"
+#include "sim/picture/field_shading.h"
 #include "sim/view/view_page.h"
 
 namespace moontrace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/view/drawing.h"
+#include "sim/picture/drawing.h"
 
 namespace moontrace {
 

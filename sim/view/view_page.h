@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "lessons/intended_strokes.h"
-#include "textures/element.h"
-#include "textures/field.h"
-#include "textures/script.h"
-#include "textures/typeset.h"
+#include "lessons/measure/intended_strokes.h"
+#include "textures/field/element.h"
+#include "textures/field/field.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/picture/raster.h"
 #include "sim/view/page_camera.h"
-#include "sim/view/raster.h"
 #include "sim/view/view_history.h"
 #include "sim/view/view_look.h"
 #include "sim/view/view_panel.h"

@@ -12,7 +12,7 @@
 
 #include "sim/view/panel_theme.h"
 #include "sim/view/view_text.h"
-#include "textures/text_file.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 

@@ -7,13 +7,13 @@
 #include <system_error>
 #include <utility>
 
+#include "sim/picture/picture_file.h"
 #include "sim/view/gl_headless.h"
-#include "sim/view/picture_file.h"
 #include "sim/view/surface_worker.h"
 #include "sim/view/view_input.h"
 #include "sim/view/view_messages.h"
 #include "sim/view/view_window.h"
-#include "textures/error.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "textures/error.h"
-#include "textures/text_file.h"
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
 
 #ifdef MOONTRACE_HAVE_GLFW
 #define GLFW_INCLUDE_NONE

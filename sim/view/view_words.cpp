@@ -4,7 +4,7 @@
 #include <array>
 
 #include "sim/view/viewer.h"
-#include "textures/text_file.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 

@@ -6,13 +6,13 @@
 #include <thread>
 #include <utility>
 
+#include "sim/picture/picture_file.h"
 #include "sim/view/gl_headless.h"
-#include "sim/view/picture_file.h"
 #include "sim/view/view_mailbox.h"
 #include "sim/view/view_messages.h"
 #include "sim/view/view_painter.h"
 #include "sim/view/view_thread.h"
-#include "textures/error.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

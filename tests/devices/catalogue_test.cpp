@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/device_error.h"
+#include "devices/core/device_error.h"
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/source_path.h"

@@ -5,8 +5,8 @@
 #include <thread>
 #include <vector>
 
-#include "devices/device.h"
-#include "devices/hid_port.h"
+#include "devices/core/device.h"
+#include "devices/hid/hid_port.h"
 
 namespace moontrace {
 

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "devices/device.h"
+#include "devices/core/device.h"
 
 namespace moontrace {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/course_reader.h"
-#include "textures/error.h"
+#include "lessons/course/course_reader.h"
+#include "textures/base/error.h"
 
 namespace {
 

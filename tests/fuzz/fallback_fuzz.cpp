@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "tests/textures/small_script.h"
-#include "textures/error.h"
-#include "textures/fallback.h"
-#include "textures/typeset.h"
+#include "textures/base/error.h"
+#include "textures/script/fallback.h"
+#include "textures/typeset/typeset.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace moontrace;

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "lessons/guidance_table.h"
-#include "textures/error.h"
+#include "lessons/guide/guidance_table.h"
+#include "textures/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace moontrace;

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "devices/device_error.h"
-#include "devices/hid_descriptor.h"
-#include "devices/pid_codec.h"
-#include "devices/pid_layout.h"
+#include "devices/core/device_error.h"
+#include "devices/hid/hid_descriptor.h"
+#include "devices/hid/pid_codec.h"
+#include "devices/hid/pid_layout.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sim/app/key_reader.h"
-#include "sim/app/learn_keys.h"
-#include "textures/error.h"
+#include "sim/learn/key_reader.h"
+#include "sim/learn/learn_keys.h"
+#include "textures/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace moontrace;

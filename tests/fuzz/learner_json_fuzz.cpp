@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/trial_json.h"
-#include "textures/error.h"
+#include "lessons/records/trial_json.h"
+#include "textures/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

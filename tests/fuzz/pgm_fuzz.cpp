@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "textures/error.h"
-#include "textures/pgm.h"
+#include "textures/base/error.h"
+#include "textures/field/pgm.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <span>
 
-#include "devices/raw_protocol.h"
+#include "devices/hid/raw_protocol.h"
 
 namespace moontrace {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "sim/scene/record_columns.h"
-#include "sim/scene/trial_sheet.h"
-#include "textures/error.h"
+#include "sim/trial/record_columns.h"
+#include "sim/trial/trial_sheet.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 namespace {

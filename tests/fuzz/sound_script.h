@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "textures/error.h"
-#include "textures/script.h"
+#include "textures/base/error.h"
+#include "textures/script/script.h"
 
 /// What every reader of foreign letters must keep to, whatever the bytes.
 namespace moontrace {

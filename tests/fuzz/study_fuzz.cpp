@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "lessons/study_protocol.h"
+#include "sim/learner/study_protocol.h"
 #include "sim/learner/study_row.h"
 #include "sim/learner/study_run.h"
 #include "sim/learner/study_summary.h"
-#include "textures/error.h"
+#include "textures/base/error.h"
 
 namespace {
 

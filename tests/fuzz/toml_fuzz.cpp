@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "textures/error.h"
-#include "textures/toml_reader.h"
+#include "textures/base/error.h"
+#include "textures/base/toml_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using moontrace::InputError;

@@ -6,11 +6,11 @@
 #include <string_view>
 
 #include "tests/textures/small_script.h"
-#include "textures/back_translate.h"
-#include "textures/error.h"
-#include "textures/layout.h"
-#include "textures/taught.h"
-#include "textures/typeset.h"
+#include "textures/base/error.h"
+#include "textures/typeset/back_translate.h"
+#include "textures/typeset/layout.h"
+#include "textures/typeset/taught.h"
+#include "textures/typeset/typeset.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sim/app/wav.h"
-#include "textures/error.h"
+#include "sim/audio/wav.h"
+#include "textures/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

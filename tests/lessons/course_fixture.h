@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "lessons/course_reader.h"
-#include "textures/error.h"
+#include "lessons/course/course_reader.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

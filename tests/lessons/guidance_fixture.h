@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/guidance.h"
-#include "lessons/guidance_path.h"
+#include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_path.h"
 
 namespace moontrace {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/lesson_machine.h"
+#include "lessons/machine/lesson_machine.h"
 
 namespace moontrace {
 

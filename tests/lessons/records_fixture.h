@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "lessons/records.h"
-#include "textures/error.h"
+#include "lessons/records/records.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

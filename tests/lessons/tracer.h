@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "lessons/scoring.h"
+#include "lessons/measure/scoring.h"
 
 namespace moontrace {
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <utility>
 
-#include "sim/scene/record.h"
 #include "sim/scene/scene.h"
-#include "textures/error.h"
-#include "textures/field.h"
+#include "sim/trial/record.h"
+#include "textures/base/error.h"
+#include "textures/field/field.h"
 
 namespace moontrace::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "sim/scene/scene.h"
-#include "textures/error.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 

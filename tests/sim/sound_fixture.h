@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/app/sound_synthesis.h"
-#include "sim/app/sound_table.h"
+#include "sim/audio/sound_synthesis.h"
+#include "sim/audio/sound_table.h"
 #include "tests/source_path.h"
 
 namespace moontrace {

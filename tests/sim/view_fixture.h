@@ -6,7 +6,7 @@
 
 #include "sim/view/panel.h"
 #include "sim/view/view_page.h"
-#include "textures/typeset.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <random>
 
-#include "textures/field.h"
+#include "textures/field/field.h"
 
 namespace moontrace {
 

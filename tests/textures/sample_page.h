@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "textures/script.h"
-#include "textures/typeset.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "textures/script.h"
+#include "textures/script/script.h"
 
 namespace moontrace {
 

@@ -5,8 +5,8 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "textures/element.h"
-#include "textures/script.h"
+#include "textures/field/element.h"
+#include "textures/script/script.h"
 
 namespace moontrace {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "devices/puck.h"
-#include "devices/raw_device.h"
-#include "devices/wooden_haptics_device.h"
+#include "devices/hid/puck.h"
+#include "devices/hid/raw_device.h"
+#include "devices/hid/wooden_haptics_device.h"
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/source_path.h"

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "devices/aimed_stylus.h"
-#include "devices/simulated_stylus.h"
+#include "devices/hand/aimed_stylus.h"
+#include "devices/hand/simulated_stylus.h"
 #include "tests/source_path.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 #include <thread>
 
-#include "lessons/database.h"
+#include "lessons/records/database.h"
 #include "tests/lessons/records_fixture.h"
 
 namespace moontrace {

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "lessons/records.h"
+#include "lessons/records/records.h"
 #include "tests/sim/learn_fixture.h"
 
 namespace moontrace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <atomic>
 
-#include "sim/app/sound.h"
+#include "sim/audio/sound.h"
 #include "tests/counted_memory.h"
 #include "tests/sim/tutor_fixture.h"
 #include "tests/source_path.h"

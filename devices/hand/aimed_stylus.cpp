@@ -1,0 +1,176 @@
+#include "devices/hand/aimed_stylus.h"
+
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "devices/hand/tick_motion.h"
+
+namespace moontrace {
+namespace {
+
+/// A lifted tip hovers so far above the place that is meant: clear of any ridge [m].
+constexpr double kHover = 0.005;
+/// No faster does a hand go, however far a mouse springs [m/s].
+constexpr double kFastest = 1;
+/// What is meant farther away than this is gone to through the air: no pen is drawn there [m].
+constexpr double kFar = 0.05;
+
+bool IsFinite(glm::dvec3 v) noexcept {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool IsUsable(const StylusAim& aim) noexcept {
+  return IsFinite(aim.p_D) && std::isfinite(aim.press) && aim.press >= 0;
+}
+
+void CheckArguments(const HandModel& hand, const Mailbox<StylusAim>* aims, glm::dvec3 press,
+                    double tick) {
+  if (!(hand.mass > 0 && hand.stiffness > 0 && hand.damping >= 0 && hand.late_ticks >= 0)) {
+    throw std::invalid_argument("aimed stylus: the hand lacks mass or spring");
+  }
+  if (!(tick > 0)) throw std::invalid_argument("aimed stylus: the tick is not above zero");
+  if (aims == nullptr) throw std::invalid_argument("aimed stylus: there is nothing to take from");
+  if (!(std::abs(glm::length(press) - 1) < 1e-6)) {
+    throw std::invalid_argument("aimed stylus: the press direction is not a unit vector");
+  }
+}
+
+/// Position and speed that move together, in as many directions as `Value` has.
+template <class Value>
+struct Motion {
+  Value x{0}, v{0};
+  void Advance(const TickMotion& motion, Value f) noexcept {
+    const Value x0 = x;
+    x = motion.xx * x0 + motion.xv * v + motion.xf * f;
+    v = motion.vx * x0 + motion.vv * v + motion.vf * f;
+  }
+};
+
+class AimedStylus final : public Device {
+ public:
+  AimedStylus(const HandModel& hand, std::shared_ptr<Mailbox<StylusAim>> aims, glm::dvec3 press,
+              double tick)
+      : aims_(std::move(aims)),
+        up_(-glm::normalize(press)),
+        tick_(tick),
+        damping_(hand.damping),
+        late_ticks_(hand.late_ticks),
+        held_(MotionOver(hand.mass, hand.stiffness, hand.damping, tick)),
+        pressed_(MotionOver(hand.mass, 0, hand.damping, tick)),
+        relax_(MotionOver(1, hand.stiffness / hand.mass, 2 * std::sqrt(hand.stiffness / hand.mass),
+                          tick)),
+        forces_(static_cast<std::size_t>(hand.late_ticks) + 1, glm::dvec3(0, 0, 0)) {
+    tip_.x = meant_.x = kHover * up_;
+  }
+
+  DeviceLimits Limits() const noexcept override {
+    DeviceLimits limits;
+    limits.damping = damping_;
+    limits.late_ticks = late_ticks_;
+    return limits;
+  }
+
+  DeviceStatus Read(DeviceState& state) noexcept override {
+    TakeAim();
+    if (ticks_ > 0) Advance();
+    state = DeviceState{};
+    state.time = static_cast<double>(ticks_) * tick_;
+    state.p_D = tip_.x;
+    ++ticks_;
+    return DeviceStatus::kOk;
+  }
+
+  DeviceStatus Write(glm::dvec3 f_D) noexcept override {
+    written_ = IsFinite(f_D) ? f_D : glm::dvec3(0, 0, 0);
+    return DeviceStatus::kOk;
+  }
+
+ private:
+  void TakeAim() noexcept {
+    StylusAim aim;
+    if (aims_->Take(aim) && IsUsable(aim)) aim_ = aim;
+  }
+
+  bool IsPressing() const noexcept {
+    const glm::dvec3 way = aim_.p_D - meant_.x;
+    return aim_.press > 0 && glm::length(way - glm::dot(way, up_) * up_) <= kFar;
+  }
+
+  /// The force written `late_ticks` ticks ago; keeps the one written now.
+  glm::dvec3 ArrivingForce() noexcept {
+    forces_[slot_] = written_;
+    slot_ = slot_ + 1 == forces_.size() ? 0 : slot_ + 1;
+    return forces_[slot_];
+  }
+
+  /// What the hand means goes to the aim as quickly as the hand can, without overshoot: a mouse
+  /// tells its place in jumps.
+  void Mean(bool pressing) noexcept {
+    const glm::dvec3 aim = aim_.p_D + (pressing ? 0 : kHover) * up_;
+    const glm::dvec3 before = meant_.x;
+    meant_.x -= aim;
+    meant_.Advance(relax_, glm::dvec3(0, 0, 0));
+    meant_.x += aim;
+    const double haste = glm::length(meant_.v) / kFastest;
+    if (haste > 1) {
+      meant_.v /= haste;
+      meant_.x = before + tick_ * meant_.v;
+    }
+    Motion<double> press{press_.x - aim_.press, press_.v};
+    press.Advance(relax_, 0);
+    press_ = {press.x + aim_.press, press.v};
+    if (!pressing) press_ = {};
+  }
+
+  void Advance() noexcept {
+    const glm::dvec3 force = ArrivingForce();
+    const bool pressing = IsPressing();
+    const glm::dvec3 before = meant_.x;
+    Mean(pressing);
+    // spring and damper hang on a point that goes evenly from where it was to where it is
+    const glm::dvec3 speed = (meant_.x - before) / tick_;
+    Motion<glm::dvec3> hung{tip_.x - before, tip_.v - speed};
+    hung.Advance(held_, force);
+    hung = {hung.x + meant_.x, hung.v + speed};
+    if (pressing) {
+      Motion<double> height{glm::dot(tip_.x, up_), glm::dot(tip_.v, up_)};
+      height.Advance(pressed_, glm::dot(force, up_) - press_.x);
+      hung.x += (height.x - glm::dot(hung.x, up_)) * up_;
+      hung.v += (height.v - glm::dot(hung.v, up_)) * up_;
+      // the hand lifts from where it is
+      meant_.x += (height.x - glm::dot(meant_.x, up_)) * up_;
+      meant_.v -= glm::dot(meant_.v, up_) * up_;
+    }
+    tip_ = hung;
+  }
+
+  std::shared_ptr<Mailbox<StylusAim>> aims_;
+  glm::dvec3 up_{0, 0, 1};
+  double tick_ = 0;
+  double damping_ = 0;
+  int late_ticks_ = 0;
+  TickMotion held_, pressed_, relax_;
+  std::vector<glm::dvec3> forces_;  ///< on their way, a ring [N]
+  std::size_t slot_ = 0;
+  std::uint64_t ticks_ = 0;
+  StylusAim aim_;
+  glm::dvec3 written_{0, 0, 0};
+  Motion<glm::dvec3> tip_;    ///< [m], [m/s]
+  Motion<glm::dvec3> meant_;  ///< the point that the tip hangs on [m], [m/s]
+  Motion<double> press_;      ///< on its way to the aim's [N], [N/s]
+};
+
+}  // namespace
+
+std::unique_ptr<Device> MakeAimedStylus(const HandModel& hand,
+                                        std::shared_ptr<Mailbox<StylusAim>> aims,
+                                        glm::dvec3 press_direction_D, double tick) {
+  CheckArguments(hand, aims.get(), press_direction_D, tick);
+  return std::make_unique<AimedStylus>(hand, std::move(aims), press_direction_D, tick);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/course/course.h"
+
+namespace moontrace {
+
+/// What a course does with its items: look-ups that progress and the lesson machine share.
+
+/// Place of the lesson with this id in the course; none: no such lesson.
+std::optional<std::size_t> LessonIndex(const Course& course, std::string_view id);
+
+/// The step at a place; null where the course has none there.
+const Step* StepAt(const Course& course, std::string_view lesson, std::size_t step);
+
+/// Items of a step: its own, else the lesson's new ones; none of kExplore and kRead. Empty texts
+/// and repetitions are left out.
+std::vector<std::string> ItemsOf(const Lesson& lesson, const Step& step);
+
+/// Whether an item of the step has to be mastered before the step has been finished.
+bool IsDrill(StepKind kind);
+
+/// Whether the course teaches the item or asks for it at any step.
+bool HasItem(const Course& course, std::string_view item);
+
+/// Every item that the course teaches or asks for.
+std::set<std::string> AllItems(const Course& course);
+
+/// What has to be shown of an item before it is sure: what the course practises with it, at any
+/// step without a size of its own, else at any step.
+struct Practice {
+  bool traced = false;  ///< at a step kTrace
+  bool named = false;   ///< at a step kRecognise or kTest that asks kName
+};
+Practice PracticeOf(const Course& course, std::string_view item);
+
+/// The lesson that teaches the item, else the first that asks for it; null: none.
+const Lesson* HomeOf(const Course& course, std::string_view item);
+
+/// Its memory aid: of this lesson (null: none), else of any; empty: there is none.
+std::string HintOf(const Course& course, const Lesson* lesson, std::string_view item);
+
+/// `a` and `b` of "a\nb"; of "a": a and nothing.
+struct ItemPair {
+  std::string first, second;
+};
+ItemPair PairOf(std::string_view item);
+
+}  // namespace moontrace

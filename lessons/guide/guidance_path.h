@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "textures/field/element.h"
+
+namespace moontrace {
+
+/// A line or an arc of a stroke, made ready for one question a tick.
+struct GuidancePart {
+  bool is_arc = false;
+  double offset = 0;           ///< arc length of the stroke at its start [m]
+  double length = 0;           ///< [m]
+  glm::dvec2 anchor{0, 0};     ///< a line's start, an arc's centre [m]
+  glm::dvec2 direction{1, 0};  ///< of a line, unit
+  double radius = 0;           ///< of an arc [m]
+  double start = 0;            ///< of an arc [rad]
+  double sense = 1;            ///< of an arc: 1 counter-clockwise, -1 clockwise
+};
+
+/// One stroke of a path; without gaps.
+struct GuidanceStroke {
+  std::vector<GuidancePart> parts;  ///< at least one; a dot's has no length
+  double length = 0;                ///< [m]
+  double width = 0;                 ///< of the groove [m]
+  Box letter;                       ///< of all strokes of its letter, one width larger
+};
+
+/// See guidance.h; frame P.
+struct GuidancePath {
+  std::vector<GuidanceStroke> strokes;  ///< in writing order
+  /// Of a recorded path: where its bead is when. Times ascend from 0 [s]; else empty.
+  std::vector<double> times;
+  std::vector<glm::dvec2> points;
+
+  bool recorded() const noexcept { return !times.empty(); }
+};
+
+/// The stroke's point at arc length `s`, held to the stroke.
+glm::dvec2 PointAt(const GuidanceStroke& stroke, double s) noexcept;
+/// Unit direction of travel there.
+glm::dvec2 TangentAt(const GuidanceStroke& stroke, double s) noexcept;
+
+/// The nearest point of the stroke between two arc lengths (held to the stroke, from <= to): exact
+/// for lines and arcs. Of several the one that is nearest along the stroke to `s`, as far as it is
+/// among those that stand out by 1e-12 m.
+struct NearestPlace {
+  double s = 0;         ///< arc length [m]
+  double distance = 0;  ///< [m]
+};
+NearestPlace NearestWithin(const GuidanceStroke& stroke, glm::dvec2 p, double s, double from,
+                           double to) noexcept;
+
+/// Where the bead of a recorded path is at `time` from its beginning [s], held to its ends.
+glm::dvec2 RecordedPointAt(const GuidancePath& path, double time) noexcept;
+
+}  // namespace moontrace

@@ -1,0 +1,95 @@
+#include "lessons/machine/answer.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "lessons/course/lesson_items.h"
+
+namespace moontrace {
+
+namespace {
+
+/// Longer than this, nothing is an answer.
+constexpr std::size_t kLongest = 1000;
+
+/// Words that may stand before a name.
+constexpr std::array<std::string_view, 14> kFillers = {
+    "the",  "a",  "an", "letter", "letters", "capital", "small",
+    "sign", "it", "is", "it's",   "word",    "number",  "digit"};
+
+bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+/// Small letters, one blank between words, none around.
+std::string Plain(std::string_view text) {
+  std::string plain;
+  for (const char c : text) {
+    if (IsBlank(c)) {
+      if (!plain.empty() && plain.back() != ' ') plain += ' ';
+    } else {
+      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  if (!plain.empty() && plain.back() == ' ') plain.pop_back();
+  return plain;
+}
+
+/// What may have been meant, the fullest first: all of it, without a closing mark, without words
+/// before it.
+std::vector<std::string> Readings(std::string_view said) {
+  std::vector<std::string> readings;
+  if (said.size() > kLongest) return readings;
+  readings.push_back(Plain(said));
+  std::string rest = readings.front();
+  if (rest.size() > 1 && (rest.back() == '.' || rest.back() == '!' || rest.back() == '?')) {
+    rest.pop_back();
+    readings.push_back(rest);
+  }
+  while (true) {
+    const auto blank = rest.find(' ');
+    if (blank == std::string::npos) return readings;
+    const std::string_view word = std::string_view(rest).substr(0, blank);
+    if (std::find(kFillers.begin(), kFillers.end(), word) == kFillers.end()) return readings;
+    rest = rest.substr(blank + 1);
+    readings.push_back(rest);
+  }
+}
+
+bool IsCalled(const Course& course, std::string_view item, const std::string& reading) {
+  return !reading.empty() && (reading == Plain(item) || reading == Plain(NameOf(course, item)));
+}
+
+}  // namespace
+
+bool Names(const Course& course, std::string_view item, std::string_view said) {
+  const std::vector<std::string> readings = Readings(said);
+  return std::any_of(readings.begin(), readings.end(),
+                     [&](const std::string& reading) { return IsCalled(course, item, reading); });
+}
+
+std::optional<std::string> ItemSaid(const Course& course, std::string_view said,
+                                    std::string_view expected) {
+  const std::set<std::string> items = AllItems(course);
+  for (const std::string& reading : Readings(said)) {
+    if (IsCalled(course, expected, reading)) return std::string(expected);
+    for (const std::string& item : items) {
+      if (IsCalled(course, item, reading)) return item;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<bool> SameSaid(std::string_view said) {
+  const std::vector<std::string> readings = Readings(said);
+  for (const std::string& reading : readings) {
+    for (const std::string_view word : {"same", "s", "yes", "y", "equal"}) {
+      if (reading == word) return true;
+    }
+    for (const std::string_view word : {"different", "d", "no", "n", "not same", "not the same"}) {
+      if (reading == word) return false;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lessons/course/course.h"
+
+namespace moontrace {
+
+/// Whether what was said names the item: by its text or its name in the course. Capitals (of
+/// English letters), blanks, a closing mark and words before the name do not count: "B", " b ",
+/// "capital b", "the letter B." are all b.
+bool Names(const Course& course, std::string_view item, std::string_view said);
+
+/// The item of the course that was named: `expected` where that fits too; none: no item.
+std::optional<std::string> ItemSaid(const Course& course, std::string_view said,
+                                    std::string_view expected);
+
+/// Two signs held to be the same ("same", "s", "yes") or not ("different", "d", "no"); none:
+/// neither.
+std::optional<bool> SameSaid(std::string_view said);
+
+}  // namespace moontrace

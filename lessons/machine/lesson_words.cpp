@@ -1,0 +1,186 @@
+// Words of the learner and the tutor, who overrules anything.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "lessons/course/lesson_items.h"
+#include "lessons/machine/lesson_turn.h"
+#include "lessons/machine/mastery.h"
+
+namespace moontrace {
+
+namespace {
+
+using lesson_action::Await;
+using lesson_action::Sentence;
+using lesson_event::Overrule;
+using lesson_event::Word;
+
+constexpr double kSpeedFactor = 1.25, kSlowest = 0.25, kFastest = 4;
+constexpr double kSmallestSize = 1e-3, kLargestSize = 0.2;  ///< that a tutor can ask for [m]
+constexpr int kMostHelp = 10;
+
+bool IsAsked(const Turn& turn) {
+  return turn.state.task == StepKind::kRecognise || turn.state.task == StepKind::kTest;
+}
+
+/// The next size of the ladder beyond the one that is shown; none: there is no such.
+std::optional<double> SizeBeyond(const Turn& turn, bool larger) {
+  std::optional<double> beyond;
+  for (const double size : turn.course.sizes) {
+    if (SameSize(size, turn.state.size) || (size > turn.state.size) != larger) continue;
+    const bool nearer =
+        !beyond || std::abs(size - turn.state.size) < std::abs(*beyond - turn.state.size);
+    if (nearer) beyond = size;
+  }
+  return beyond;
+}
+
+void ChangeSize(Turn& turn, bool larger) {
+  const std::optional<double> size = SizeBeyond(turn, larger);
+  if (!size) {
+    Say(turn, larger ? Sentence::kCannotLarger : Sentence::kCannotSmaller);
+    return AwaitNow(turn, turn.state.await);
+  }
+  turn.state.overrule.size = size;
+  // Back to what the rules want: they may choose again.
+  if (SameSize(*size, SizeByRules(turn))) turn.state.overrule.size.reset();
+  Say(turn, Sentence::kSizeNow, {}, {}, *size);
+  ShowPage(turn);
+}
+
+/// The push as it has been overruled, on the page that is felt.
+void PushAnew(Turn& turn) {
+  if (IsAsked(turn)) {
+    Say(turn, Sentence::kNoHelpHere);
+    return AwaitNow(turn, turn.state.await);
+  }
+  ChangePush(turn);
+}
+
+/// Help of the next trials by one more or less; of this one too, unless the hand is being led.
+void ChangeHelp(Turn& turn, bool more) {
+  LessonState& state = turn.state;
+  if (IsAsked(turn)) {
+    Say(turn, Sentence::kNoHelpHere);
+    return AwaitNow(turn, state.await);
+  }
+  const int planned = HelpByRules(turn);
+  const int help = state.probe ? 0 : planned;
+  if (more ? help >= kMostHelp : help <= 0) {
+    Say(turn, more ? Sentence::kNoMoreHelp : Sentence::kNoLessHelp);
+    return AwaitNow(turn, state.await);
+  }
+  // In a probe, more help is the help that the plan held back: then it is a probe no longer.
+  const int next = state.probe ? planned : help + (more ? 1 : -1);
+  state.probe = false;
+  if (more && state.overrule.mode == GuidanceMode::kOff) state.overrule.mode.reset();
+  state.overrule.help.reset();
+  if (HelpByRules(turn) != next) state.overrule.help = next;  // else the rules may choose again
+  Say(turn, Sentence::kHelpNow, {}, {}, next);
+  ChangePush(turn);
+}
+
+void ChangeSpeed(Turn& turn, double factor) {
+  turn.state.speed = std::clamp(turn.state.speed * factor, kSlowest, kFastest);
+  Say(turn, Sentence::kSpeedNow, {}, {}, turn.state.speed);
+  ChangePush(turn);
+}
+
+void GiveHint(Turn& turn) {
+  const std::string hint = HintNow(turn);
+  if (hint.empty()) {
+    Say(turn, Sentence::kNoHint);
+  } else {
+    Say(turn, Sentence::kHint, hint);
+  }
+  AwaitNow(turn, turn.state.await);
+}
+
+void Again(Turn& turn) {
+  const Step* step = StepNow(turn);
+  const bool text = turn.state.task == StepKind::kExplore || turn.state.task == StepKind::kRead;
+  if (text && step != nullptr && !step->say.empty()) Say(turn, Sentence::kCourseText, step->say);
+  Ask(turn);
+  ShowPage(turn);
+}
+
+/// To another lesson; none: one sentence, and all goes on.
+void Leap(Turn& turn, const Overrule& overrule) {
+  const auto here = LessonIndex(turn.course, turn.state.progress.lesson);
+  std::optional<std::size_t> there = here ? *here + 1 : 0;
+  if (overrule.lesson) there = LessonIndex(turn.course, *overrule.lesson);
+  if (!there || *there >= turn.course.lessons.size()) {
+    Say(turn, Sentence::kNoSuchLesson, overrule.lesson ? Shortened(*overrule.lesson) : "next");
+    return AwaitNow(turn, turn.state.await);
+  }
+  GoToLesson(turn, turn.course.lessons[*there]);
+}
+
+/// Takes over what is set. True: something was.
+bool Merge(Turn& turn, const Overrule& overrule) {
+  LessonState& state = turn.state;
+  const bool size = overrule.size && std::isfinite(*overrule.size);
+  if (size) {
+    state.overrule.size = std::clamp(*overrule.size, kSmallestSize, kLargestSize);
+    Say(turn, Sentence::kSizeNow, {}, {}, *state.overrule.size);
+  }
+  if (overrule.mode) {
+    state.overrule.mode = overrule.mode;
+    Say(turn, Sentence::kModeNow, NameOf(*overrule.mode));
+  }
+  if (overrule.help) {
+    state.overrule.help = std::clamp(*overrule.help, 0, kMostHelp);
+    if (*state.overrule.help > 0) state.probe = false;
+    Say(turn, Sentence::kHelpNow, {}, {}, *state.overrule.help);
+  }
+  return size || overrule.mode || overrule.help;
+}
+
+}  // namespace
+
+void HandleSaid(Turn& turn, const lesson_event::Said& said) {
+  if (turn.state.await == Await::kEnd) {
+    Say(turn, Sentence::kCourseDone);
+    return AwaitNow(turn, Await::kEnd);
+  }
+  switch (said.word) {
+    case Word::kAgain:
+      return Again(turn);
+    case Word::kNext:
+      return Skip(turn);
+    case Word::kBigger:
+      return ChangeSize(turn, true);
+    case Word::kSmaller:
+      return ChangeSize(turn, false);
+    case Word::kMoreHelp:
+      return ChangeHelp(turn, true);
+    case Word::kLessHelp:
+      return ChangeHelp(turn, false);
+    case Word::kSlower:
+      return ChangeSpeed(turn, 1 / kSpeedFactor);
+    case Word::kFaster:
+      return ChangeSpeed(turn, kSpeedFactor);
+    case Word::kHint:
+      return GiveHint(turn);
+  }
+  AwaitNow(turn, turn.state.await);
+}
+
+void HandleOverrule(Turn& turn, const Overrule& overrule) {
+  LessonState& state = turn.state;
+  const bool end = state.await == Await::kEnd;
+  const bool changed = Merge(turn, overrule);
+  if (overrule.lesson || overrule.next_lesson) return Leap(turn, overrule);
+  if (overrule.skip) return HandleSaid(turn, {Word::kNext, true});
+  if (!changed) {
+    state.overrule = {};
+    Say(turn, Sentence::kByRules);
+  }
+  if (end) return AwaitNow(turn, Await::kEnd);
+  if (overrule.size || !changed) return ShowPage(turn);
+  PushAnew(turn);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,157 @@
+#include "lessons/machine/mastery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kNoSizes = 0.012;  ///< of a course that names none [m]
+
+std::size_t AtLeastOne(int count) { return static_cast<std::size_t>(std::max(1, count)); }
+
+template <typename T>
+void AddLast(std::vector<T>& values, T value, std::size_t most) {
+  values.push_back(value);
+  if (values.size() > most) values.erase(values.begin(), values.end() - static_cast<long>(most));
+}
+
+double Mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+void Forget(ItemProgress& item) {
+  item.named.clear();
+  item.coverages.clear();
+  item.errors.clear();
+  item.failures = 0;
+  item.sure = false;
+}
+
+void StepBack(const Course& course, ItemProgress& item) {
+  if (item.size_step == 0) {
+    item.introduced = false;
+    item.help = std::max(item.help, static_cast<double>(std::clamp(course.fade.start, 0, 10)));
+    item.good_run = 0;
+  } else {
+    --item.size_step;
+  }
+  Forget(item);
+}
+
+/// Bytes of the character that begins at `at`.
+std::size_t CharacterLength(std::string_view text, std::size_t at) {
+  std::size_t length = 1;
+  while (at + length < text.size() &&
+         (static_cast<unsigned char>(text[at + length]) & 0xC0) == 0x80) {
+    ++length;
+  }
+  return length;
+}
+
+}  // namespace
+
+double SizeAt(const Course& course, std::size_t size_step) {
+  if (course.sizes.empty()) return kNoSizes;
+  return course.sizes[std::min(size_step, course.sizes.size() - 1)];
+}
+
+std::size_t LastSize(const Course& course) {
+  return course.sizes.empty() ? 0 : course.sizes.size() - 1;
+}
+
+bool SameSize(double a, double b) { return std::abs(a - b) <= 1e-3 * std::max(a, b); }
+
+bool NamedEnough(const MasteryRule& rule, const ItemProgress& item) {
+  const auto right = std::count(item.named.begin(), item.named.end(), true);
+  return item.named.size() >= AtLeastOne(rule.attempts) &&
+         static_cast<double>(right) >= rule.recognised * static_cast<double>(item.named.size());
+}
+
+bool TracedEnough(const MasteryRule& rule, const ItemProgress& item) {
+  return item.coverages.size() >= AtLeastOne(rule.traces) &&
+         Mean(item.coverages) >= rule.coverage && Mean(item.errors) <= rule.error_widths;
+}
+
+bool GoodTrace(const MasteryRule& rule, const Trial& trial) {
+  return trial.coverage >= rule.coverage && trial.error_widths >= 0 &&
+         trial.error_widths <= rule.error_widths;
+}
+
+bool Mastered(const Course& course, const ItemProgress& item) {
+  return item.sure && item.size_step >= LastSize(course);
+}
+
+bool PastFirstSize(const ItemProgress& item) { return item.sure || item.size_step > 0; }
+
+std::size_t FirstSizeOf(const Course& course, const Progress& progress, std::string_view item) {
+  const Lesson* home = HomeOf(course, item);
+  if (home != nullptr &&
+      std::find(home->items.begin(), home->items.end(), item) != home->items.end()) {
+    return 0;
+  }
+  std::size_t step = LastSize(course);
+  bool known = false;
+  for (std::size_t at = 0; at < item.size();) {
+    const std::size_t length = CharacterLength(item, at);
+    std::string letter(item.substr(at, length));
+    if (length == 1 && letter[0] >= 'A' && letter[0] <= 'Z') {
+      letter[0] = static_cast<char>(letter[0] - 'A' + 'a');
+    }
+    const auto found = progress.items.find(letter);
+    if (found != progress.items.end() && letter != item) {
+      step = std::min(step, found->second.size_step);
+      known = true;
+    }
+    at += length;
+  }
+  return known ? step : 0;
+}
+
+double AskedSize(const Course& course, const Progress& progress, const Step* step,
+                 const ItemPair& items) {
+  if (step != nullptr && step->size) return *step->size;
+  double size = 0;
+  for (const std::string& text : {items.first, items.second}) {
+    if (text.empty()) continue;
+    const auto found = progress.items.find(text);
+    const std::size_t place = found != progress.items.end() ? found->second.size_step
+                                                            : FirstSizeOf(course, progress, text);
+    size = std::max(size, SizeAt(course, place));
+  }
+  return size > 0 ? size : SizeAt(course, 0);
+}
+
+void AddEvidence(const Course& course, const Practice& practice, const Trial& trial, bool good,
+                 ItemProgress& item) {
+  const MasteryRule& rule = course.mastery;
+  if (trial.kind == StepKind::kTrace) {
+    const bool known = std::isfinite(trial.error_widths) && trial.error_widths >= 0;
+    AddLast(item.coverages,
+            std::isfinite(trial.coverage) ? std::clamp(trial.coverage, 0.0, 1.0) : 0,
+            AtLeastOne(rule.traces));
+    AddLast(item.errors, known ? std::min(trial.error_widths, 1e6) : 1e6, AtLeastOne(rule.traces));
+  } else {
+    AddLast(item.named, good, AtLeastOne(rule.attempts));
+  }
+  item.failures = good ? 0 : item.failures + 1;
+  if (item.failures >= std::max(1, rule.failures)) {
+    StepBack(course, item);
+    return;
+  }
+  item.sure = (!practice.named || NamedEnough(rule, item)) &&
+              (!practice.traced || TracedEnough(rule, item));
+  if (!item.sure) return;
+  if (item.size_step >= LastSize(course)) {
+    item.mastered = true;
+    return;
+  }
+  ++item.size_step;
+  Forget(item);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,40 @@
+#include "lessons/measure/intended_strokes.h"
+
+#include "lessons/measure/centre_arc.h"
+
+namespace moontrace {
+namespace {
+
+std::vector<Piece> SpineOf(const Stroke& stroke, double size, double width, glm::dvec2 origin_P) {
+  std::vector<Piece> placed;
+  for (const Piece& piece : stroke.pieces) placed.push_back(Placed(piece, size, origin_P));
+  return stroke.kind == StrokeKind::kStroke ? placed : CentreArc(placed, width / 2);
+}
+
+}  // namespace
+
+std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& script,
+                                            const TypeStyle& style) {
+  std::vector<IntendedStroke> strokes;
+  for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
+    const PlacedGlyph& placed = page.glyphs[i];
+    const double scale = ScaleOf(placed.kind, style);
+    for (const Stroke& stroke : script.glyphs.at(placed.glyph).strokes) {
+      if (stroke.pieces.empty()) continue;
+      IntendedStroke intended;
+      intended.kind = stroke.kind;
+      intended.width = scale * style.width;
+      intended.spine_P = SpineOf(stroke, scale * style.size, intended.width, placed.origin_P);
+      intended.glyph = i;
+      if (placed.kind == LineKind::kHeading && style.structure.heading_relief) {
+        intended.relief = *style.structure.heading_relief;
+      } else {
+        intended.relief = style.relief;
+      }
+      strokes.push_back(intended);
+    }
+  }
+  return strokes;
+}
+
+}  // namespace moontrace

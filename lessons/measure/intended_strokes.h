@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "textures/field/element.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+
+/// A stroke that a tip is meant to follow, on the page: what tracing is measured against.
+struct IntendedStroke {
+  StrokeKind kind = StrokeKind::kStroke;
+  std::vector<Piece> spine_P;  ///< centre line [m]; of a fill its centre arc; of a dot the circle's
+                               ///< centre, as a Line of length zero
+  double width = 0;            ///< of the groove [m]
+  std::size_t glyph = 0;       ///< index into the page's glyphs
+  Relief relief = Relief::kEngraved;
+};
+
+/// The strokes of a page in writing order.
+std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& script,
+                                            const TypeStyle& style);
+
+}  // namespace moontrace

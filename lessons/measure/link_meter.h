@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lessons/measure/intended_strokes.h"
+#include "lessons/measure/scoring.h"
+#include "textures/typeset/groove_links.h"
+
+namespace moontrace {
+
+/// Finds the groove links that a tip left on its ways from stroke to stroke (kWay): there, in
+/// contact, it was more than half the letters' groove away (as for TraceMetrics::excursions) from
+/// every link and stroke of the two letters. A way within one letter that has no link there is not
+/// looked at. Letters and their errors are the scorer's.
+class LinkMeter {
+ public:
+  LinkMeter(const std::vector<IntendedStroke>& strokes, const GrooveLinks& links);
+  /// In time order; what is not on a way tells which letter a way comes from.
+  void Add(const TraceSample& sample);
+  /// One for each link that was left: where it first was.
+  const std::vector<Excursion>& left() const { return left_; }
+
+ private:
+  /// What may be followed on the way from one letter to another, or within one.
+  struct Ways {
+    std::size_t from = 0, to = 0;
+    std::vector<std::size_t> links;    ///< from the one to the other
+    std::vector<std::size_t> grooves;  ///< those, and strokes and links within the two
+  };
+  struct Groove {
+    std::vector<Piece> spine_P;  ///< [m]
+    double reach = 0;            ///< farther away it is left [m]
+  };
+  double BeyondReach(std::size_t groove, glm::dvec2 p) const;
+  void Choose(std::size_t from, std::size_t to);
+
+  std::vector<IntendedStroke> strokes_;
+  GrooveLinks links_;
+  std::vector<Groove> grooves_;  ///< strokes, then links
+  Ways ways_;                    ///< of the way that the tip is on
+  bool chosen_ = false, any_ = false;
+  std::size_t last_ = 0;  ///< stroke that was followed last
+  std::vector<bool> is_left_;
+  std::vector<Excursion> left_;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "lessons/measure/scoring.h"
+
+namespace moontrace {
+
+/// A page's total with what it weighs: the length of its strokes, a dot counting one width [m].
+struct PageMetrics {
+  TraceMetrics total;
+  double stroke_length = 0;
+};
+
+/// Totals of pages traced one after the other: what is told of strokes weighted by their length,
+/// what is told of time by duration, sums of counts and times, greatest of greatest values.
+TraceMetrics MergedMetrics(const std::vector<PageMetrics>& pages);
+
+}  // namespace moontrace

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "lessons/measure/covered_length.h"
+#include "textures/field/element.h"
+
+namespace moontrace {
+
+/// The centre line of an intended stroke, made ready for one question a sample.
+class Spine {
+ public:
+  explicit Spine(const std::vector<Piece>& pieces);
+
+  double length() const noexcept { return length_; }    ///< [m]
+  glm::dvec2 start() const noexcept { return start_; }  ///< [m]
+
+  /// The nearest point of the spine: which way it goes there, and where `p` lies from it.
+  struct Foot {
+    glm::dvec2 tangent{1, 0};  ///< unit, in the sense of writing
+    double aside = 0;          ///< of `p` from it along the normal, > 0 to the left [m]
+  };
+  Foot FootOf(glm::dvec2 p) const noexcept;
+
+  /// Distance of `p` to the nearest point of the spine [m]; adds to `covered` the arc length that
+  /// lies within `radius` of `p`. Exact for lines and arcs. Infinite for a spine without pieces.
+  double Cover(glm::dvec2 p, double radius, CoveredLength& covered) const;
+
+ private:
+  struct Part {
+    bool is_arc = false;
+    double offset = 0;           ///< arc length at its start [m]
+    double length = 0;           ///< [m]
+    glm::dvec2 anchor{0, 0};     ///< a line's start, an arc's centre
+    glm::dvec2 direction{0, 0};  ///< of a line, unit
+    double radius = 0;           ///< of an arc
+    double start = 0;            ///< of an arc [rad]
+    double sweep = 0;            ///< of an arc, at most a turn [rad]
+    bool clockwise = false;
+    glm::dvec2 from{0, 0}, to{0, 0};  ///< ends
+  };
+  static glm::dvec2 NearestOn(const Part& part, glm::dvec2 p, glm::dvec2& tangent) noexcept;
+  static double CoverLine(const Part& part, glm::dvec2 p, double radius, CoveredLength& covered);
+  /// Exact only where it is below `nearest`; else some value not below it.
+  static double CoverArc(const Part& part, glm::dvec2 p, double radius, double nearest,
+                         CoveredLength& covered);
+
+  std::vector<Part> parts_;
+  double length_ = 0;
+  glm::dvec2 start_{0, 0};
+};
+
+}  // namespace moontrace

@@ -1,0 +1,72 @@
+#include "lessons/measure/stroke_trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/measure/shape_distance.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::size_t kCapacity = 16;  ///< covered parts of a stroke held without allocating
+constexpr std::size_t kFewestPoints = 16, kMostPoints = 128;  ///< of shapes that are compared
+
+/// Points along the pieces, `spacing` apart or less, and each piece's ends.
+std::vector<glm::dvec2> PointsAlong(const std::vector<Piece>& pieces, double spacing) {
+  std::vector<glm::dvec2> points;
+  for (const Piece& piece : pieces) {
+    const double length = Length(piece);
+    const auto steps = static_cast<std::size_t>(std::clamp(std::ceil(length / spacing), 1.0, 1e4));
+    for (std::size_t i = 0; i <= steps; ++i) {
+      points.push_back(
+          PointAt(piece, length * static_cast<double>(i) / static_cast<double>(steps)));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+StrokeTrace::StrokeTrace(const IntendedStroke& stroke)
+    : pieces_P(stroke.spine_P),
+      spine(stroke.spine_P),
+      covered(kCapacity),
+      width(stroke.width),
+      glyph(stroke.glyph),
+      is_dot(stroke.kind == StrokeKind::kDot || !(spine.length() > 0)),
+      way(stroke.width / 8) {}
+
+TraceTally StrokeTrace::Closed() const {
+  TraceTally closed = tally;
+  closed.length = is_dot ? width : spine.length();
+  closed.covered = covered.Total();
+  if (is_dot) closed.covered = closest <= width / 4 ? width : 0;
+  if (is_dot && std::isfinite(closest)) {
+    closed.way = width;
+    closed.error_way = width * closest;
+    closed.square_way = width * closest * closest;
+    closed.max_error = closest;
+  }
+  return closed;
+}
+
+void StrokeTrace::AddShape(TraceTally& closed) const {
+  if (is_dot || !visited()) return;
+  const double spacing = width / 4;
+  const double wanted = std::ceil(spine.length() / spacing) + 1;
+  const auto count =
+      static_cast<std::size_t>(std::clamp(wanted, double{kFewestPoints}, double{kMostPoints}));
+  const ShapeDistance distance =
+      ShapeDistanceOf(Resampled(way.Points(), count),
+                      Resampled(PointsAlong(pieces_P, spine.length() / 1000), count));
+  closed.shaped = spine.length();
+  closed.warped_length = spine.length() * distance.warped;
+  closed.frechet = distance.frechet;
+  closed.hausdorff = distance.hausdorff;
+}
+
+bool StrokeTrace::visited() const {
+  return is_dot ? closest <= width / 4 : tally.followed > std::min(width, spine.length() / 2);
+}
+
+}  // namespace moontrace

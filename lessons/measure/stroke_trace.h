@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <limits>
+#include <vector>
+
+#include "lessons/measure/covered_length.h"
+#include "lessons/measure/intended_strokes.h"
+#include "lessons/measure/spine.h"
+#include "lessons/measure/tip_way.h"
+#include "lessons/measure/trace_tally.h"
+
+namespace moontrace {
+
+/// One intended stroke and what has become of it so far, for scoring.
+struct StrokeTrace {
+  explicit StrokeTrace(const IntendedStroke& stroke);
+
+  /// The sums with coverage, and a dot's closest approach, put in.
+  TraceTally Closed() const;
+  /// Puts the distances of shape in: costs some ten thousand steps. Nothing for dots and for what
+  /// was not followed.
+  void AddShape(TraceTally& closed) const;
+  /// Followed for a width, or for half its length where that is less; a dot: covered.
+  bool visited() const;
+
+  std::vector<Piece> pieces_P;
+  Spine spine;
+  CoveredLength covered;
+  double width = 0;  ///< [m]
+  std::size_t glyph = 0;
+  bool is_dot = false;
+  bool landed = false;  ///< since the hand last came down on it
+  bool out = false;     ///< beyond w/2 and not yet back within w/4
+  double closest = std::numeric_limits<double>::infinity();  ///< of a dot [m]
+  glm::dvec2 mark{0, 0};  ///< where the way along or against it has been counted to [m]
+  std::size_t visit = 0;  ///< how manieth it was visited, from 1; 0: not
+  TipWay way;             ///< of the tip while following it
+  TraceTally tally;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lessons/course/trial.h"
+
+namespace moontrace {
+
+struct LearnerHistory;
+
+/// A learner in the records. Known by a pseudonym; no other name is kept.
+struct LearnerEntry {
+  std::string pseudonym;
+  std::int64_t since = 0;     ///< Unix time [s]
+  bool keeps_tracks = false;  ///< consented to raw tracks being kept
+  std::string consent;        ///< version of the text that was agreed to; empty: none
+  bool simulated = false;
+};
+
+/// A session's other happenings, in words: the tutor's commands, breaks, stops.
+struct RecordedEvent {
+  std::int64_t time = 0;  ///< Unix time [s]
+  std::string kind, text;
+};
+
+/// Learners' records in one SQLite file of the user's data folder. Nothing leaves the machine.
+/// Every Add is one transaction, on disk when it returns: a process that is killed at any instant
+/// loses no finished trial. One thread at a time; a second program is refused while one writes.
+///
+/// Throws LackError: no SQLite in this build, no permission, read-only, disk full, used by another
+/// program; InputError: no records file, of a newer version, damaged. Then nothing was changed.
+class Records {
+ public:
+  /// False: built without SQLite; then nothing can be remembered.
+  static bool Available();
+  /// `$XDG_DATA_HOME/moontrace/records.sqlite`, else `~/.local/share/...`.
+  static std::string DefaultPath();
+  /// Opens for writing; makes file (0600) and folder (0700) where there are none; an older version
+  /// is brought up to date.
+  static Records Open(const std::string& path);
+  /// For looking only; throws InputError where there is no file.
+  static Records OpenToRead(const std::string& path);
+
+  std::vector<LearnerEntry> Learners() const;
+  std::optional<LearnerEntry> Find(const std::string& pseudonym) const;
+  /// Throws InputError for a pseudonym that is not 1 to 60 printable characters without slashes.
+  void AddLearner(const LearnerEntry& learner);
+  void SetConsent(const std::string& pseudonym, bool keeps_tracks, const std::string& consent);
+
+  /// `track`: raw samples as a blob (record.h's columns); dropped where the learner has not
+  /// consented.
+  void Add(const std::string& pseudonym, const std::string& course, const Trial& trial,
+           const std::vector<double>& track = {});
+  void AddEvent(const std::string& pseudonym, const RecordedEvent& event);
+  /// In order of time, as added.
+  std::vector<Trial> Trials(const std::string& pseudonym, const std::string& course = {}) const;
+  std::vector<std::string> Courses(const std::string& pseudonym) const;
+  std::vector<RecordedEvent> Events(const std::string& pseudonym) const;
+
+  /// All that is known of a learner as JSON text (UTF-8), which HistoryFromJson reads.
+  std::string Export(const std::string& pseudonym) const;
+  /// What of it researchers may see: no pseudonym, no words, no tracks; times count from the first
+  /// trial. It lists the fields that it holds. Cannot be imported.
+  std::string ExportAnonymous(const std::string& pseudonym) const;
+  /// Adds a learner with a whole history. Throws InputError (`name`: where it comes from) where one
+  /// of that pseudonym is here; then nothing is added.
+  void Import(const LearnerHistory& history, const std::string& name);
+  /// Every byte of a learner out of the file, its log and its free pages.
+  void Erase(const std::string& pseudonym);
+
+  Records(Records&&) noexcept;
+  Records& operator=(Records&&) noexcept;
+  ~Records();
+
+ private:
+  struct Impl;
+  explicit Records(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,84 @@
+#include "lessons/records/records_schema.h"
+
+#include "lessons/records/trial_fields.h"
+
+namespace moontrace {
+
+const std::vector<std::string>& RecordsSteps() {
+  static const std::vector<std::string> steps{
+      // 1
+      R"(CREATE TABLE learner (
+           id INTEGER PRIMARY KEY,
+           pseudonym TEXT NOT NULL UNIQUE,
+           since INTEGER NOT NULL,
+           keeps_tracks INTEGER NOT NULL,
+           consent TEXT NOT NULL);
+         CREATE TABLE trial (
+           id INTEGER PRIMARY KEY,
+           learner INTEGER NOT NULL REFERENCES learner(id) ON DELETE CASCADE,
+           course TEXT NOT NULL,
+           time_unix_s INTEGER NOT NULL,
+           lesson TEXT NOT NULL,
+           step INTEGER NOT NULL,
+           kind TEXT NOT NULL,
+           item TEXT NOT NULL,
+           size_m REAL NOT NULL,
+           guidance TEXT NOT NULL,
+           help INTEGER NOT NULL,
+           probe INTEGER NOT NULL,
+           scaled INTEGER NOT NULL,
+           simulated INTEGER NOT NULL,
+           answer TEXT NOT NULL,
+           right_answer INTEGER NOT NULL,
+           latency_s REAL NOT NULL,
+           coverage REAL NOT NULL,
+           mean_error_m REAL NOT NULL,
+           rms_error_m REAL NOT NULL,
+           error_widths REAL NOT NULL,
+           wander_offs INTEGER NOT NULL,
+           duration_s REAL NOT NULL,
+           log_jerk REAL NOT NULL,
+           spectral_arc REAL NOT NULL,
+           mean_force_N REAL NOT NULL,
+           mean_guidance_N REAL NOT NULL,
+           guidance_work_J REAL NOT NULL);
+         CREATE INDEX trial_of_learner ON trial (learner, time_unix_s);
+         CREATE TABLE track (
+           trial INTEGER PRIMARY KEY REFERENCES trial(id) ON DELETE CASCADE,
+           samples BLOB NOT NULL);
+         CREATE TABLE event (
+           id INTEGER PRIMARY KEY,
+           learner INTEGER NOT NULL REFERENCES learner(id) ON DELETE CASCADE,
+           time_unix_s INTEGER NOT NULL,
+           kind TEXT NOT NULL,
+           text TEXT NOT NULL);
+         CREATE INDEX event_of_learner ON event (learner, time_unix_s);)",
+      // 2: a simulated learner is known as one before its first trial; work that must be finished
+      // at the next start if the program was killed in the middle of it
+      R"(ALTER TABLE learner ADD COLUMN simulated INTEGER NOT NULL DEFAULT 0;
+         UPDATE learner SET simulated = 1
+           WHERE id IN (SELECT learner FROM trial WHERE trial.simulated <> 0);
+         CREATE TABLE unfinished (work TEXT PRIMARY KEY);)",
+  };
+  return steps;
+}
+
+std::int64_t RecordsVersion() { return static_cast<std::int64_t>(RecordsSteps().size()); }
+
+std::string InsertTrial() {
+  std::string names = "INSERT INTO trial (learner, course";
+  std::string values = ") VALUES (?, ?";
+  for (const TrialField& field : TrialFields()) {
+    names.append(", ").append(field.name);
+    values += ", ?";
+  }
+  return names + values + ")";
+}
+
+std::string SelectTrials() {
+  std::string sql = "SELECT id, course";
+  for (const TrialField& field : TrialFields()) sql.append(", ").append(field.name);
+  return sql + " FROM trial";
+}
+
+}  // namespace moontrace

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/course/trial.h"
+#include "lessons/records/records.h"
+
+namespace moontrace {
+
+/// A trial with what the records keep beside it.
+struct RecordedTrial {
+  std::string course;  ///< id
+  Trial trial;
+  std::vector<double> track;  ///< raw samples; empty: none were kept
+};
+
+/// All that the records know of one learner.
+struct LearnerHistory {
+  LearnerEntry learner;
+  std::vector<RecordedTrial> trials;  ///< in order of time, as added
+  std::vector<RecordedEvent> events;  ///< likewise
+};
+
+/// Throws InputError unless it is 1 to 60 printable characters without slashes, not only blanks.
+void RequirePseudonym(std::string_view pseudonym);
+
+/// As JSON (UTF-8, a line for each trial and event): "format": "moontrace-learner", "version".
+std::string HistoryToJson(const LearnerHistory& history);
+
+/// The same read back, equal to the bit. Throws InputError (name, place, cause, cure); time and
+/// memory are bounded by the text's size, which may be 256 MB at most.
+LearnerHistory HistoryFromJson(std::string_view text, const std::string& name);
+
+/// For research: "format": "moontrace-research", the fields it holds, trials and events without
+/// pseudonym, dates, words and tracks. Answers that were never shown to the learner as an item
+/// become "other": they may hold anything that was typed.
+std::string ResearchJson(const LearnerHistory& history);
+
+}  // namespace moontrace

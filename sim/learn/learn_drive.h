@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/learn/learn_input.h"
+#include "sim/learn/learn_session.h"
+#include "sim/wording/console.h"
+
+namespace moontrace {
+
+class TutorDesk;
+class PathListener;
+class LearnView;
+
+/// Who takes part in a lesson beside the learner; null: nobody.
+struct LearnCompany {
+  TutorDesk* tutor = nullptr;
+  PathListener* sound = nullptr;
+  LearnView* view = nullptr;
+};
+
+/// Leads a lesson until it is over, `seconds` have passed, or input has ended (which counts only
+/// where no `seconds` are given). Throws Interrupted.
+void Drive(LearnSession& session, LearnInput& input, const LearnCompany& company,
+           std::optional<double> seconds, const Console& console);
+
+}  // namespace moontrace

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/learn/learn_input.h"
+#include "sim/learn/raw_terminal.h"
+#include "sim/wording/console.h"
+
+namespace moontrace {
+
+/// Key (key_reader.h) -> word of learn_words.h.
+using KeyMap = std::map<std::string, std::string>;
+
+/// Escape stop, Space pause, ? and F1 help, r again, w where, + bigger, - smaller, ] more help, [
+/// less help, n next, q quit, and others.
+KeyMap UsualKeys();
+/// The usual keys changed by a TOML file: `again = "x"`, one key a word. Throws InputError:
+/// file:line:column, cause, nearest word; with all keys that two words would have. Escape always
+/// stops.
+KeyMap LoadKeys(const std::string& path);
+/// The same of a file's text. `name` stands in messages.
+KeyMap ParseKeys(std::string_view text, const std::string& name);
+
+/// Keys made lines, without a terminal. While an answer is awaited, signs gather until Enter.
+class KeyLines {
+ public:
+  explicit KeyLines(KeyMap keys) : keys_(std::move(keys)) {}
+  struct Result {
+    std::string echo;                 ///< to be written as it is
+    std::optional<std::string> line;  ///< as if typed with Enter
+  };
+  Result Take(const std::string& key, bool asked);
+
+ private:
+  KeyMap keys_;
+  std::string begun_;
+};
+
+/// Single keys of the terminal.
+class KeyInput final : public LearnInput {
+ public:
+  /// Throws LackError: standard input is no terminal.
+  KeyInput(KeyMap keys, Console& console);
+  std::optional<std::string> Next(int milliseconds, bool asked) override;
+  bool ended() const override { return ended_ && waiting_.empty(); }
+
+ private:
+  RawTerminal terminal_;
+  KeyLines lines_;
+  Console& console_;
+  std::vector<std::string> waiting_;  ///< keys not yet taken, the next one last
+  bool ended_ = false;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,126 @@
+#include "sim/learn/learn_learner.h"
+
+#include <ctime>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lessons/records/trial_json.h"
+#include "sim/learn/learn_messages.h"
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr int kPoll = 50;  ///< [ms]
+
+/// Who was asked said "quit".
+struct LeftAtQuestion {};
+
+std::string Trimmed(const std::string& line) {
+  const auto begin = line.find_first_not_of(" \t");
+  if (begin == std::string::npos) return {};
+  return line.substr(begin, line.find_last_not_of(" \t") - begin + 1);
+}
+
+/// The next line that somebody types; none: there will be no more. The words that are words at any
+/// moment are so here: "quit" throws LeftAtQuestion, "?" and "help" ask once more.
+std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std::string& question,
+                               const Console& console) {
+  const auto ask = [&] {
+    teller.Say(Priority::kText, question);
+    teller.EndTurn();
+  };
+  ask();
+  for (;;) {
+    console.CheckStop();
+    if (std::optional<std::string> line = lines.Next(kPoll)) {
+      const std::string said = Trimmed(*line);
+      const std::string word = LowerCase(said);
+      if (word == "quit" || word == "/quit") throw LeftAtQuestion{};
+      if (word != "?" && word != "help") return said;
+      teller.Say(Priority::kText, say::QuitLeaves());
+      ask();
+    } else if (lines.ended()) {
+      return std::nullopt;
+    }
+  }
+}
+
+std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntry>& known,
+                      bool may_ask, LineReader& lines, LearnTeller& teller,
+                      const Console& console) {
+  if (!options.learner.empty()) return options.learner;
+  std::vector<std::string> names;
+  for (const LearnerEntry& learner : known) {
+    if (!learner.simulated) names.push_back(learner.pseudonym);
+  }
+  if (names.size() == 1) return names.front();
+  if (!may_ask) throw UsageError(say::NoLearner());
+  const std::string question = names.empty() ? say::AskLearner() : say::AskWhich(names);
+  for (;;) {
+    const std::optional<std::string> line = Ask(lines, teller, question, console);
+    if (!line) throw UsageError(say::NoLearner());
+    if (line->empty()) continue;
+    try {
+      RequirePseudonym(*line);
+      return *line;
+    } catch (const InputError&) {
+      teller.Say(Priority::kText, say::NotAName());
+    }
+  }
+}
+
+bool MayKeepTracks(bool may_ask, LineReader& lines, LearnTeller& teller, const Console& console) {
+  if (!may_ask) {
+    teller.Remark(say::NoConsentAsked());
+    return false;
+  }
+  std::string question = say::AskConsent();
+  for (;;) {
+    const std::optional<std::string> line = Ask(lines, teller, question, console);
+    const std::string answer = line ? LowerCase(*line) : "";
+    const bool yes = answer == "yes" || answer == "y";
+    if (!yes && answer != "no" && answer != "n" && !answer.empty()) {
+      question = say::YesOrNo();
+      continue;
+    }
+    teller.Say(Priority::kText, say::ConsentGiven(yes));
+    return yes;
+  }
+}
+
+}  // namespace
+
+std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course& course,
+                                      bool may_ask, LineReader& lines, LearnTeller& teller,
+                                      const Console& console) try {
+  if (!Records::Available()) {
+    teller.Say(Priority::kText, say::NoRecords());
+    return LearnMemory{};
+  }
+  Records records =
+      Records::Open(options.records.empty() ? Records::DefaultPath() : options.records);
+  const std::string name = WhoLearns(options, records.Learners(), may_ask, lines, teller, console);
+  RequirePseudonym(name);
+  std::optional<LearnerEntry> learner = records.Find(name);
+  if (learner && learner->simulated) throw UsageError(say::SimulatedOnly(name));
+  const bool fresh = !learner;
+  if (fresh) {
+    // asked first: who leaves at the question has left nothing behind, and is asked again
+    const bool keeps = MayKeepTracks(may_ask, lines, teller, console);
+    learner = LearnerEntry{name, static_cast<std::int64_t>(std::time(nullptr)), keeps,
+                           may_ask ? say::kConsentVersion : "", false};
+  }
+  LearnMemory memory(std::move(records), *learner, course.id, fresh);
+  teller.Say(Priority::kText, say::Learner(name, memory.trials(), fresh));
+  return memory;
+} catch (const LeftAtQuestion&) {
+  teller.Say(Priority::kText, say::LeftBeforeBeginning());
+  teller.EndTurn();
+  return std::nullopt;
+}
+
+}  // namespace moontrace

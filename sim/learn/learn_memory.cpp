@@ -1,0 +1,76 @@
+#include "sim/learn/learn_memory.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace moontrace {
+
+LearnMemory::LearnMemory(Records records, LearnerEntry learner, std::string course, bool fresh)
+    : records_(std::move(records)),
+      learner_(std::move(learner)),
+      course_(std::move(course)),
+      fresh_(fresh) {}
+
+void LearnMemory::Admit() {
+  if (!fresh_) return;
+  records_->AddLearner(learner_);
+  fresh_ = false;
+}
+
+Progress LearnMemory::Recall(const Course& course) const {
+  Progress progress;
+  if (!records_ || fresh_) return progress;
+  for (const Trial& trial : records_->Trials(learner_.pseudonym, course_)) {
+    progress = Learn(course, std::move(progress), trial);
+  }
+  return progress;
+}
+
+std::size_t LearnMemory::trials() const {
+  if (!records_ || fresh_) return 0;
+  const std::vector<Trial> rows = records_->Trials(learner_.pseudonym, course_);
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const Trial& row) { return !row.item.empty(); }));
+}
+
+/// Throws what Records::Add throws; what is kept by then stands no longer among the held back.
+void LearnMemory::Flush() {
+  while (!held_back_.empty()) {
+    const Row& first = held_back_.front();
+    records_->Add(learner_.pseudonym, course_, first.trial, first.track);
+    held_back_.erase(held_back_.begin());
+  }
+}
+
+std::string LearnMemory::Keep(const Trial& trial, const std::vector<double>& track) {
+  if (!records_) return {};
+  held_back_.push_back({trial, track});
+  try {
+    Flush();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::size_t LearnMemory::KeepRest() {
+  if (!records_) return 0;
+  try {
+    Flush();
+  } catch (const std::exception&) {
+    // said when it first failed
+  }
+  return held_back_.size();
+}
+
+void LearnMemory::Note(std::int64_t time, const std::string& kind, const std::string& text) {
+  if (!records_) return;
+  try {
+    records_->AddEvent(learner_.pseudonym, {time, kind, text});
+  } catch (const std::exception&) {
+    // an event is no trial: the next row that fails tells it
+  }
+}
+
+}  // namespace moontrace

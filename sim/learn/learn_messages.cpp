@@ -1,0 +1,249 @@
+#include "sim/learn/learn_messages.h"
+
+#include <fmt/core.h>
+
+#include "sim/wording/words.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace::say {
+
+namespace {
+
+std::string Millimetres(double size) { return Short(kMillimetres * size, 1) + " mm"; }
+
+}  // namespace
+
+std::string LedNow() { return "Let your hand be led to the end."; }
+
+std::string ProgramTraces() { return "The program's hand traces; next leaves the sign."; }
+
+std::string Awaited(lesson_action::Await await, Question question) {
+  switch (await) {
+    case lesson_action::Await::kTrace:
+      return "Your turn: trace, then lift or say done.";
+    case lesson_action::Await::kAnswer:
+      return question == Question::kSame ? "Asked: same or different?" : "Asked: what is it?";
+    case lesson_action::Await::kNext:
+      return "Say next to go on; the page lies there until then.";
+    case lesson_action::Await::kEnd:
+      return "The end: say quit.";
+  }
+  return {};
+}
+
+namespace {
+
+std::string TraceEnds() {
+  return "A trace has ended when you have followed it all and lift for half a second, when you say "
+         "done, or press the button twice. One press tells where you are; held, it stops.";
+}
+
+}  // namespace
+
+std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys) {
+  std::vector<std::string> words;
+  words.reserve(keys.size());
+  for (const auto& [key, word] : keys) words.push_back(fmt::format("{} {}", key, word));
+  return {fmt::format("One key a word, without Enter: {}.", Joined(words, ", ")),
+          "While something is asked, signs, numbers and names are answers, with Enter behind them; "
+          "a word then begins with / and has Enter behind it: /again. Escape always stops.",
+          TraceEnds()};
+}
+
+std::vector<std::string> LearnHelp() {
+  std::vector<std::string> words;
+  for (const std::string& word : LearnWords()) {
+    words.push_back(fmt::format("{} {}", words.size() + 1, word));
+  }
+  return {
+      fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
+      "While something is asked, signs, numbers and names are answers; a line that begins with / "
+      "is a word: /7 is bigger, /a is again. Stop and quit always are words.",
+      TraceEnds(), "An empty line tells what is waited for."};
+}
+
+std::string LearnUnknown(std::string_view given) {
+  if (given.size() > 1 && given.front() == '/') given.remove_prefix(1);
+  return fmt::format("Unknown: {}. Type ? for the words.", OneLine(given, 20));
+}
+
+std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words) {
+  return fmt::format("{} could be {}.", OneLine(given, 20), Joined(words, " or "));
+}
+
+std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
+std::string NotStopped() { return "Not stopped: go on feeling."; }
+std::string Pausing() { return "Pause: no force. Say go to go on."; }
+std::string NotWhileAsked() { return "Not told while it is asked."; }
+std::string TipAt(std::string_view name, std::size_t line, bool touching) {
+  const std::string_view touch = touching ? "touching" : "in the air";
+  if (name.empty()) return fmt::format("On a sign, {}, line {}.", touch, line + 1);
+  return fmt::format("At {}, {}, line {}.", OneLine(name), touch, line + 1);
+}
+std::string TipBetween(bool touching) {
+  return fmt::format("Between signs, {}.", touching ? "touching" : "in the air");
+}
+std::string NoLessonNow() { return "No lesson has begun."; }
+std::string LetterHere(std::string_view name) { return fmt::format("At {}.", OneLine(name)); }
+std::string NoLetterHere() { return "No sign is near the tip."; }
+std::string WordHere(std::string_view word) { return fmt::format("Word: {}.", OneLine(word)); }
+std::string Spelled(const std::vector<std::string>& names) {
+  return fmt::format("Spelled: {}.", Joined(names, ", "));
+}
+std::string NothingTouched() { return "Nothing touched yet: the trace goes on."; }
+std::string StillAsked() { return "Still asked: an answer, or say next."; }
+
+std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
+                          std::size_t step, std::size_t steps) {
+  return fmt::format("Lesson {} of {}, step {} of {}: {}.", number, of, step, steps,
+                     OneLine(title));
+}
+
+std::string Learner(std::string_view name, std::size_t trials, bool fresh) {
+  if (fresh) return fmt::format("New learner: {}.", OneLine(name));
+  return fmt::format("Learner: {}, {} so far.", OneLine(name), Counted(trials, "trial", "trials"));
+}
+
+std::string AskLearner() { return "Who learns? Type a name of your choice and Enter."; }
+std::string AskWhich(const std::vector<std::string>& names) {
+  return fmt::format("Who learns: {}, or a new name?", Joined(names, ", "));
+}
+std::string NoLearner() { return "nobody said who learns: give a name with --learner NAME"; }
+std::string AskConsent() {
+  return "Keep the raw tracks of your hand? They stay on this machine and can be erased with "
+         "moontrace records erase. Type yes, or Enter for no.";
+}
+std::string ConsentGiven(bool yes) {
+  return yes ? "Raw tracks will be kept." : "Raw tracks will not be kept.";
+}
+std::string YesOrNo() { return "Type yes or no."; }
+std::string NotAName() { return "Not a name: 1 to 60 printable characters, no slashes."; }
+std::string QuitLeaves() { return "The word quit ends, and nothing is kept yet."; }
+std::string LeftBeforeBeginning() { return "Ended before it began: nothing was kept."; }
+std::string NoConsentAsked() { return "Raw tracks are not kept: nobody was asked."; }
+std::string NoRecords() {
+  return "Nothing is remembered after this session: this build has no SQLite.";
+}
+std::string NotKept(std::string_view why) {
+  return fmt::format("Not kept yet: {}. It is tried again.", OneLine(why, 300));
+}
+std::string KeptNow(std::size_t trials) {
+  return fmt::format("Kept now: {}.", Counted(trials, "trial", "trials"));
+}
+std::string NeverKept(std::size_t trials) {
+  return fmt::format("{} could not be kept in the records", Counted(trials, "trial", "trials"));
+}
+std::string SimulatedOnly(std::string_view name) {
+  return fmt::format("{} is a simulated learner: choose another name, or add --simulate",
+                     OneLine(name));
+}
+
+std::string Demonstration() {
+  return "Demonstration: nothing is felt. The program's own hand traces each page.";
+}
+std::string DemonstrationCounts() {
+  return "Nothing counts here, so a sign comes again until you say next: trials are kept as "
+         "simulated and make no sign sure.";
+}
+std::string WithDevice(std::string_view device) {
+  return fmt::format("Device: {}.", OneLine(device));
+}
+std::string NotFelt() {
+  return "Nothing is felt: this device has no motors. Trials do not count for mastery.";
+}
+std::string LearnScaled() { return "Scaled: trials do not count for mastery."; }
+std::string LearnBegins() { return "Type a word and Enter; ? tells the words, quit ends."; }
+std::string LearnBeginsWithKeys() {
+  return "One key a word: for next, press the key of next. ? tells the keys.";
+}
+std::string SessionEnded(std::size_t trials, std::size_t sure) {
+  return fmt::format("Ended: {} this time, {} sure.", Counted(trials, "trial", "trials"),
+                     Counted(sure, "sign", "signs"));
+}
+std::string EndOfInput() { return "End of input: the session ends."; }
+std::string LostTrial() { return "This try does not count: the device was lost."; }
+std::string NoRoomFor(double wanted, double got) {
+  return fmt::format("No room for letters of {}: here {}; this does not count.",
+                     Millimetres(wanted), Millimetres(got));
+}
+std::string CannotShow(std::string_view text, std::string_view why) {
+  return fmt::format("Cannot be shown: {}: {}.", OneLine(text, 16), OneLine(why, 300));
+}
+
+std::string DeviceProblem(std::string_view name, std::string_view problem) {
+  return fmt::format("There, but not usable: {}: {}", OneLine(name), OneLine(problem, 300));
+}
+std::string NoForceDevice() { return "No force device is here: nothing can be felt."; }
+std::vector<std::string> LearningWithoutDevice() {
+  return {
+      "A demonstration works: moontrace learn --device simulated. The program's own hand traces "
+      "the pages; nothing is felt and nothing counts.",
+      "Printing works: moontrace learn --print lesson.svg writes a lesson's pages for swell "
+      "paper in true size.",
+      "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "
+      "--sound. Nothing is felt and nothing counts.",
+      "To see which devices this machine knows: moontrace devices."};
+}
+std::string NoDeviceGiven() { return "no force device: name one with --device when there is one"; }
+
+std::string Printed(std::string_view title, std::size_t pages, double size) {
+  return fmt::format("Printed: {}, {}, letters of {}. Print at 100 percent on swell paper.",
+                     OneLine(title), Counted(pages, "page", "pages"), Millimetres(size));
+}
+std::string NoSuchLesson(std::string_view given, std::string_view nearest) {
+  return fmt::format("no such lesson: {}; {}{}", OneLine(given, 40),
+                     nearest.empty() ? "moontrace course show lists them" : "did you mean ",
+                     OneLine(nearest));
+}
+std::string NothingToPrint(std::string_view lesson) {
+  return fmt::format("lesson {} shows nothing that could be printed; name another",
+                     OneLine(lesson));
+}
+std::string PrintRunsNothing() {
+  return "--print draws a lesson and runs none: leave out --simulate";
+}
+std::string OnlyWithPrint(std::string_view option) {
+  return fmt::format("{} is for printing: add --print FILE", option);
+}
+
+std::string KeysNeedTerminal() { return "--keys needs a terminal: leave it out in a pipe"; }
+std::string NoSuchKey(std::string_view key) {
+  return fmt::format("no key is called {}; a sign, or a name like Space, Tab, F5, PageUp",
+                     OneLine(key));
+}
+std::string EscapeStops() { return "Escape always stops: leave this line out"; }
+std::string TwoWordsOneKey(std::string_view key, std::string_view first, std::string_view second) {
+  return fmt::format("{} is {} and {}", key, first, second);
+}
+std::string KeyConflicts(const std::vector<std::string>& conflicts) {
+  return fmt::format("keys with two words: {}; give each its own", Joined(conflicts, ", "));
+}
+
+std::string NoLeading() { return "Nothing leads your hand here; the way is:"; }
+
+std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of) {
+  static constexpr const char* kHeights[] = {"bottom", "middle", "top"};
+  static constexpr const char* kSides[] = {"left", "middle", "right"};
+  static constexpr const char* kWays[] = {"right", "up and right",  "up",   "up and left",
+                                          "left",  "down and left", "down", "down and right"};
+  const auto place = [](ThirdPlace at) {
+    const std::string height = kHeights[at.y + 1], side = kSides[at.x + 1];
+    return height == side ? height : height + " " + side;
+  };
+  const std::string which = of == 1 ? "One stroke" : fmt::format("Stroke {} of {}", number, of);
+  if (way.dot) return fmt::format("{}: a dot, {}.", which, place(way.from));
+  std::string line = fmt::format("{}: from {}", which, place(way.from));
+  for (const WayPiece& piece : way.pieces) {
+    const char* turn = piece.clockwise ? "clockwise" : "anticlockwise";
+    if (piece.round) {
+      line += fmt::format(", a ring {}", turn);
+    } else if (piece.arc) {
+      line += fmt::format(", a bend {} {}", turn, kWays[piece.eighth]);
+    } else {
+      line += fmt::format(", {}", kWays[piece.eighth]);
+    }
+  }
+  return fmt::format("{}, to {}.", line, place(way.to));
+}
+
+}  // namespace moontrace::say

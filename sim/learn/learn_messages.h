@@ -1,0 +1,140 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/course/course.h"
+#include "lessons/machine/lesson_machine.h"
+#include "sim/learn/learn_way.h"
+#include "sim/learn/learn_words.h"
+
+/// Sentences of `moontrace learn`; see messages.h.
+namespace moontrace::say {
+
+namespace help {
+inline constexpr const char* kLearn = "lessons: from large letters to reading";
+inline constexpr const char* kLearner =
+    "who learns, a name of your choice. Default the one in the records, else you are asked.";
+inline constexpr const char* kCourse = "course to learn, a name or a file. Default learn-moon.";
+inline constexpr const char* kRecords = "file of the records. Default the one in your data folder.";
+inline constexpr const char* kLearnDevice =
+    "what moves the tip: a name from moontrace devices, plugin:PATH, simulated (a demonstration, "
+    "nothing is felt), or mouse with --view. Default the first device with motors.";
+inline constexpr const char* kLearnSeconds = "ends after so many seconds. Default: when you quit.";
+inline constexpr const char* kLearnSeed = "of the choice of signs, a whole number. Default 1.";
+inline constexpr const char* kPrint =
+    "instead: write the pages of a lesson for swell paper, .svg or .pdf, in true size.";
+inline constexpr const char* kPrintLesson = "with --print, the lesson. Default the first.";
+inline constexpr const char* kPrintSize =
+    "with --print, height of the letters in mm. Default the "
+    "largest of the course.";
+inline constexpr const char* kSimulate =
+    "instead: a simulated learner goes through the course, unattended.";
+inline constexpr const char* kDays =
+    "with --simulate, sessions, one a day. Default: until the course is done.";
+inline constexpr const char* kKeys =
+    "single keys without Enter, at a terminal; --keys=FILE changes them. Default off.";
+inline constexpr const char* kSpeak = "speak everything too, by speech-dispatcher. Default off.";
+inline constexpr const char* kSound = "sounds of the way and of what happens. Default off.";
+inline constexpr const char* kLetTutor =
+    "let a tutor speak to the lesson: moontrace tutor, on this machine only. Default off.";
+}  // namespace help
+
+/// A sentence of the lesson machine in words.
+std::string LessonSentence(const Course& course, const lesson_action::Say& sentence);
+/// The same where the program's own hand traces and nobody's is led; empty: as it is.
+std::string DemonstrationSentence(const Course& course, const lesson_action::Say& sentence);
+/// An item, or two with a line feed between, as people call it.
+std::string Called(const Course& course, std::string_view item);
+
+/// What the lesson waits for, as a person asks for it; said on an empty line.
+std::string Awaited(lesson_action::Await await, Question question);
+/// The same while a hand is led, or the program's own traces.
+std::string LedNow();
+std::string ProgramTraces();
+
+// What words are answered by.
+/// What ? tells: of words, of single keys (key -> word).
+std::vector<std::string> LearnHelp();
+std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys);
+std::string LearnUnknown(std::string_view given);
+std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words);
+std::string AlreadyStopped();
+std::string NotStopped();
+std::string Pausing();
+std::string NotWhileAsked();
+/// `name` empty: it is not told.
+std::string TipAt(std::string_view name, std::size_t line, bool touching);
+std::string TipBetween(bool touching);
+std::string NoLessonNow();
+std::string LetterHere(std::string_view name);
+std::string NoLetterHere();
+std::string WordHere(std::string_view word);
+std::string Spelled(const std::vector<std::string>& names);
+std::string NothingTouched();
+std::string StillAsked();
+
+// Where we are in the course.
+std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
+                          std::size_t step, std::size_t steps);
+std::string Learner(std::string_view name, std::size_t trials, bool fresh);
+std::string AskLearner();
+std::string AskWhich(const std::vector<std::string>& names);
+std::string NoLearner();
+std::string AskConsent();
+/// Of that question: what a learner agreed to.
+inline constexpr const char* kConsentVersion = "tracks-1";
+std::string ConsentGiven(bool yes);
+std::string YesOrNo();
+std::string NotAName();
+std::string QuitLeaves();
+std::string LeftBeforeBeginning();
+std::string NoConsentAsked();
+std::string NoRecords();
+std::string NotKept(std::string_view why);
+std::string KeptNow(std::size_t trials);
+std::string NeverKept(std::size_t trials);
+std::string SimulatedOnly(std::string_view name);
+
+// How a session begins and ends.
+std::string Demonstration();
+std::string DemonstrationCounts();
+std::string WithDevice(std::string_view device);
+std::string NotFelt();
+std::string LearnScaled();
+std::string LearnBegins();
+std::string LearnBeginsWithKeys();
+std::string SessionEnded(std::size_t trials, std::size_t sure);
+std::string EndOfInput();
+std::string LostTrial();
+std::string NoRoomFor(double wanted, double got);
+std::string CannotShow(std::string_view text, std::string_view why);
+
+// Without a device.
+std::string NoForceDevice();
+std::string DeviceProblem(std::string_view name, std::string_view problem);
+std::vector<std::string> LearningWithoutDevice();
+std::string NoDeviceGiven();
+
+// Printing.
+std::string Printed(std::string_view title, std::size_t pages, double size);
+std::string NoSuchLesson(std::string_view given, std::string_view nearest);
+std::string NothingToPrint(std::string_view lesson);
+std::string PrintRunsNothing();
+std::string OnlyWithPrint(std::string_view option);
+
+// Single keys.
+std::string KeysNeedTerminal();
+std::string NoSuchKey(std::string_view key);
+std::string EscapeStops();
+std::string TwoWordsOneKey(std::string_view key, std::string_view first, std::string_view second);
+std::string KeyConflicts(const std::vector<std::string>& conflicts);
+
+// Where nothing can lead the hand.
+std::string NoLeading();
+std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of);
+
+}  // namespace moontrace::say

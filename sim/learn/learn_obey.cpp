@@ -1,0 +1,204 @@
+// Words of the learner, and what they are answered by.
+
+#include <algorithm>
+#include <ctime>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/learn/learn_messages.h"
+#include "sim/learn/learn_session.h"
+#include "sim/session/loop_messages.h"
+
+namespace moontrace {
+
+namespace {
+
+using lesson_action::Await;
+
+std::vector<std::string> CharactersOf(std::string_view utf8) {
+  std::vector<std::string> characters;
+  for (const char c : utf8) {
+    if ((static_cast<unsigned char>(c) & 0xc0) != 0x80 || characters.empty()) {
+      characters.emplace_back();
+    }
+    characters.back() += c;
+  }
+  return characters;
+}
+
+}  // namespace
+
+void LearnSession::Obey(const std::string& line) {
+  const int before = teller_.told();
+  teller_.Interrupt();
+  // while all rests, "go" is no answer, whatever the course teaches
+  const bool was_stopped = stopped_;
+  const bool goes = stopped_ && (line == "go" || line == "go ");
+  const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
+  switch (read.kind) {
+    case LearnLine::Kind::kWord:
+      Speak(read.word);
+      break;
+    case LearnLine::Kind::kAnswer:
+      Answer(read.answer);
+      break;
+    case LearnLine::Kind::kNothing:
+      break;  // what is waited for
+    case LearnLine::Kind::kUnknown:
+      teller_.Say(Priority::kText, say::LearnUnknown(line));
+      break;
+    case LearnLine::Kind::kAmbiguous:
+      teller_.Say(Priority::kText, say::LearnAmbiguous(line, LearnWordsFrom(line)));
+      break;
+  }
+  const bool stops = read.kind == LearnLine::Kind::kWord &&
+                     (read.word == LearnWord::kStop || read.word == LearnWord::kPause);
+  // What is shown and asked while all rests comes with no force: that must not be forgotten.
+  const bool rests = was_stopped && stopped_ && !stops;
+  if ((teller_.told() == before || rests) && !over_) {
+    teller_.Say(Priority::kText, Awaited());
+  }
+  teller_.EndTurn();
+}
+
+std::string LearnSession::Awaited() const {
+  if (stopped_) return paused_ ? say::Pausing() : say::Event(SafetyEvent::kStopped);
+  if (lent_) return say::LedNow();
+  if (await_ == Await::kTrace && stage_.simulated()) return say::ProgramTraces();
+  if (await_ == Await::kTrace && leading_ && stage_.pushes()) return say::LedNow();
+  return say::Awaited(await_, state_.question);
+}
+
+void LearnSession::Answer(const std::string& text) {
+  lesson_event::Answered answered;
+  answered.text = text;
+  answered.latency = felt_;
+  answered.measured = Flags(stage_.trace().Measured());
+  Take(std::move(answered));
+}
+
+void LearnSession::Speak(LearnWord word) {
+  using Word = lesson_event::Word;
+  const auto pass = [this](Word said) { Take(lesson_event::Said{said, false}); };
+  switch (word) {
+    case LearnWord::kAgain:
+      return pass(Word::kAgain);
+    case LearnWord::kNext:
+      return Next();
+    case LearnWord::kBigger:
+      return pass(Word::kBigger);
+    case LearnWord::kSmaller:
+      return pass(Word::kSmaller);
+    case LearnWord::kMoreHelp:
+      return pass(Word::kMoreHelp);
+    case LearnWord::kLessHelp:
+      return pass(Word::kLessHelp);
+    case LearnWord::kSlower:
+      return pass(Word::kSlower);
+    case LearnWord::kFaster:
+      return pass(Word::kFaster);
+    case LearnWord::kHint:
+      return pass(Word::kHint);
+    case LearnWord::kDone:
+      return EndTrace();
+    case LearnWord::kWhere:
+      return Where();
+    case LearnWord::kLetter:
+    case LearnWord::kSpell:
+    case LearnWord::kWord:
+      return Letter(word);
+    case LearnWord::kStop:
+      return Stop(false);
+    case LearnWord::kPause:
+      if (stopped_) return teller_.Say(Priority::kText, say::AlreadyStopped());
+      Pause(false);
+      return teller_.Say(Priority::kText, say::Pausing());
+    case LearnWord::kGo:
+      if (!GoOn(false)) return teller_.Say(Priority::kText, say::NotStopped());
+      return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
+    case LearnWord::kQuit:
+      over_ = true;
+      return;
+    case LearnWord::kHelp:
+      for (const std::string& line : help_) teller_.Say(Priority::kText, line);
+      return;
+  }
+}
+
+/// A long text's next page comes before the next step; a trace that was begun is done. A
+/// demonstration's hand is always on the page and makes nothing sure: there the sign is left.
+void LearnSession::Next() {
+  const bool begun = stage_.trace().touched() && !stage_.simulated();
+  if (await_ == Await::kTrace && begun) return EndTrace();
+  if (await_ == Await::kNext && stage_.Turn(true)) {
+    const LoopSession& session = stage_.session();
+    return teller_.Say(Priority::kText,
+                       say::NowPage(session.page(), session.text().set.pages.size()));
+  }
+  Take(lesson_event::Said{lesson_event::Word::kNext, false});
+}
+
+void LearnSession::EndTrace() {
+  if (await_ == Await::kAnswer) return teller_.Say(Priority::kText, say::StillAsked());
+  if (await_ != Await::kTrace) return Next();
+  const bool told = leading_ && !stage_.pushes();  // the way in words has been heard
+  if (!stage_.trace().touched() && !told) {
+    return teller_.Say(Priority::kText, say::NothingTouched());
+  }
+  Take(lesson_event::Traced{Flags(stage_.trace().Measured())});
+  if (!shown_) stage_.Restart();
+}
+
+void LearnSession::Where() {
+  const std::optional<NearLetter> letter = stage_.session().Near(newest_.tip_P);
+  const bool touching = newest_.depth > 0;
+  if (!letter || !letter->near) {
+    teller_.Say(Priority::kText, say::TipBetween(touching));
+  } else {
+    teller_.Say(Priority::kText,
+                say::TipAt(told() ? NameOf(course_, letter->name) : "", letter->line, touching));
+  }
+  teller_.Say(Priority::kText, Status());
+}
+
+std::string LearnSession::Status() const {
+  const auto& lessons = course_.lessons;
+  const Progress& progress = state_.progress;
+  const auto lesson = std::find_if(lessons.begin(), lessons.end(), [&progress](const Lesson& one) {
+    return one.id == progress.lesson;
+  });
+  if (lesson == lessons.end()) return say::NoLessonNow();
+  return say::WhereInCourse(lesson->title, static_cast<std::size_t>(lesson - lessons.begin()) + 1,
+                            lessons.size(), progress.step + 1, lesson->steps.size());
+}
+
+void LearnSession::Letter(LearnWord word) {
+  if (!told()) return teller_.Say(Priority::kText, say::NotWhileAsked());
+  const std::optional<NearLetter> letter = stage_.session().Near(newest_.tip_P);
+  const bool far = !letter || (word == LearnWord::kLetter && !letter->near);
+  if (far) return teller_.Say(Priority::kText, say::NoLetterHere());
+  if (word == LearnWord::kLetter) {
+    return teller_.Say(Priority::kText, say::LetterHere(NameOf(course_, letter->name)));
+  }
+  if (word == LearnWord::kWord) {
+    return teller_.Say(Priority::kText, say::WordHere(NameOf(course_, letter->word)));
+  }
+  std::vector<std::string> names;
+  for (const std::string& sign : CharactersOf(letter->word)) {
+    names.emplace_back(NameOf(course_, sign));
+  }
+  teller_.Spell(say::Spelled(names), letter->word);
+}
+
+void LearnSession::Stop(bool by_tutor) {
+  if (stopped_ && !stopped_by_tutor_) return teller_.Say(Priority::kText, say::AlreadyStopped());
+  Pause(by_tutor);
+  paused_ = false;
+  teller_.Hush();
+  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped));
+  teller_.Play(Earcon::kSafetyStop);
+  memory_.Note(Now(), "stop", by_tutor ? "tutor" : "learner");
+}
+
+}  // namespace moontrace

@@ -1,0 +1,89 @@
+#include "sim/learn/learn_print.h"
+
+#include <string>
+#include <vector>
+
+#include "sim/app/messages.h"
+#include "sim/learn/learn_messages.h"
+#include "sim/picture/moon_marks.h"
+#include "sim/picture/picture_file.h"
+#include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::size_t kMostPages = 100;
+
+const Lesson& LessonNamed(const Course& course, const std::string& name) {
+  if (course.lessons.empty()) throw InputError(say::NothingToPrint(course.id));
+  if (name.empty()) return course.lessons.front();
+  std::vector<std::string> ids;
+  for (const Lesson& lesson : course.lessons) {
+    if (lesson.id == name) return lesson;
+    ids.push_back(lesson.id);
+  }
+  throw UsageError(say::NoSuchLesson(name, NearestWord(name, ids)));
+}
+
+/// What is felt in a lesson, one line an item or text.
+std::string TextOfLesson(const Lesson& lesson) {
+  std::string text;
+  const auto add = [&text](const std::string& line) {
+    if (!line.empty()) text += line + '\n';
+  };
+  for (const std::string& item : lesson.items) add(item);
+  for (const Step& step : lesson.steps) {
+    add(step.text);
+    for (const std::string& item : step.items) {
+      if (text.find(item + '\n') == std::string::npos) add(item);
+    }
+  }
+  return text;
+}
+
+/// Swell paper rises where it is black: strokes are, and nothing else is drawn.
+Drawing SwellPage(const Typeset& set, std::size_t page, const Script& script,
+                  const std::string& title) {
+  constexpr double kMillimetres = 1e3;
+  const TextPage& sheet = set.pages[page];
+  Drawing drawing;
+  drawing.width = kMillimetres * set.page.width;
+  drawing.height = kMillimetres * set.page.height;
+  drawing.title = title;
+  drawing.description = say::PagePictureWords(sheet.glyphs.size(), sheet.lines, set.style);
+  drawing.marks = MoonMarks(sheet, script, set.style, {0, 0}, Color{0, 0, 0});
+  return drawing;
+}
+
+}  // namespace
+
+int PrintLesson(const LearnOptions& options, const Course& course, Console& console) {
+  CheckPicturePath(options.print);
+  const Lesson& lesson = LessonNamed(course, options.lesson);
+  const std::string text = TextOfLesson(lesson);
+  if (text.empty()) throw InputError(say::NothingToPrint(lesson.id));
+  StyleOptions style_options;
+  style_options.script = lesson.script.empty() ? course.script : lesson.script;
+  style_options.size = options.size.value_or(course.sizes.empty() ? 0.02 : course.sizes.front());
+  if (lesson.grade != 1) style_options.grade = lesson.grade;
+  const LayoutOptions layout;
+  Script script = ScriptOf(style_options, nullptr, text);
+  const TypeStyle style = StyleOf(style_options, layout, script, nullptr);
+  const Typeset set = SetText(text, script, style, PageOf(layout));
+  if (set.pages.size() > kMostPages) {
+    throw InputError(say::TooManyPictures(set.pages.size(), kMostPages));
+  }
+  std::vector<std::string> files;
+  for (std::size_t page = 0; page < set.pages.size(); ++page) {
+    console.CheckStop();
+    files.push_back(PicturePath(options.print, page, set.pages.size()));
+    WritePicture(files.back(), SwellPage(set, page, script, lesson.title));
+  }
+  console.Result(say::Printed(lesson.title, set.pages.size(), style.size));
+  for (const std::string& file : files) console.Path(file);
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,259 @@
+#include "sim/learn/learn_session.h"
+
+#include <algorithm>
+#include <ctime>
+#include <sstream>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/learn/learn_messages.h"
+#include "sim/learn/learn_way.h"
+#include "sim/session/loop_messages.h"
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+using lesson_action::Await;
+
+constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
+constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
+
+/// Texts of lessons have several.
+std::vector<std::string> LinesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+LearnSession::LearnSession(const Course& course, LearnMemory& memory, LearnStage& stage,
+                           LearnTeller& teller, std::uint64_t seed, std::vector<std::string> help)
+    : course_(course),
+      memory_(memory),
+      stage_(stage),
+      teller_(teller),
+      help_(std::move(help)),
+      state_(StartLesson(course, memory.Recall(course), seed)),
+      looked_(Clock::now()),
+      ordered_(looked_),
+      ticked_(looked_) {}
+
+std::int64_t LearnSession::Now() const { return static_cast<std::int64_t>(std::time(nullptr)); }
+
+Asked LearnSession::asked() const {
+  if (await_ != Await::kAnswer) return Asked::kNothing;
+  return state_.question == Question::kSame ? Asked::kSame : Asked::kName;
+}
+
+void LearnSession::Begin() {
+  Take(lesson_event::Begin{});
+  teller_.EndTurn();
+}
+
+/// What goes into a trial beside what was measured.
+Trial LearnSession::Flags(Trial measured) const {
+  measured.simulated = stage_.simulated();
+  const PageForm& form = stage_.form();
+  measured.scaled = stage_.simulated() || !stage_.pushes() || stage_.shrunk() ||
+                    stage_.session().scale() != 1 || form.depth != 1 || form.width != 1;
+  return measured;
+}
+
+void LearnSession::Take(decltype(Event::what) what) {
+  shown_ = false;
+  const Trial flags = Flags({});
+  state_.scaled = flags.scaled;
+  state_.simulated = flags.simulated;
+  LessonTurn turn = Advance(course_, std::move(state_), {Now(), std::move(what)});
+  state_ = std::move(turn.state);
+  // what is told as done must be on disk first
+  for (const Action& action : turn.actions) {
+    if (const auto* keep = std::get_if<lesson_action::Keep>(&action)) Do(*keep);
+  }
+  for (const Action& action : turn.actions) {
+    if (std::holds_alternative<lesson_action::Keep>(action)) continue;
+    std::visit([this](const auto& one) { Do(one); }, action);
+  }
+}
+
+void LearnSession::Do(const lesson_action::Keep& keep) {
+  const std::size_t before = memory_.held_back();
+  const std::string why = memory_.Keep(keep.trial, stage_.trace().track());
+  if (!keep.trial.item.empty()) ++kept_;
+  if (!why.empty()) {
+    teller_.Say(Priority::kMessage, say::NotKept(why));
+  } else if (before > 0) {
+    teller_.Say(Priority::kText, say::KeptNow(before));
+  }
+}
+
+void LearnSession::Do(const lesson_action::Say& sentence) {
+  std::string text;
+  if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
+  if (text.empty()) text = say::LessonSentence(course_, sentence);
+  for (const std::string& line : LinesOf(text)) {
+    teller_.Say(PriorityOf(sentence.sentence), OneLine(line, 1000));
+  }
+  if (const auto earcon = EarconOf(sentence.sentence)) teller_.Play(*earcon);
+}
+
+void LearnSession::Do(const lesson_action::Show& show) {
+  teller_.Flush();
+  try {
+    stage_.Show(show);
+    if (stage_.shrunk()) {
+      teller_.Say(Priority::kText, say::NoRoomFor(show.size, stage_.size()));
+    }
+  } catch (const InputError& error) {
+    teller_.Say(Priority::kText, say::CannotShow(show.told ? show.text : "", error.what()));
+  }
+  shown_ = true;
+  leading_ = lent_ = false;
+  felt_ = 0;
+}
+
+void LearnSession::Do(const lesson_action::Push& push) {
+  stage_.Push(push);
+  lent_ = false;
+  leading_ = push.demonstrate;
+  if (leading_ && !stage_.pushes() && !stage_.simulated()) TellWay();
+}
+
+void LearnSession::Do(Await await) {
+  await_ = await;
+  if (await == Await::kEnd) over_ = true;
+}
+
+/// Where nothing can lead the hand, words do.
+void LearnSession::TellWay() {
+  teller_.Say(Priority::kText, say::NoLeading());
+  for (const std::string& line : WayInWords(stage_.trace().strokes())) {
+    teller_.Say(Priority::kText, line);
+  }
+}
+
+void LearnSession::Pause(bool by_tutor) {
+  stage_.session().loop().Stop();
+  ordered_ = Clock::now();
+  stopped_by_tutor_ = by_tutor && (!stopped_ || stopped_by_tutor_);
+  stopped_ = paused_ = true;
+}
+
+bool LearnSession::GoOn(bool by_tutor) {
+  if (!stopped_ || (by_tutor && !stopped_by_tutor_)) return false;
+  stage_.GoOn();
+  ordered_ = Clock::now();
+  stopped_ = false;
+  return true;
+}
+
+void LearnSession::Lead(std::shared_ptr<const GuidancePath> path) {
+  stage_.Lead(std::move(path), state_.speed);
+  lent_ = true;
+}
+
+void LearnSession::Look() {
+  const Clock::time_point now = Clock::now();
+  const double passed = std::chrono::duration<double>(now - looked_).count();
+  looked_ = now;
+  stage_.session().loop().TakeSnapshot(newest_);
+  LookAtEvents();
+  LookAtStop();
+  if (!stopped_ && newest_.present) felt_ += passed;
+  stage_.TakeSamples(!stopped_);
+  LookAtTrace();
+  if (std::chrono::duration<double>(now - ticked_).count() >= kTickEvery) {
+    ticked_ = now;
+    Take(lesson_event::Tick{});
+  }
+  teller_.EndTurn();
+}
+
+/// The state of the loop tells, not its events: a button's stop differs from a word's in nothing
+/// but that it has not been told yet.
+void LearnSession::LookAtStop() {
+  const double since = std::chrono::duration<double>(Clock::now() - ordered_).count();
+  if (newest_.stopped == stopped_ || since < kObeysWithin) return;
+  stopped_ = newest_.stopped;
+  stopped_by_tutor_ = paused_ = false;
+  if (!stopped_) return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
+  teller_.Hush();
+  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped));
+  teller_.Play(Earcon::kSafetyStop);
+  memory_.Note(Now(), "stop", "button");
+}
+
+void LearnSession::LookAtEvents() {
+  Loop& loop = stage_.session().loop();
+  LoopEvent event;
+  while (loop.TakeEvent(event)) {
+    const bool safety = event.kind == LoopEventKind::kSafety;
+    if (safety && event.safety == SafetyEvent::kStopped) continue;  // LookAtStop
+    if (event.kind == LoopEventKind::kWentOn) continue;
+    // the program's hand runs on while all rests, held by nothing
+    if (safety && stopped_ && stage_.simulated()) continue;
+    if (event.kind == LoopEventKind::kSay) {
+      Where();
+    } else if (event.kind == LoopEventKind::kBookmark) {
+      EndTrace();
+    } else if (safety && event.safety == SafetyEvent::kDeviceLost) {
+      teller_.Say(Priority::kImportant, say::DeviceLost(loop.WhyGone()));
+      if (stage_.trace().touched()) teller_.Say(Priority::kText, say::LostTrial());
+      stage_.Restart();
+      felt_ = 0;
+    } else if (safety && TakesForceAway(event.safety)) {
+      teller_.Say(Priority::kImportant, say::Event(event));
+    } else {
+      teller_.Happening(Priority::kText, say::Event(event));
+    }
+  }
+  for (const std::string& sentence : stage_.session().TakeSentences()) {
+    teller_.Say(Priority::kText, sentence);
+  }
+  if (loop.silent() && !silent_) teller_.Say(Priority::kImportant, say::LoopSilent());
+  silent_ = loop.silent();
+  const std::string why = loop.WhyLost();
+  if (why != why_lost_ && !why.empty()) teller_.Say(Priority::kText, say::StillLost(why));
+  why_lost_ = why;
+}
+
+/// A hand that is led has come to the end, a simulated one has been round the page, or one that
+/// follows has covered enough and is lifted.
+void LearnSession::LookAtTrace() {
+  const bool led = newest_.guided && newest_.guidance_done;
+  const LearnTrace& trace = stage_.trace();
+  if (lent_) {
+    if (led) stage_.LetGo();
+    lent_ = !led;
+    return;
+  }
+  if (await_ != Await::kTrace || stopped_) return;
+  const bool leads = leading_ && stage_.pushes();
+  if (leads && led && !trace.touched()) {
+    teller_.Say(Priority::kText, say::NothingTouched());
+    return stage_.LetGo();  // once more
+  }
+  const bool round = stage_.simulated() && trace.duration() >= stage_.session().round();
+  if (!trace.touched()) return;
+  if (round || (leads ? led : trace.Ended(course_.mastery.coverage))) EndTrace();
+}
+
+std::size_t LearnSession::End() {
+  stage_.session().loop().End();
+  const std::size_t lost = memory_.KeepRest();
+  const auto& items = state_.progress.items;
+  const auto sure =
+      std::count_if(items.begin(), items.end(), [](const auto& item) { return item.second.sure; });
+  teller_.Say(Priority::kMessage, say::SessionEnded(kept_, static_cast<std::size_t>(sure)));
+  teller_.EndTurn();
+  return lost;
+}
+
+}  // namespace moontrace

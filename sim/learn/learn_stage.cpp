@@ -1,0 +1,161 @@
+#include "sim/learn/learn_stage.h"
+
+#include <algorithm>
+#include <exception>
+#include <glm/glm.hpp>
+#include <utility>
+
+#include "textures/base/error.h"
+
+namespace moontrace {
+
+namespace {
+
+/// A stroke is meant within a quarter em of it, as in traces with a device.
+constexpr double kReachEm = 0.25;
+/// Where letters have no room they are tried smaller, down to this.
+constexpr double kSmallest = 0.003;  ///< [m]
+constexpr double kSmaller = 0.8;
+constexpr int kMostHelp = 10;
+
+/// What lies there before the first page: nothing, at any size.
+SessionRequest EmptyPage(const StageOptions& options) {
+  SessionRequest request;
+  request.text.text.text = "o";
+  request.text.style.size = 0.012;
+  request.text.command = "learn";
+  request.live = options.live;
+  request.press = options.press;
+  request.blank = true;
+  request.centred = true;
+  request.seed = options.seed;
+  request.aims = options.aims;
+  return request;
+}
+
+}  // namespace
+
+LearnStage::LearnStage(const StageOptions& options, Console& console)
+    : options_(options), session_(EmptyPage(options), console), gains_(GuidanceTable::Shipped()) {
+  Restart();
+}
+
+TextRequest LearnStage::RequestFor(const lesson_action::Show& show, double size) const {
+  TextRequest request = session_.request().text;
+  request.text = {};
+  // one sign, a hyphen, would ask for standard input; nothing at all is an empty sheet
+  request.text.text = show.text == "-" ? "- " : show.text.empty() ? "o" : show.text;
+  request.style = {};
+  request.style.size = size;
+  if (!show.text.empty() && !show.script.empty()) request.style.script = show.script;
+  if (!show.text.empty() && show.grade != 1) request.style.grade = show.grade;
+  request.layout = {};
+  request.form = form_;
+  return request;
+}
+
+void LearnStage::Set(const lesson_action::Show& show) {
+  const bool blank = show.text.empty();
+  double size = show.size;
+  for (;;) {
+    try {
+      session_.ChangeText(RequestFor(show, size), blank);
+      break;
+    } catch (const InputError&) {
+      size *= kSmaller;
+      if (size < kSmallest) throw;
+    }
+  }
+  shrunk_ = size < show.size;
+}
+
+void LearnStage::Show(const lesson_action::Show& show) {
+  Set(show);
+  shown_ = show;
+  way_.reset();
+  Restart();
+}
+
+void LearnStage::Restart() {
+  const TextSetup& text = session_.text();
+  const TextPage& page = text.set.pages[session_.page()];
+  std::vector<IntendedStroke> strokes;
+  if (!session_.request().blank) strokes = IntendedStrokes(page, text.script, text.set.style);
+  trace_ = std::make_unique<LearnTrace>(std::move(strokes), page.glyphs.size(), tick(),
+                                        kReachEm * size(), options_.keep_tracks);
+  Guide();
+}
+
+void LearnStage::GoOn() {
+  session_.GoOn();
+  if (simulated()) Restart();
+}
+
+void LearnStage::SetTilt(double tilt) {
+  session_.Tilt(tilt);
+  Restart();
+}
+
+void LearnStage::SetForm(const PageForm& form) {
+  const PageForm before = std::exchange(form_, form);
+  try {
+    Set(shown_);
+  } catch (...) {
+    form_ = before;
+    throw;
+  }
+  Restart();
+}
+
+bool LearnStage::Turn(bool forward) {
+  if (!session_.Turn(forward)) return false;
+  Restart();
+  return true;
+}
+
+void LearnStage::Push(const lesson_action::Push& push) {
+  push_ = push;
+  way_.reset();
+  Guide();
+}
+
+void LearnStage::Lead(std::shared_ptr<const GuidancePath> path, double speed) {
+  way_ = std::move(path);
+  way_speed_ = speed;
+  Guide();
+}
+
+void LearnStage::LetGo() {
+  way_.reset();
+  Restart();
+}
+
+/// The push as it is wanted, on the page that lies there.
+void LearnStage::Guide() {
+  const bool leads = way_ != nullptr;
+  const GuidanceMode mode = leads ? GuidanceMode::kBead : push_.mode;
+  const int help = leads ? kMostHelp : push_.help;
+  GuidancePlan plan;
+  plan.mode = mode;
+  plan.gains = gains_.GainsOf(mode, help);
+  plan.gains.bead_speed *= leads ? way_speed_ : push_.speed;
+  const bool nothing = help <= 0 || mode == GuidanceMode::kOff;
+  if (nothing || (!leads && trace_->strokes().empty())) return session_.loop().Guide(nullptr);
+  plan.path = leads ? way_ : MakeGuidancePath(trace_->strokes());
+  session_.loop().Guide(std::make_shared<const GuidancePlan>(std::move(plan)));
+}
+
+void LearnStage::TakeSamples(bool felt) {
+  LoopSample sample;
+  while (session_.loop().TakeSample(sample)) {
+    if (tap_) tap_(sample);
+    if (watch_) watch_(sample);
+    if (felt && sample.page == session_.number()) trace_->Add(sample);
+  }
+}
+
+bool LearnStage::pushes() const {
+  return !simulated() && !session_.mouse() && glm::any(session_.limits().pushes);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lessons/guide/guidance.h"
+#include "lessons/machine/lesson_machine.h"
+#include "sim/learn/learn_trace.h"
+#include "sim/session/loop_session.h"
+
+namespace moontrace {
+
+struct StageOptions {
+  LiveOptions live;
+  std::optional<double> press;                    ///< [N]
+  std::uint64_t seed = 1;                         ///< of the simulated hand
+  std::shared_ptr<Mailbox<StylusAim>> aims = {};  ///< see SessionRequest
+  bool keep_tracks = false;
+};
+
+/// What is shown and felt in a lesson: the page under the hand, the push, and what the hand did on
+/// it since.
+class LearnStage {
+ public:
+  /// Opens the device and lets an empty page be felt. Throws DeviceError, InputError, UsageError.
+  LearnStage(const StageOptions& options, Console& console);
+
+  /// Throws InputError, and leaves all as it was: the text cannot be set at any size.
+  void Show(const lesson_action::Show& show);
+  /// The push from now on; it stays for the pages to come until there is another.
+  void Push(const lesson_action::Push& push);
+  /// A way that the hand is led along in place of what was wanted, until LetGo, Show or Push.
+  void Lead(std::shared_ptr<const GuidancePath> path, double speed);
+  /// The push is again as it was wanted, and the hand begins anew.
+  void LetGo();
+  /// The next or last page of a long text. False if there is none.
+  bool Turn(bool forward);
+  /// The hand begins anew on the page that lies there.
+  void Restart();
+  /// Force again after a stop; what a simulated hand did counts from now on.
+  void GoOn();
+  /// How letters and paper are from now on; the page is set anew. Throws InputError, and leaves all
+  /// as it was.
+  void SetForm(const PageForm& form);
+  /// The far edge raised [rad]. Throws InputError: this device cannot.
+  void SetTilt(double tilt);
+
+  /// Takes what the loop has felt. `felt`: it counts for the trace.
+  void TakeSamples(bool felt);
+  /// Is given every sample too; none: nobody.
+  void SetTap(std::function<void(const LoopSample&)> tap) { tap_ = std::move(tap); }
+  /// Likewise, for a view.
+  void SetWatch(std::function<void(const LoopSample&)> watch) { watch_ = std::move(watch); }
+
+  const LearnTrace& trace() const { return *trace_; }
+  /// A hand can be pushed here.
+  bool pushes() const;
+  bool simulated() const { return session_.simulated(); }
+  LoopSession& session() { return session_; }
+  const LoopSession& session() const { return session_; }
+  const lesson_action::Show& shown() const { return shown_; }
+  const PageForm& form() const { return form_; }
+  /// Size of the letters that lie there [m]: smaller than was asked for where they had no room.
+  double size() const { return session_.text().set.style.size; }
+  bool shrunk() const { return shrunk_; }
+  double tick() const { return 1 / session_.rate(); }
+
+ private:
+  TextRequest RequestFor(const lesson_action::Show& show, double size) const;
+  void Set(const lesson_action::Show& show);
+  void Guide();
+
+  StageOptions options_;
+  LoopSession session_;
+  GuidanceTable gains_;
+  lesson_action::Show shown_;
+  lesson_action::Push push_;
+  std::shared_ptr<const GuidancePath> way_;  ///< of Lead
+  double way_speed_ = 1;
+  PageForm form_;
+  bool shrunk_ = false;
+  std::unique_ptr<LearnTrace> trace_;
+  std::function<void(const LoopSample&)> tap_, watch_;
+};
+
+}  // namespace moontrace

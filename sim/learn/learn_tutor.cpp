@@ -1,0 +1,247 @@
+#include "sim/learn/learn_tutor.h"
+
+#include <charconv>
+#include <cmath>
+#include <ctime>
+#include <utility>
+#include <variant>
+
+#include "lessons/guide/guidance.h"
+#include "sim/learn/learn_tutor_messages.h"
+#include "sim/tutor/page_messages.h"
+#include "sim/tutor/tutor_messages.h"
+#include "sim/tutor/word_messages.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+
+namespace {
+
+/// Tutors who come in through the door have numbers from 1.
+constexpr std::size_t kAtWindow = 0;
+
+/// The lesson of that number, as "lesson 5 of 22" has it; whose id it is; or the only one whose id
+/// begins so ("04"). Empty: none, or several.
+std::string LessonOf(const Course& course, const std::string& given) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), number);
+  if (error == std::errc() && end == given.data() + given.size() && given.front() != '0') {
+    return number <= course.lessons.size() ? course.lessons[number - 1].id : std::string();
+  }
+  std::string found;
+  for (const Lesson& lesson : course.lessons) {
+    if (lesson.id == given) return given;
+    if (lesson.id.compare(0, given.size(), given) != 0) continue;
+    if (!found.empty()) return {};
+    found = lesson.id;
+  }
+  return found;
+}
+
+/// The lesson machine says what became of it, before the page shows it.
+bool LessonTells(TutorWord word) {
+  return word == TutorWord::kSize || word == TutorWord::kHelp || word == TutorWord::kMode;
+}
+
+}  // namespace
+
+TutorDesk::TutorDesk(LearnSession& session, bool door, Told window)
+    : session_(session), window_(std::move(window)) {
+  const std::string& name = session_.memory().name();
+  if (door) server_.emplace(name, say::TutorGreeting(name));
+  session_.teller().SetListener([this](std::string_view line) {
+    if (server_) server_->Tell(line);
+    if (window_) window_(line);
+  });
+}
+
+TutorDesk::~TutorDesk() {
+  session_.teller().SetListener(nullptr);
+  session_.stage().SetTap(nullptr);
+}
+
+void TutorDesk::Serve() {
+  LearnTeller& teller = session_.teller();
+  if (server_) {
+    for (const std::string& sentence : server_->TakeSentences()) {
+      teller.Say(Priority::kMessage, sentence);
+    }
+    while (const std::optional<TutorServer::Line> line = server_->Next()) Take(*line);
+  }
+  if (recorder_ && recorder_->full()) {
+    teller.Say(Priority::kMessage, say::TutorGaveBack());
+    Record(kAtWindow);
+  }
+  teller.EndTurn();
+}
+
+void TutorDesk::Hear(const std::string& line, const Told& answer) {
+  answer_ = answer;
+  Take({kAtWindow, line});
+  answer_ = nullptr;
+  session_.teller().EndTurn();
+}
+
+void TutorDesk::Take(const TutorServer::Line& line) {
+  const auto read = ReadTutorCommand(line.text);
+  if (const auto* refusal = std::get_if<TutorRefusal>(&read)) {
+    Answer(line.tutor, refusal->line);
+  } else {
+    Do(line, std::get<TutorCommand>(read));
+  }
+}
+
+void TutorDesk::Answer(std::size_t tutor, std::string_view line) {
+  if (tutor != kAtWindow) {
+    server_->Answer(tutor, line);
+  } else if (answer_) {
+    answer_(line);
+  }
+}
+
+void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
+  switch (command.word) {
+    case TutorWord::kQuestion:
+      Answer(line.tutor, say::NumberedWords(TutorWords()));
+      return Answer(line.tutor, say::PageWordsHelp());
+    case TutorWord::kWhere:
+      return Answer(line.tutor, session_.Status());
+    case TutorWord::kWho:
+      return Answer(line.tutor,
+                    say::WhoIsHere(session_.memory().name(), server_ ? server_->tutors() : 0));
+    case TutorWord::kQuit:
+      Answer(line.tutor, say::TutorGone());
+      if (line.tutor != kAtWindow) server_->Dismiss(line.tutor);
+      return;
+    case TutorWord::kGo:
+      if (!session_.stopped()) return Answer(line.tutor, say::NothingRests());
+      if (!session_.GoOn(true)) return Answer(line.tutor, say::LearnerStopped());
+      break;
+    case TutorWord::kShow:
+    case TutorWord::kPlayback:
+      // the learner must not wait for a push that cannot come
+      if (!session_.stage().pushes()) return Answer(line.tutor, say::CannotLead());
+      if (command.word == TutorWord::kPlayback && !stroke_) {
+        return Answer(line.tutor, say::NoStrokeYet());
+      }
+      break;
+    case TutorWord::kRecord:
+      // the program's hand is on the page, not the tutor's
+      if (session_.stage().simulated()) return Answer(line.tutor, say::CannotRecord());
+      break;
+    case TutorWord::kLesson:
+      if (LessonOf(session_.course(), command.text).empty()) {
+        return Answer(line.tutor,
+                      say::LessonNotFound(command.text, session_.course().lessons.size()));
+      }
+      break;
+    default:
+      break;
+  }
+  if (command.page && command.page->word != PageWord::kSize) return ChangeForm(line, command);
+  const bool gives_back = command.word == TutorWord::kRecord && recorder_;
+  if (!LessonTells(command.word)) {
+    session_.teller().Say(Priority::kMessage,
+                          gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
+    session_.teller().Flush();
+  }
+  session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
+  try {
+    if (!DoToPage(line.tutor, command)) DoToLesson(command);
+  } catch (const InputError& error) {
+    session_.teller().Say(Priority::kMessage, say::PageStays(error.what()));
+  }
+}
+
+/// Told once it is so: not every page can take every form.
+void TutorDesk::ChangeForm(const TutorServer::Line& line, const TutorCommand& command) {
+  LearnStage& stage = session_.stage();
+  try {
+    if (command.page->word == PageWord::kTilt) {
+      stage.SetTilt(command.page->value);
+    } else {
+      stage.SetForm(Changed(stage.form(), *command.page));
+    }
+  } catch (const InputError& error) {
+    return Answer(line.tutor, say::PageStays(error.what()));
+  }
+  session_.teller().Say(Priority::kMessage, say::TutorDoes(command));
+  session_.teller().Flush();
+  session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
+}
+
+/// What changes the hand's way on the page.
+bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
+  const LearnStage& stage = session_.stage();
+  switch (command.word) {
+    case TutorWord::kPause:
+      session_.Pause(true);
+      return true;
+    case TutorWord::kShow:
+      session_.Lead(MakeGuidancePath(stage.trace().strokes()));
+      return true;
+    case TutorWord::kRecord:
+      Record(tutor);
+      return true;
+    case TutorWord::kPlayback:
+      PlayBack();
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// What overrules the rules of the course.
+void TutorDesk::DoToLesson(const TutorCommand& command) {
+  lesson_event::Overrule overrule;
+  switch (command.word) {
+    case TutorWord::kSize:
+      overrule.size = command.page->value;
+      break;
+    case TutorWord::kHelp:
+      overrule.help = command.help;
+      break;
+    case TutorWord::kMode:
+      overrule.mode = command.mode;
+      break;
+    case TutorWord::kSkip:
+      overrule.skip = true;
+      break;
+    case TutorWord::kNext:
+      overrule.next_lesson = true;
+      break;
+    case TutorWord::kLesson:
+      overrule.lesson = LessonOf(session_.course(), command.text);
+      break;
+    case TutorWord::kAgain:
+      return session_.TutorSays({lesson_event::Word::kAgain, true});
+    default:
+      return;  // told, and no more: "say"
+  }
+  session_.Overrule(overrule);
+}
+
+void TutorDesk::Record(std::size_t tutor) {
+  LearnStage& stage = session_.stage();
+  if (!recorder_) {
+    recorder_.emplace();
+    stage.SetTap([this](const LoopSample& sample) {
+      recorder_->Add(sample.time, sample.tip_P, sample.in_contact);
+    });
+    return Answer(tutor, say::Recording());
+  }
+  stage.SetTap(nullptr);
+  std::optional<RecordedStroke> stroke = recorder_->Stroke();
+  recorder_.reset();
+  stage.Restart();  // what the tutor's hand did is not the learner's
+  if (!stroke) return Answer(tutor, say::NothingRecorded());
+  stroke_ = std::move(stroke);
+  Answer(tutor, say::RecordedStrokeIs(stroke_->times.back()));
+}
+
+void TutorDesk::PlayBack() {
+  const double width = session_.stage().session().text().set.style.width;
+  session_.Lead(MakeRecordedPath(stroke_->times, stroke_->tips_P, width));
+}
+
+}  // namespace moontrace

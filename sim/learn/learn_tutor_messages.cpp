@@ -1,0 +1,67 @@
+#include "sim/learn/learn_tutor_messages.h"
+
+#include <fmt/core.h>
+
+#include "sim/tutor/page_messages.h"
+#include "sim/wording/words.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace::say {
+
+std::string TutorGreeting(std::string_view learner) {
+  return fmt::format("Lesson of {}. Type where for what goes on, ? for the words.",
+                     OneLine(learner));
+}
+
+std::string TutorDoes(const TutorCommand& command) {
+  if (command.page) return fmt::format("Tutor: {}.", PageBecomes(*command.page));
+  switch (command.word) {
+    case TutorWord::kPause:
+      return "Tutor: pause, no force.";
+    case TutorWord::kGo:
+      return "Tutor: going on.";
+    case TutorWord::kShow:
+      return "Tutor shows: let your hand be led.";
+    case TutorWord::kSay:
+      return fmt::format("Tutor says: {}", OneLine(command.text, 900));
+    case TutorWord::kAgain:
+      return "Tutor: once more.";
+    case TutorWord::kSkip:
+      return "Tutor: skipped.";
+    case TutorWord::kNext:
+      return "Tutor: the next lesson.";
+    case TutorWord::kLesson:
+      return "Tutor: another lesson.";  // which one, the lesson says itself
+    case TutorWord::kRecord:
+      return "Tutor takes the device for a stroke.";
+    case TutorWord::kPlayback:
+      return "Tutor's stroke: let your hand be led.";
+    default:
+      break;  // between tutor and program
+  }
+  return {};
+}
+
+std::string LearnerStopped() { return "The learner has stopped: only the learner goes on."; }
+std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
+std::string LessonNotFound(std::string_view given, std::size_t lessons) {
+  return fmt::format("No such lesson, or several: {}. A number from 1 to {}, as where says it.",
+                     OneLine(given, 20), lessons);
+}
+std::string WhoIsHere(std::string_view learner, std::size_t tutors) {
+  return fmt::format("Learner: {}; {} here.", OneLine(learner), Counted(tutors, "tutor", "tutors"));
+}
+std::string TutorGaveBack() { return "The device is yours again: the tutor's stroke is taken."; }
+std::string Recording() { return "Recording: trace, then say record again."; }
+std::string RecordedStrokeIs(double seconds) {
+  return fmt::format("Recorded: {} s. Say playback to lead the learner along it.",
+                     Short(seconds, 1));
+}
+std::string NothingRecorded() { return "Nothing recorded: the page was not touched."; }
+std::string NoStrokeYet() { return "No stroke yet: say record first."; }
+std::string CannotRecord() {
+  return "No recording in a demonstration: take a device, with learn --device.";
+}
+std::string CannotLead() { return "Nothing can lead a hand here: the device has no motors."; }
+
+}  // namespace moontrace::say

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sim/tutor/tutor_command.h"
+
+/// Sentences of a tutor's commands, for learner and tutor; see messages.h.
+namespace moontrace::say {
+
+/// Each tutor is met with it, whenever they come.
+std::string TutorGreeting(std::string_view learner);
+/// What the learner is told before a command is done; empty: the lesson tells it.
+std::string TutorDoes(const TutorCommand& command);
+std::string LearnerStopped();
+std::string NothingRests();
+std::string LessonNotFound(std::string_view given, std::size_t lessons);
+std::string WhoIsHere(std::string_view learner, std::size_t tutors);
+std::string TutorGaveBack();
+std::string Recording();
+std::string RecordedStrokeIs(double seconds);
+std::string NothingRecorded();
+std::string NoStrokeYet();
+std::string CannotRecord();
+std::string CannotLead();
+
+}  // namespace moontrace::say

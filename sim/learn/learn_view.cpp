@@ -1,0 +1,125 @@
+#include "sim/learn/learn_view.h"
+
+#include <algorithm>
+
+#include "sim/session/view_controls.h"
+#include "sim/session/view_messages.h"
+#include "sim/session/view_panels.h"
+#include "sim/tutor/tutor_command.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+std::vector<std::string> Modes() {
+  std::vector<std::string> modes;
+  modes.reserve(kGuidanceModeCount);
+  for (std::size_t i = 0; i < kGuidanceModeCount; ++i) {
+    modes.emplace_back(NameOf(static_cast<GuidanceMode>(i)));
+  }
+  return modes;
+}
+
+std::string TitleOfLesson(const LearnSession& session) {
+  for (const Lesson& lesson : session.course().lessons) {
+    if (lesson.id == session.state().progress.lesson) return lesson.title;
+  }
+  return {};
+}
+
+/// Whether a line begins with a tutor's whole word. Whole, since a learner's answer may be short;
+/// "quit" at the window ends the lesson, not the tutor's visit.
+bool IsTutorsWord(const std::string& line) {
+  const std::string word = LowerCase(line.substr(0, line.find(' ')));
+  const std::vector<std::string>& words = TutorWords();
+  return word != "quit" && std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
+LearnView::LearnView(ViewFeed& feed, LearnSession& session, TutorDesk& desk, Console& console)
+    : feed_(feed), session_(session), desk_(desk), console_(console) {
+  feed_.SetPanel(LearnPanel());
+  session_.stage().SetWatch([this](const LoopSample& sample) { feed_.Add(sample); });
+}
+
+LearnView::~LearnView() { session_.stage().SetWatch(nullptr); }
+
+void LearnView::Look() {
+  feed_.Look(session_.stage().session(), session_.newest());
+  feed_.SetValues(LearnPanelValues(session_));
+  while (const std::optional<std::string> line = feed_.NextLine()) {
+    if (!session_.over()) Obey(*line);
+  }
+  const std::string notice = feed_.TakeNotice();
+  if (!notice.empty()) session_.teller().Remark(notice);
+  if (session_.over()) return;
+  // nothing could move the tip again
+  if (feed_.failed() && session_.stage().session().mouse()) return session_.Obey("quit");
+  if (!feed_.closed()) return;
+  session_.teller().Happening(Priority::kText, say::WindowClosed());
+  session_.Obey("quit");
+}
+
+void LearnView::Obey(const std::string& line) {
+  if (const std::optional<std::string> done = feed_.Obey(line)) return Answer(*done);
+  // the one at the panel is the tutor: what the learner stops, the tutor cannot start
+  if (line == "stop") {
+    session_.Stop(true);
+    return session_.teller().EndTurn();
+  }
+  if (line == "?") return Help();
+  // a bare "next" is what lessons tell the learner to say; the panel says "skip" and "next lesson"
+  if (line == "next" || !IsTutorsWord(line)) return session_.Obey(line);
+  desk_.Hear(line, [this](std::string_view answer) { Answer(answer); });
+}
+
+/// The tutor's words; the learner is not made to hear them.
+void LearnView::Help() {
+  desk_.Hear("?", [this](std::string_view answer) { Answer(answer); });
+  Answer(say::ViewWordsHelp());
+  Answer(say::ViewColoursHelp());
+}
+
+void LearnView::Answer(std::string_view line) {
+  console_.Result(line);
+  console_.out().flush();
+  feed_.Told(line);
+}
+
+std::vector<PanelControl> LearnPanel() {
+  std::vector<PanelControl> panel = {HeadingControl("Lesson"), TextControl("Learner"),
+                                     TextControl("Lesson"), TextControl("Sign"),
+                                     TextControl("The tip")};
+  Append(panel, {HeadingControl("Help"), SliderControl("Help", "help", "", 0, 10, 1),
+                 ChoiceControl("Mode", "mode", Modes())});
+  Append(panel, {HeadingControl("Do"), ButtonControl("Stop", "stop"),
+                 ButtonControl("Pause", "pause"), ButtonControl("Go on", "go"),
+                 ButtonControl("Again", "again"), ButtonControl("Next", "skip"),
+                 ButtonControl("Next lesson", "next lesson"), ButtonControl("Show me", "show")});
+  panel.push_back(HeadingControl("Page"));
+  Append(panel, PageControls());
+  return panel;
+}
+
+std::vector<PanelValue> LearnPanelValues(const LearnSession& session) {
+  const LessonState& state = session.state();
+  const bool told = session.stage().shown().told || session.stage().simulated();
+  const LoopSnapshot& newest = session.newest();
+  std::vector<PanelValue> values = {{},
+                                    TextValue(session.memory().name()),
+                                    TextValue(TitleOfLesson(session)),
+                                    TextValue(told ? state.item : "asked now"),
+                                    TextValue(say::PanelState(session.stopped(), newest.depth > 0)),
+                                    {},
+                                    NumberValue(state.help),
+                                    ChosenValue(static_cast<int>(state.mode)),
+                                    {}};
+  values.resize(values.size() + 8);
+  const LoopSession& loop = session.stage().session();
+  Append(values, PageValues(loop.text(), session.stage().form(), loop.tilt()));
+  return values;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/learn/learn_session.h"
+#include "sim/learn/learn_tutor.h"
+#include "sim/session/view_feed.h"
+
+namespace moontrace {
+
+/// A lesson in a window, beside it the tutor's panel. What is said there is a tutor's word where it
+/// is one, else the learner's.
+class LearnView {
+ public:
+  /// All must outlive this.
+  LearnView(ViewFeed& feed, LearnSession& session, TutorDesk& desk, Console& console);
+  ~LearnView();
+  LearnView(const LearnView&) = delete;
+  LearnView& operator=(const LearnView&) = delete;
+
+  /// Shows what there is and does what was said, at the rate of polling.
+  void Look();
+
+ private:
+  void Obey(const std::string& line);
+  void Help();
+  void Answer(std::string_view line);
+
+  ViewFeed& feed_;
+  LearnSession& session_;
+  TutorDesk& desk_;
+  Console& console_;
+};
+
+/// The panel of a lesson, and what it shows.
+std::vector<PanelControl> LearnPanel();
+std::vector<PanelValue> LearnPanelValues(const LearnSession& session);
+
+}  // namespace moontrace

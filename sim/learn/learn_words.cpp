@@ -1,0 +1,102 @@
+#include "sim/learn/learn_words.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "lessons/machine/answer.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+using Kind = LearnLine::Kind;
+
+std::string Trimmed(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const auto begin = line.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return LowerCase(line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1));
+}
+
+/// Without the slash before and the question mark behind: "/word?" -> "word".
+std::string Bare(std::string given) {
+  if (!given.empty() && given.front() == '/') given = Trimmed(given.substr(1));
+  if (given.size() > 1 && given.back() == '?') given = Trimmed(given.substr(0, given.size() - 1));
+  return given;
+}
+
+LearnLine Word(LearnWord word) { return {Kind::kWord, word, {}}; }
+LearnLine Answer(std::string answer) {
+  return {Kind::kAnswer, LearnWord::kHelp, std::move(answer)};
+}
+
+std::optional<LearnWord> WholeWord(const std::string& given) {
+  const std::vector<std::string>& words = LearnWords();
+  const auto found = std::find(words.begin(), words.end(), given);
+  if (found != words.end()) return static_cast<LearnWord>(found - words.begin());
+  return given == "?" ? std::optional(LearnWord::kHelp) : std::nullopt;
+}
+
+LearnLine Command(const std::string& given) {
+  if (const auto word = WholeWord(given)) return Word(*word);
+  const std::vector<std::string>& words = LearnWords();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (given == std::to_string(i + 1)) return Word(static_cast<LearnWord>(i));
+  }
+  const std::vector<std::string> found = LearnWordsFrom(given);
+  if (found.size() == 1) return Word(*WholeWord(found.front()));
+  return {found.empty() ? Kind::kUnknown : Kind::kAmbiguous, LearnWord::kHelp, {}};
+}
+
+bool Begins(std::string_view word, const std::string& given) {
+  return given.size() > 1 && word.compare(0, given.size(), given) == 0;
+}
+
+bool IsSign(const std::string& given) {
+  const bool digits = given.find_first_not_of("0123456789") == std::string::npos;
+  return digits || CountCharacters(given) == 1;
+}
+
+}  // namespace
+
+const std::vector<std::string>& LearnWords() {
+  static const std::vector<std::string> words = {
+      "again",   "next",      "where",     "letter", "spell",  "word", "bigger",
+      "smaller", "more help", "less help", "slower", "faster", "hint", "stop",
+      "go",      "pause",     "done",      "quit",   "help"};
+  return words;
+}
+
+std::vector<std::string> LearnWordsFrom(std::string_view line) {
+  const std::string given = Bare(Trimmed(line));
+  std::vector<std::string> found;
+  for (const std::string& word : LearnWords()) {
+    if (word.compare(0, given.size(), given) == 0) found.push_back(word);
+  }
+  return found;
+}
+
+LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course) {
+  const std::string given = Trimmed(line);
+  if (given.empty()) return {};
+  const std::string bare = Bare(given);
+  if (bare.empty()) return Word(LearnWord::kHelp);  // a slash alone
+  if (asked == Asked::kNothing || given.front() == '/') return Command(bare);
+  if (bare == "stop") return Word(LearnWord::kStop);
+  if (bare == "quit") return Word(LearnWord::kQuit);
+  if (asked == Asked::kSame) {
+    if (SameSaid(given)) return Answer(given);
+    for (const char* word : {"same", "different"}) {
+      if (Begins(word, given)) return Answer(word);
+    }
+    return Command(bare);
+  }
+  if (given != "?" && ItemSaid(course, given, {})) return Answer(given);
+  if (const auto word = WholeWord(bare)) return Word(*word);
+  if (IsSign(given)) return Answer(given);
+  const LearnLine command = Command(bare);
+  return command.kind == Kind::kUnknown ? Answer(given) : command;
+}
+
+}  // namespace moontrace

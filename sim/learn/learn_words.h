@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/course/course.h"
+
+namespace moontrace {
+
+/// What a learner can say at any moment of a lesson.
+enum class LearnWord : std::uint8_t {
+  kAgain,
+  kNext,
+  kWhere,
+  kLetter,
+  kSpell,
+  kWord,
+  kBigger,
+  kSmaller,
+  kMoreHelp,
+  kLessHelp,
+  kSlower,
+  kFaster,
+  kHint,
+  kStop,
+  kGo,
+  kPause,
+  kDone,
+  kQuit,
+  kHelp,
+};
+
+/// The words by their numbers, from 1: again, next, ...
+const std::vector<std::string>& LearnWords();
+
+/// What is asked just now, so that an answer can be told from a word.
+enum class Asked : std::uint8_t {
+  kNothing,
+  kName,  ///< any sign or word is an answer
+  kSame   ///< "same" and "different" are
+};
+
+/// What a typed line means.
+struct LearnLine {
+  enum class Kind : std::uint8_t {
+    kWord,
+    kAnswer,
+    kNothing,   ///< an empty line
+    kUnknown,   ///< no such word, and nothing was asked
+    kAmbiguous  ///< the beginning of several words
+  };
+  Kind kind = Kind::kNothing;
+  LearnWord word = LearnWord::kHelp;  ///< of kWord
+  std::string answer;                 ///< of kAnswer, in small letters
+};
+
+/// A word, an unambiguous beginning of one, its number, or "?"; capitals and blanks around do not
+/// count, nor does a question mark behind a word. A line that begins with "/" is never an answer.
+///
+/// While something is asked, in this order: stop and quit are always words; the text or the name of
+/// an item of the course is an answer; then whole words; single signs and digits are answers;
+/// beginnings of words of two letters and more are words; anything else is an answer.
+LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course);
+
+/// The words that begin with `line`.
+std::vector<std::string> LearnWordsFrom(std::string_view line);
+
+}  // namespace moontrace

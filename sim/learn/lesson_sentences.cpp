@@ -1,0 +1,185 @@
+// What the lesson machine says, in words.
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "sim/learn/learn_messages.h"
+#include "sim/wording/words.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace::say {
+
+namespace {
+
+using lesson_action::Sentence;
+
+std::string Millimetres(double size) { return Short(kMillimetres * size, 1) + " mm"; }
+
+std::string HelpSentence(double help) {
+  if (help <= 0) return "No help now: nothing pushes.";
+  return fmt::format("Help {} of 10 now.", Short(std::round(help), 0));
+}
+
+// Each of the parts below knows some of the sentences, and is silent about the others.
+
+/// How a course, a lesson or a test goes on.
+std::string OfCourse(const Course& course, const lesson_action::Say& sentence) {
+  const std::string text = Called(course, sentence.text);
+  switch (sentence.sentence) {
+    case Sentence::kWelcome:
+      return fmt::format("Welcome to {}.", OneLine(sentence.text));
+    case Sentence::kWelcomeBack:
+      return fmt::format("Welcome back, to: {}.", OneLine(sentence.text));
+    case Sentence::kLesson:
+      return fmt::format("Lesson {} of {}: {}.", sentence.number, sentence.of,
+                         OneLine(sentence.text));
+    case Sentence::kCourseText:
+      return sentence.text;  // its lines are told one by one
+    case Sentence::kTestBegins:
+      return "A test: no help, results at the end.";
+    case Sentence::kTestResult:
+      return fmt::format("Test done: {} of {} right.", sentence.number, sentence.of);
+    case Sentence::kTestAgain:
+      return "Not passed: practice, then once more.";
+    case Sentence::kReviewDue:
+      return fmt::format("To review: {}.",
+                         Counted(static_cast<std::size_t>(sentence.number), "sign", "signs"));
+    case Sentence::kLessonDone:
+      return fmt::format("Lesson done: {}.", OneLine(sentence.text));
+    case Sentence::kCourseDone:
+      return "Course done: every lesson is behind you.";
+    case Sentence::kBreak:
+      return fmt::format("Time for a break: {} worked. Quit keeps all; or go on.",
+                         Counted(static_cast<std::size_t>(sentence.number), "minute", "minutes"));
+    case Sentence::kSkipped:
+      return text.empty() ? "Skipped, not sure yet."
+                          : fmt::format("Skipped, not sure yet: {}.", text);
+    case Sentence::kNoSuchLesson:
+      return fmt::format("No such lesson: {}.", OneLine(sentence.text, 20));
+    default:
+      return {};
+  }
+}
+
+/// What is to be done now.
+std::string OfTask(const Course& course, const lesson_action::Say& sentence) {
+  const std::string text = Called(course, sentence.text), other = Called(course, sentence.other);
+  switch (sentence.sentence) {
+    case Sentence::kNewItem:
+      return fmt::format("New: {}.", text);
+    case Sentence::kHint:
+      return fmt::format("Hint: {}", OneLine(sentence.text, 500));
+    case Sentence::kNoHint:
+      return "No hint for this one.";
+    case Sentence::kAskName:
+      return "What is it? Type its name and Enter.";
+    case Sentence::kAskPick:
+      return fmt::format("Is it {} or {}?", text, other);
+    case Sentence::kAskSame:
+      return "Two signs: same or different?";
+    case Sentence::kTraceIt:
+      return fmt::format("Trace {}; lift when done.", text);
+    case Sentence::kProbe:
+      return "This one without help.";
+    case Sentence::kExploreIt:
+      return "Feel the page; say next to go on.";
+    case Sentence::kReadIt:
+      return "Read the page; say next to go on.";
+    case Sentence::kLedAlong:
+      return fmt::format("Let your hand be led: {}.", text);
+    default:
+      return {};
+  }
+}
+
+/// What became of an answer or a trace.
+std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) {
+  const std::string text = Called(course, sentence.text), other = Called(course, sentence.other);
+  switch (sentence.sentence) {
+    case Sentence::kRight:
+      return fmt::format("Right: {}.", text);
+    case Sentence::kWrong:
+      return fmt::format("Wrong: it is {}, you said {}.", text, other);
+    case Sentence::kNotAnAnswer:
+      return fmt::format("No sign learned so far: {}. Still asked.", text);
+    case Sentence::kTraceGood:
+      return fmt::format("Good: {}, {} covered.", text, Percent(sentence.value));
+    case Sentence::kTraceBad:
+      return fmt::format("Not yet: {}, {} covered.", text, Percent(sentence.value));
+    case Sentence::kSure:
+      return fmt::format("Sure: {}.", text);
+    case Sentence::kNotAsked:
+      return fmt::format("Nothing is asked now: {}.", OneLine(sentence.text, 16));
+    case Sentence::kNotNow:
+      return "No trace is awaited now.";
+    default:
+      return {};
+  }
+}
+
+/// Size, help, push and speed.
+std::string OfChange(const Course& course, const lesson_action::Say& sentence) {
+  const std::string text = Called(course, sentence.text);
+  switch (sentence.sentence) {
+    case Sentence::kSmallerNow:
+      return fmt::format("Smaller now: {}, {}.", text, Millimetres(sentence.value));
+    case Sentence::kLargerAgain:
+      return fmt::format("Larger again: {}, {}.", text, Millimetres(sentence.value));
+    case Sentence::kHelpNow:
+      return HelpSentence(sentence.value);
+    case Sentence::kSpeedNow:
+      return fmt::format("Speed {} times the usual now.", Short(sentence.value, 2));
+    case Sentence::kSizeNow:
+      return fmt::format("Letters of {} now.", Millimetres(sentence.value));
+    case Sentence::kModeNow:
+      return fmt::format("Push now: {}.", OneLine(sentence.text));
+    case Sentence::kByRules:
+      return "By the rules again: size, help and push.";
+    case Sentence::kCannotLarger:
+      return "No larger: these are the largest.";
+    case Sentence::kCannotSmaller:
+      return "No smaller: these are the smallest.";
+    case Sentence::kNoMoreHelp:
+      return "No more help: it is at its most.";
+    case Sentence::kNoLessHelp:
+      return "No less help: there is none now.";
+    case Sentence::kNoHelpHere:
+      return "No push while it is to be recognised.";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::string Called(const Course& course, std::string_view item) {
+  const auto feed = item.find('\n');
+  if (feed == std::string_view::npos) return OneLine(NameOf(course, item));
+  return fmt::format("{} and {}", OneLine(NameOf(course, item.substr(0, feed))),
+                     OneLine(NameOf(course, item.substr(feed + 1))));
+}
+
+std::string LessonSentence(const Course& course, const lesson_action::Say& sentence) {
+  std::string words = OfTask(course, sentence);
+  if (words.empty()) words = OfOutcome(course, sentence);
+  if (words.empty()) words = OfChange(course, sentence);
+  if (words.empty()) words = OfCourse(course, sentence);
+  return words;
+}
+
+std::string DemonstrationSentence(const Course& course, const lesson_action::Say& sentence) {
+  using lesson_action::Sentence;
+  switch (sentence.sentence) {
+    case Sentence::kLedAlong:
+    case Sentence::kTraceIt:
+      return fmt::format("The program's hand traces {}.", Called(course, sentence.text));
+    case Sentence::kExploreIt:
+    case Sentence::kReadIt:
+      return "The program's hand goes over the page; say next to go on.";
+    default:
+      return {};
+  }
+}
+
+}  // namespace moontrace::say

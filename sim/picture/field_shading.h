@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+
+#include "sim/picture/drawing.h"
+#include "sim/picture/raster.h"
+#include "textures/field/element.h"
+#include "textures/field/field.h"
+
+namespace moontrace {
+
+/// How the page is lit and coloured.
+struct PageShade {
+  Color paper{0.96, 0.95, 0.91};
+  Color groove{0.30, 0.34, 0.42};  ///< at the field's greatest depth
+  Color ridge{1.00, 0.90, 0.62};   ///< at its greatest height
+  Color desk{0.46, 0.34, 0.24};    ///< beyond the sheet
+  /// Towards the light, unit, z > 0; from the upper left, as people expect of relief.
+  glm::dvec3 light_P{-0.48, 0.64, 0.60};
+  double ambient = 0.35;  ///< share of the light that comes from everywhere
+};
+
+/// Black on white edges for weak eyes: stronger colours, harder light.
+PageShade HighContrastShade();
+
+/// The field as a lit surface, exact at each point's middle: Lambert's law on the normal, tinted by
+/// depth. Brightness over that of flat paper is ambient + (1 - ambient) n.l / l_z, n the unit
+/// normal
+/// (-dh/dx, -dh/dy, 1); whatever passes 1 is cut off. `view_P` [m] is what the picture covers,
+/// `sheet_P` where paper lies. Rows are worked on by `threads` at once.
+Raster ShadeField(const TextureField& field, const Box& view_P, const Box& sheet_P,
+                  std::size_t width, std::size_t height, const PageShade& shade,
+                  std::size_t threads = 1);
+
+}  // namespace moontrace

@@ -1,0 +1,67 @@
+#include "sim/picture/picture_file.h"
+
+#include <filesystem>
+#include <optional>
+
+#include "sim/picture/cairo_writer.h"
+#include "sim/picture/svg_writer.h"
+#include "textures/base/error.h"
+#include "textures/base/output_file.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class PictureKind { kSvg, kPng, kPdf };
+
+std::optional<PictureKind> EndingOf(const std::string& path) {
+  const std::string ending = LowerCase(fs::path(path).extension().string());
+  if (ending == ".svg") return PictureKind::kSvg;
+  if (ending == ".png") return PictureKind::kPng;
+  if (ending == ".pdf") return PictureKind::kPdf;
+  return std::nullopt;
+}
+
+PictureKind KindOf(const std::string& path) {
+  if (const std::optional<PictureKind> kind = EndingOf(path)) return *kind;
+  throw InputError(path + ": a picture ends in .svg, .png or .pdf");
+}
+
+}  // namespace
+
+bool HasPictureEnding(const std::string& path) { return EndingOf(path).has_value(); }
+
+void CheckPicturePath(const std::string& path) {
+  if (KindOf(path) != PictureKind::kSvg && !HaveCairo())
+    ToPng(Drawing{});  // throws, saying what lacks
+  RequireWritable(path);
+}
+
+void WritePicture(const std::string& path, const Drawing& drawing) {
+  switch (KindOf(path)) {
+    case PictureKind::kSvg:
+      return WriteWhole(path, ToSvg(drawing));
+    case PictureKind::kPng:
+      return WriteWhole(path, ToPng(drawing));
+    case PictureKind::kPdf:
+      return WriteWhole(path, ToPdf(drawing));
+  }
+}
+
+void WritePicture(const std::string& path, const Raster& raster) {
+  if (KindOf(path) != PictureKind::kPng) throw InputError(path + ": this picture ends in .png");
+  WriteWhole(path, ToPng(raster));
+}
+
+std::string PicturePath(const std::string& path, std::size_t page, std::size_t pages) {
+  if (pages == 1) return path;
+  const fs::path whole(path);
+  const std::string name =
+      whole.stem().string() + "-" + std::to_string(page + 1) + whole.extension().string();
+  return (whole.parent_path() / name).string();
+}
+
+}  // namespace moontrace

@@ -1,0 +1,32 @@
+#include "sim/session/device_choice.h"
+
+#include "sim/app/devices_command.h"
+#include "sim/loop/pacing.h"
+#include "sim/session/device_opening.h"
+#include "sim/session/loop_messages.h"
+
+namespace moontrace {
+
+std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double press,
+                                  const std::function<void(std::string_view)>& tell,
+                                  const std::atomic<bool>* stop) {
+  std::string remark;
+  DeviceRequest request;
+  request.name = name;
+  request.tick = tick;
+  request.press = press;
+  request.remark = &remark;
+  std::unique_ptr<Device> device = OpenHomed(request, ProfilesFolder(), tell, stop);
+  if (!remark.empty()) tell(remark);
+  return device;
+}
+
+void AddOptions(CLI::App& app, LiveOptions& options) {
+  AddPath(app, "--device", "NAME", options.device, say::help::kDevice);
+  AddNumber(app, "--seconds", options.seconds, 0.01, 1e6, 1, say::help::kSeconds);
+  AddNumber(app, "--rate-hz", options.rate, kSlowestRate, kFastestRate, 1, say::help::kRate);
+  AddNumber(app, "--scale", options.scale, 0.1, 10, 1, say::help::kScale);
+  AddFlag(app, "--hold-to-feel", options.hold_to_feel, say::help::kHoldToFeel);
+}
+
+}  // namespace moontrace

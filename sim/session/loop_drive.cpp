@@ -1,0 +1,249 @@
+#include "sim/session/loop_drive.h"
+
+#include <chrono>
+#include <glm/glm.hpp>
+#include <ostream>
+#include <string>
+
+#include "sim/session/device_choice.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/loop_words.h"
+#include "sim/session/view_messages.h"
+#include "sim/session/view_panels.h"
+#include "sim/tutor/page_messages.h"
+#include "sim/tutor/word_messages.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr int kPoll = 20;  ///< [ms]
+
+/// One session and what was last known of it.
+class Driver {
+ public:
+  Driver(LoopSession& session, const DriveOptions& options, Console& console)
+      : session_(session), options_(options), console_(console), lines_(console.in()) {}
+
+  void Run() {
+    if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
+    const auto begin = std::chrono::steady_clock::now();
+    while (!quit_) {
+      console_.CheckStop();
+      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+      if (options_.seconds && passed.count() >= *options_.seconds) break;
+      Look();
+      LookAtWindow();
+      if (const std::optional<std::string> line = lines_.Next(quit_ ? 0 : kPoll)) Obey(*line);
+      if (lines_.ended() && !told_end_ && !options_.seconds && !HasWindow()) {
+        told_end_ = true;
+        console_.Remark(say::CannotSpeak());
+      }
+      console_.out().flush();
+    }
+    session_.loop().End();
+    Look();
+  }
+
+ private:
+  void Say(const std::string& line) {
+    if (line.empty()) return;
+    console_.Result(line);
+    if (options_.view != nullptr) options_.view->Told(line);
+  }
+
+  /// What nobody asked for is left out by --quiet, but not what takes the force away.
+  void Tell(const LoopEvent& event, const std::string& line) {
+    const bool asked = event.kind == LoopEventKind::kBookmark ||
+                       (event.kind == LoopEventKind::kSafety && TakesForceAway(event.safety));
+    if (asked) return Say(line);
+    if (line.empty()) return;
+    console_.Happening(line);
+    if (options_.view != nullptr) options_.view->Told(line);
+  }
+
+  /// From which words can come too.
+  bool HasWindow() const {
+    return options_.view != nullptr && options_.view->window() && !options_.view->ended();
+  }
+
+  /// What is said in the window is as if it were typed.
+  void LookAtWindow() {
+    ViewFeed* view = options_.view;
+    if (view == nullptr) return;
+    while (const std::optional<std::string> line = view->NextLine()) Obey(*line);
+    const std::string notice = view->TakeNotice();
+    if (!notice.empty()) console_.Remark(notice);
+    // nothing could move the tip again
+    if (view->failed() && session_.mouse()) quit_ = true;
+    if (!view->closed() || quit_) return;
+    quit_ = true;
+    console_.Happening(say::WindowClosed());
+  }
+
+  /// Takes what the loop has left.
+  void Look() {
+    Loop& loop = session_.loop();
+    loop.TakeSnapshot(newest_);
+    LoopEvent event;
+    while (loop.TakeEvent(event)) {
+      if (event.kind == LoopEventKind::kSay) Say(WhereNow());
+      if (event.kind == LoopEventKind::kBookmark) session_.SetMark(event.tip_P);
+      const bool lost =
+          event.kind == LoopEventKind::kSafety && event.safety == SafetyEvent::kDeviceLost;
+      Tell(event, lost ? say::DeviceLost(loop.WhyGone()) : say::Event(event));
+    }
+    LoopSample sample;
+    while (loop.TakeSample(sample)) {
+      if (options_.sample) options_.sample(sample);
+      if (options_.view != nullptr) options_.view->Add(sample);
+    }
+    for (const std::string& sentence : session_.TakeSentences()) Say(sentence);
+    if (loop.silent() && !silent_) Say(say::LoopSilent());
+    silent_ = loop.silent();
+    const std::string why = loop.WhyLost();
+    if (why != why_lost_ && !why.empty()) Say(say::StillLost(why));
+    why_lost_ = why;
+    if (options_.view == nullptr) return;
+    options_.view->Look(session_, newest_);
+    options_.view->SetValues(LoopPanelValues(session_, newest_));
+  }
+
+  std::string WhereNow() { return session_.Where(newest_); }
+
+  void Turn(bool forward) {
+    const std::size_t pages = session_.text().set.pages.size();
+    Say(session_.Turn(forward) ? say::NowPage(session_.page(), pages)
+                               : say::NoOtherPage(forward, pages));
+  }
+
+  void Resize(bool bigger) {
+    if (!options_.sizes) return Say(say::SizeStays());
+    try {
+      session_.Resize(bigger, newest_.tip_P);
+      SaySize();
+    } catch (const InputError& error) {
+      Say(say::CannotResize(error.what()));
+    }
+  }
+
+  void SaySize() {
+    const Typeset& set = session_.text().set;
+    Say(say::NowSize(set.style.size, session_.page(), set.pages.size()));
+  }
+
+  void Change(const PageCommand& command) {
+    if (!options_.sizes) return Say(say::PageStaysWhileScored());
+    try {
+      if (command.word == PageWord::kSize) {
+        session_.SetSize(command.value, newest_.tip_P);
+        return SaySize();
+      }
+      if (command.word == PageWord::kTilt) {
+        session_.Tilt(command.value);
+      } else {
+        session_.SetForm(Changed(session_.form(), command), newest_.tip_P);
+      }
+      Say(say::PageNow(command));
+    } catch (const InputError& error) {
+      Say(say::PageStays(error.what()));
+    }
+  }
+
+  void Help() {
+    Say(say::NumberedWords(LoopWords()));
+    Say(say::PageWordsHelp());
+    if (options_.view == nullptr) return;
+    Say(say::ViewWordsHelp());
+    Say(say::ViewColoursHelp());
+  }
+
+  void Obey(const std::string& line) {
+    if (options_.view != nullptr) {
+      if (const std::optional<std::string> done = options_.view->Obey(line)) return Say(*done);
+    }
+    const LoopLine said = ReadLoopLine(line);
+    switch (said.word) {
+      case LoopWord::kStop:
+      case LoopWord::kPause:
+        return session_.loop().Stop();
+      case LoopWord::kGo:
+        return session_.GoOn();
+      case LoopWord::kBigger:
+        return Resize(true);
+      case LoopWord::kSmaller:
+        return Resize(false);
+      case LoopWord::kNext:
+        return Turn(true);
+      case LoopWord::kBack:
+        return Turn(false);
+      case LoopWord::kWhere:
+        return Say(WhereNow());
+      case LoopWord::kMark:
+        return Say(session_.WayToMark(newest_));
+      case LoopWord::kPage:
+        return Change(said.page);
+      case LoopWord::kQuit:
+        quit_ = true;
+        return;
+      case LoopWord::kHelp:
+        return Help();
+      case LoopWord::kNothing:
+        return;
+      case LoopWord::kRefused:
+        return Say(said.refusal);
+    }
+  }
+
+  LoopSession& session_;
+  const DriveOptions& options_;
+  Console& console_;
+  LineReader lines_;
+  LoopSnapshot newest_;
+  bool silent_ = false;
+  bool told_end_ = false;
+  bool quit_ = false;
+  std::string why_lost_;
+};
+
+}  // namespace
+
+void Drive(LoopSession& session, const DriveOptions& options, Console& console) {
+  Driver(session, options, console).Run();
+}
+
+void RequireDevice(LoopSession& session) {
+  const std::string why = session.loop().WhyLost();
+  if (!why.empty()) throw LackError(say::EndedLost(why));
+}
+
+void SayBeginning(const LoopSession& session, Console& console) {
+  const SessionRequest& request = session.request();
+  const bool simulated = IsSimulated(request.live.device);
+  const std::string& text = session.text().text;
+  const TextOptions& given = request.text.text;
+  const bool chosen = given.text || !given.file.empty() || text != request.text.default_text;
+  console.Happening(say::OnThePage(text, chosen));
+  console.Happening(
+      say::LoopBegins(simulated ? "simulated stylus" : request.live.device, session.rate()));
+  const Typeset& set = session.text().set;
+  if (!simulated && !session.mouse()) {
+    console.Happening(say::SetFor(set.page, set.pages.size()));
+  }
+  if (session.scale() != 1) console.Happening(say::Scaled(session.scale()));
+  const double usual = request.text.feel.scene.coupling_stiffness;
+  if (session.coupling_stiffness() < usual) {
+    console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
+  }
+  if (session.mouse()) {
+    console.Happening(say::MouseIsSeen());
+  } else if (!simulated && !glm::any(session.limits().pushes)) {
+    console.Happening(say::NoMotors());
+  }
+  const bool text_read = request.text.text.text == "-";
+  console.Remark(text_read ? say::CannotSpeak() : say::HowToSpeak());
+  console.out().flush();
+}
+
+}  // namespace moontrace

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/loop/loop.h"
+#include "textures/typeset/typeset.h"
+
+/// Sentences of `moontrace loop` and of `trace --device`; see messages.h.
+namespace moontrace::say {
+
+namespace help {
+inline constexpr const char* kLoop = "lets a text be felt in real time, with any device";
+inline constexpr const char* kDefaultText = "the moon is bright";
+inline constexpr const char* kLoopText =
+    "the text; - reads standard input. Default the model's, else \"the moon is bright\".";
+inline constexpr const char* kDevice =
+    "what moves the tip: simulated, a name from moontrace devices, plugin:PATH, or mouse with "
+    "--view. Default simulated.";
+inline constexpr const char* kSeconds = "ends after so many seconds. Default: when you say quit.";
+inline constexpr const char* kRate = "ticks a second, 250 to 10000. Default 1000.";
+inline constexpr const char* kScale =
+    "way on the page per way of the device, 0.1 to 10. Default 1: letters in true size. Scaled "
+    "work never counts for mastery.";
+inline constexpr const char* kLoopPress =
+    "press on the page in N, for devices without a third axis and the simulated hand. Default 1.";
+inline constexpr const char* kHoldToFeel = "force only while the first button is held.";
+}  // namespace help
+
+/// What is felt; `chosen`: somebody gave it.
+std::string OnThePage(std::string_view text, bool chosen);
+std::string LoopBegins(std::string_view device, double rate);
+std::string NotRealtime(std::string_view why);
+std::string Scaled(double scale);
+std::string SetFor(const PageSpec& page, std::size_t pages);
+std::string SofterThanUsual(double stiffness);
+std::string HowToSpeak();
+std::string CannotSpeak();
+std::string EndedLost(std::string_view why);
+
+std::string Event(const LoopEvent& event);
+/// What safety has done.
+std::string Event(SafetyEvent event);
+/// `why`: Loop::WhyGone.
+std::string DeviceLost(std::string_view why);
+/// "not_a_number", "jump", ...: the key in JSON.
+std::string_view EventName(SafetyEvent event);
+std::string LoopSilent();
+std::string StillLost(std::string_view why);
+
+std::string NowPage(std::size_t page, std::size_t pages);
+std::string NoOtherPage(bool forward, std::size_t pages);
+std::string NowSize(double size, std::size_t page, std::size_t pages);
+std::string CannotResize(std::string_view why);
+std::string SizeStays();
+/// `letter` empty: none is near.
+/// What the tip feels.
+struct Feeling {
+  bool touching = false;
+  bool has_motors = true;
+  bool stopped = false;
+  double force = 0;  ///< [N]
+};
+std::string Where(std::string_view letter, std::size_t line, std::size_t page, std::size_t pages,
+                  const Feeling& feeling);
+std::string NoMotors();
+std::string NoMark();
+/// `way_P` from the tip [m]; none: the page has just been turned to.
+std::string WayToMark(std::string_view letter, std::size_t page, std::size_t pages,
+                      std::optional<glm::dvec2> way_P);
+
+std::string LoopOutcome(const LoopReport& report, double seconds);
+std::string Lateness(const LoopReport& report);
+std::string Cost(const LoopReport& report);
+std::string Realtime(std::string_view not_realtime);
+std::string SafetyActed(const LoopReport& report);
+std::string Touched(double share, double mean_force, double peak_force);
+
+std::string NotWithDevice(std::string_view option);
+std::string OnlyWithDevice(std::string_view option);
+std::string DeviceTime(double seconds);
+std::string NothingTraced();
+std::string NeverTouched(double seconds);
+
+}  // namespace moontrace::say

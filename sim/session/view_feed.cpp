@@ -1,0 +1,133 @@
+#include "sim/session/view_feed.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "sim/session/view_messages.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+
+std::unique_ptr<ViewFeed> ViewFeed::Open(const ViewOptions& options,
+                                         const std::shared_ptr<Mailbox<StylusAim>>& aims,
+                                         Console& console) {
+  CheckTogether(options);
+  if (!options.asked()) return nullptr;
+  ViewerOptions viewer;
+  viewer.frames = options.frames;
+  viewer.high_contrast = options.contrast;
+  viewer.large_text = options.large_text;
+  if (aims != nullptr) {
+    viewer.pointer = [aims](const PointerAim& aim) {
+      aims->Put({glm::dvec3(aim.p_P, 0), aim.over_page ? aim.press : 0});
+    };
+  }
+  try {
+    return std::make_unique<ViewFeed>(viewer);
+  } catch (const LackError& error) {
+    if (!options.window || aims != nullptr) throw;
+    console.Remark(say::ViewSays(error.what()));
+    return nullptr;
+  }
+}
+
+void ViewFeed::Look(LoopSession& session, const LoopSnapshot& newest) {
+  if (ended()) return;
+  if (shown_ != session.shown()) {
+    viewer_.Show(ViewPageOf(session));
+    shown_ = session.shown();
+  }
+  ViewMoment moment = MomentOf(newest);
+  moment.lateness_us = session.loop().TakeLateness();
+  viewer_.Tell(moment);
+}
+
+void ViewFeed::Add(const LoopSample& sample) {
+  if (!ended()) viewer_.Tell(MomentOf(sample));
+}
+
+void ViewFeed::SetPanel(std::vector<PanelControl> controls) {
+  values_.clear();
+  viewer_.SetPanel(std::move(controls));
+}
+
+void ViewFeed::SetValues(std::vector<PanelValue> values) {
+  if (values == values_) return;
+  values_ = values;
+  viewer_.SetPanelValues(std::move(values));
+}
+
+std::string ViewFeed::TakeNotice() {
+  if (const std::optional<std::string> notice = viewer_.NextNotice()) return say::ViewSays(*notice);
+  if (failed_) return {};
+  const std::string why = viewer_.failure();
+  if (why.empty()) return {};
+  failed_ = true;
+  return say::ViewSays(why);
+}
+
+std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const ViewOptions& options) {
+  if (!IsMouse(device)) return nullptr;
+  if (!options.window) throw UsageError(say::MouseNeedsWindow());
+  return std::make_shared<Mailbox<StylusAim>>();
+}
+
+void RequireView(const ViewFeed& feed, const std::string& device) {
+  if (!feed.failed()) return;
+  if (!feed.window()) throw LackError(say::FramesNotWhole());
+  if (IsMouse(device)) throw LackError(say::MouseGone());
+}
+
+void SayView(ViewFeed& feed, const ViewOptions& options, Console& console) {
+  const ViewerReport report = feed.Finish();
+  if (!options.frames.empty()) {
+    console.Result(say::FramesIn());
+    console.Path(options.frames);
+  }
+  console.Result(say::ViewKeptUp(report.frames, report.median_frame_ms, report.slowest_frame_ms));
+}
+
+Json ViewJson(ViewFeed& feed) {
+  const ViewerReport report = feed.Finish();
+  return {{"frames", report.frames},
+          {"median_frame_ms", report.median_frame_ms},
+          {"slowest_frame_ms", report.slowest_frame_ms},
+          {"median_change_ms", report.median_change_ms}};
+}
+
+std::shared_ptr<const ViewPage> ViewPageOf(const LoopSession& session) {
+  const TextSetup& text = session.text();
+  return MakeViewPage(text.set.pages[session.page()], text.set.page, text.script, text.set.style,
+                      text.text, session.request().blank, session.number());
+}
+
+ViewMoment MomentOf(const LoopSnapshot& snapshot) {
+  ViewMoment moment;
+  moment.time = snapshot.time;
+  moment.page = snapshot.page;
+  moment.present = snapshot.present;
+  moment.in_contact = snapshot.depth > 0;
+  moment.stopped = snapshot.stopped;
+  moment.tip_P = snapshot.tip_P;
+  moment.proxy_P = snapshot.proxy_P;
+  moment.force_P = snapshot.force_P;
+  moment.guidance_P = snapshot.guidance_P;
+  if (snapshot.guided) moment.bead_P = snapshot.target_P;
+  moment.heat = std::max({snapshot.heat.x, snapshot.heat.y, snapshot.heat.z});
+  return moment;
+}
+
+ViewMoment MomentOf(const LoopSample& sample) {
+  ViewMoment moment;
+  moment.time = sample.time;
+  moment.page = sample.page;
+  moment.present = true;
+  moment.in_contact = sample.in_contact;
+  moment.tip_P = moment.proxy_P = sample.tip_P;
+  moment.force_P = sample.force_P;
+  moment.guidance_P = sample.guidance_P;
+  return moment;
+}
+
+}  // namespace moontrace

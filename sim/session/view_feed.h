@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "devices/core/mailbox.h"
+#include "devices/hand/aimed_stylus.h"
+#include "sim/session/loop_session.h"
+#include "sim/session/view_options.h"
+#include "sim/trial/metrics_json.h"
+#include "sim/view/viewer.h"
+#include "sim/wording/console.h"
+
+namespace moontrace {
+
+/// The view of what a command runs: is given pages, instants, the panel and what is said, and gives
+/// lines that were said in its window. Once it has failed or was closed it takes everything and
+/// does nothing. All calls from one thread.
+class ViewFeed {
+ public:
+  /// None: no view was asked for, or there is no display, which is said. `aims`: the mouse moves
+  /// the tip; then, and for frames, what is lacking is thrown. Throws LackError, InputError,
+  /// UsageError.
+  static std::unique_ptr<ViewFeed> Open(const ViewOptions& options,
+                                        const std::shared_ptr<Mailbox<StylusAim>>& aims,
+                                        Console& console);
+  explicit ViewFeed(const ViewerOptions& options)
+      : viewer_(options), window_(options.frames.empty()) {}
+
+  /// The page that a session lets be felt, if it is another than it was, and its newest instant.
+  void Look(LoopSession& session, const LoopSnapshot& newest);
+  /// An instant between; in order of time, before the newest.
+  void Add(const LoopSample& sample);
+
+  void Show(std::shared_ptr<const ViewPage> page) { viewer_.Show(std::move(page)); }
+  void Tell(const ViewMoment& moment) { viewer_.Tell(moment); }
+  void SetPanel(std::vector<PanelControl> controls);
+  void SetValues(std::vector<PanelValue> values);
+  /// A line of the text face.
+  void Told(std::string_view line) { viewer_.Tell(line); }
+
+  /// The next line that was said in the window.
+  std::optional<std::string> NextLine() { return viewer_.NextLine(); }
+  /// A word that concerns the view alone: done; what is answered.
+  std::optional<std::string> Obey(std::string_view line) { return viewer_.Obey(line); }
+  /// It draws into a window, not into frames.
+  bool window() const { return window_; }
+  /// The window was closed by its user.
+  bool closed() const { return viewer_.closed(); }
+  /// What the view has to say of itself, one sentence, once: why nothing is drawn any more, or not
+  /// all of it; else empty.
+  std::string TakeNotice();
+  /// Nothing is shown any more.
+  bool ended() const { return closed() || failed(); }
+  /// Nothing is drawn any more, and its user did not wish so.
+  bool failed() const { return !viewer_.failure().empty(); }
+  /// Ends it: how it kept up.
+  ViewerReport Finish() {
+    viewer_.Finish();
+    return viewer_.report();
+  }
+
+ private:
+  Viewer viewer_;
+  bool window_;
+  std::optional<std::uint64_t> shown_;  ///< LoopSession::shown
+  std::vector<PanelValue> values_;
+  bool failed_ = false;
+};
+
+/// What the mouse moves, if it is the device. Throws UsageError: there will be no window.
+std::shared_ptr<Mailbox<StylusAim>> AimsFor(const std::string& device, const ViewOptions& options);
+
+/// Behind it all: throws LackError if it stopped drawing what it was asked for, frames, or took the
+/// mouse that moved the tip with it.
+void RequireView(const ViewFeed& feed, const std::string& device);
+
+/// Ends a view: how it kept up.
+Json ViewJson(ViewFeed& feed);
+/// Ends a view. The outcome of a view in words: where its frames are, how it kept up.
+void SayView(ViewFeed& feed, const ViewOptions& options, Console& console);
+
+/// The page that lies there now.
+std::shared_ptr<const ViewPage> ViewPageOf(const LoopSession& session);
+ViewMoment MomentOf(const LoopSnapshot& snapshot);
+ViewMoment MomentOf(const LoopSample& sample);
+
+}  // namespace moontrace

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/session/loop_session.h"
+#include "sim/view/panel.h"
+
+namespace moontrace {
+
+/// What stands in the panel beside a view, and what it says: controls and their values, one a
+/// control.
+
+/// What changes the page: a part of several panels. `tilt` [rad].
+std::vector<PanelControl> PageControls();
+std::vector<PanelValue> PageValues(const TextSetup& text, const PageForm& form, double tilt);
+
+/// A page that is felt.
+std::vector<PanelControl> LoopPanel();
+std::vector<PanelValue> LoopPanelValues(const LoopSession& session, const LoopSnapshot& newest);
+/// `state` of the tip, in words.
+std::vector<PanelValue> LoopPanelValues(const TextSetup& text, const PageForm& form, double tilt,
+                                        std::size_t page, const std::string& state);
+
+/// A trace by itself, or its replay.
+struct TrialTexts {
+  std::string text;  ///< on the page
+  double size = 0;   ///< of its letters [m]
+  std::string page;  ///< "1 of 3"
+  std::string time;
+};
+std::vector<PanelControl> TrialPanel();
+std::vector<PanelValue> TrialPanelValues(const TrialTexts& texts);
+
+}  // namespace moontrace

@@ -1,0 +1,73 @@
+#include "sim/session/view_trial.h"
+
+#include <glm/geometric.hpp>
+#include <thread>
+#include <utility>
+
+#include "sim/session/view_messages.h"
+
+namespace moontrace {
+
+namespace {
+constexpr double kShowEvery = 0.005;  ///< [s]
+constexpr double kLookEvery = 0.05;   ///< at the window, [s]
+}  // namespace
+
+TrialView::TrialView(ViewFeed& feed, Console& console) : feed_(feed), console_(console) {
+  feed_.SetPanel(TrialPanel());
+}
+
+void TrialView::Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts) {
+  page_ = page->number;
+  texts_ = std::move(texts);
+  feed_.Show(std::move(page));
+  begin_ = std::chrono::steady_clock::now();
+  shown_ = looked_ = -1;
+}
+
+void TrialView::Look(double time, const TickResult& felt, const GuidanceResult& push) {
+  if (over_ || time < shown_ + kShowEvery) return;
+  shown_ = time;
+  ViewMoment moment = MomentOf(time, felt, push);
+  moment.page = page_;
+  feed_.Tell(moment);
+  if (time >= looked_ + kLookEvery) {
+    looked_ = time;
+    LookAtWindow();
+  }
+  if (over_) return;
+  const std::chrono::duration<double> since_begin(time);
+  std::this_thread::sleep_until(
+      begin_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(since_begin));
+}
+
+void TrialView::LookAtWindow() {
+  texts_.time = say::PanelSeconds(shown_);
+  feed_.SetValues(TrialPanelValues(texts_));
+  while (const std::optional<std::string> line = feed_.NextLine()) {
+    const std::optional<std::string> done = feed_.Obey(*line);
+    feed_.Told(done ? *done : say::TakesViewWordsOnly());
+    if (*line != "?") continue;
+    feed_.Told(say::ViewWordsHelp());
+    feed_.Told(say::ViewColoursHelp());
+  }
+  const std::string notice = feed_.TakeNotice();
+  if (!notice.empty()) console_.Remark(notice);
+  if (feed_.closed()) console_.Remark(say::RunsOnUnseen());
+  over_ = feed_.ended();
+}
+
+ViewMoment MomentOf(double time, const TickResult& felt, const GuidanceResult& push) {
+  ViewMoment moment;
+  moment.time = time;
+  moment.present = true;
+  moment.in_contact = felt.depth > 0;
+  moment.tip_P = felt.tip_P;
+  moment.proxy_P = felt.proxy_P;
+  moment.force_P = felt.force_P;
+  moment.guidance_P = push.force_P;
+  if (glm::length(push.force_P) > 0) moment.bead_P = push.target_P;
+  return moment;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,42 @@
+#include "sim/setup/guide_options.h"
+
+#include <string>
+
+#include "sim/app/messages.h"
+#include "sim/setup/guide_messages.h"
+#include "sim/setup/options.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+
+namespace {
+constexpr double kUsualHelp = 6;  ///< as FadeSettings::start
+}
+
+void AddOptions(CLI::App& app, GuideOptions& options) {
+  AddValue(
+      app, "--guide", "MODE",
+      [&options](const std::string& given) {
+        options.mode = GuidanceModeOf(given);
+        if (!options.mode) throw UsageError(say::NotAChoice("--guide", given, kGuidanceModes));
+      },
+      say::help::kGuide);
+  AddNumber(app, "--help-level", options.help, 0, GuidanceTable::kMostHelp, 1,
+            say::help::kHelpLevel);
+}
+
+TrialGuidance GuidanceOf(const GuideOptions& options) {
+  if (options.help && !options.mode) throw UsageError(say::NeedsOther("--help-level", "--guide"));
+  TrialGuidance guidance;
+  guidance.mode = options.mode.value_or(GuidanceMode::kOff);
+  if (guidance.mode == GuidanceMode::kOff) return guidance;
+  guidance.help = options.help.value_or(kUsualHelp);
+  guidance.gains = GuidanceTable::Shipped().GainsOf(guidance.mode, guidance.help);
+  return guidance;
+}
+
+GuidancePlan PlanOf(const TrialGuidance& guidance, const std::vector<IntendedStroke>& strokes) {
+  return {guidance.mode, guidance.gains, MakeGuidancePath(strokes)};
+}
+
+}  // namespace moontrace

@@ -1,0 +1,39 @@
+#include "sim/setup/link_messages.h"
+
+#include <fmt/core.h>
+
+#include "sim/wording/words.h"
+
+namespace moontrace::say {
+
+std::string Links(std::size_t links, std::size_t missing, const LinkStyle& style,
+                  std::optional<std::size_t> left) {
+  std::string line = fmt::format("Links: {}", links == 0 ? "none" : fmt::format("{}", links));
+  if (links > 0 && left) {
+    line += fmt::format(", {} of them left", *left == 0 ? "none" : fmt::format("{}", *left));
+  }
+  line += fmt::format(", {:.3g} of the letters' depth", style.depth);
+  if (missing == 0) return line + ".";
+  return fmt::format("{}; no room for {}.", line, missing);
+}
+
+std::string LinksDrawn(std::size_t links, std::size_t missing) {
+  std::string words = fmt::format("{}, drawn thin and light.", Counted(links, "link", "links"));
+  if (missing == 0) return words;
+  return fmt::format("{} No room for {}.", words, Counted(missing, "more", "more"));
+}
+
+std::string LinksTraced(std::size_t links, std::optional<std::size_t> left) {
+  if (links == 0) return {};
+  if (!left) return " Pale blue: links.";
+  return fmt::format(" Pale blue: links; {} of {} left.",
+                     *left == 0 ? "none" : fmt::format("{}", *left), links);
+}
+
+std::string Lifts(std::size_t lifts, std::size_t lines) {
+  return fmt::format("Lifted within lines: {}, {}.",
+                     lifts == 1 ? "once" : fmt::format("{} times", lifts),
+                     Counted(lines, "line", "lines"));
+}
+
+}  // namespace moontrace::say

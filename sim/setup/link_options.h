@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/scene/label.h"
+#include "sim/setup/cli_app.h"
+#include "textures/typeset/link_style.h"
+
+namespace moontrace {
+
+/// `--links`, `--link-depth`, `--link-gap-mm`, as given.
+struct LinkOptions {
+  std::optional<LinkReach> reach;
+  std::optional<double> depth;  ///< share of the letters' depth
+  std::optional<double> gap;    ///< [m]
+};
+void AddOptions(CLI::App& app, LinkOptions& options);
+
+/// The links asked for: command line before label before none. Throws UsageError for a depth or a
+/// gap where there are no links.
+LinkStyle LinksOf(const LinkOptions& options, const Label& label);
+
+}  // namespace moontrace

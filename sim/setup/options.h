@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/scene/label.h"
+#include "sim/scene/scene_options.h"
+#include "sim/setup/cli_app.h"
+#include "sim/setup/link_options.h"
+#include "sim/setup/sheet_options.h"
+#include "sim/wording/console.h"
+#include "textures/field/surface.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+
+/// Options that several commands share, as given; each command adds the groups that it uses.
+/// Lengths are metres once read. AddOptions binds a group to an app; reading throws UsageError for
+/// what no machine could take, whatever text and script come with it.
+
+/// `--json`, `--quiet`.
+struct OutputOptions {
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A text: as argument, from `--file`, or from standard input ("-").
+struct TextOptions {
+  std::optional<std::string> text;
+  std::string file;
+};
+
+/// The letters.
+struct StyleOptions {
+  std::optional<double> size, width, depth, rounding;  ///< [m]
+  std::optional<bool> embossed;
+  std::optional<std::string> script, h_form;
+  std::optional<double> grade;
+  std::optional<std::string> table, only, fallback_script;
+  std::optional<double> slant, stretch;  ///< [rad], of widths
+  bool structure = false;
+  std::optional<double> heading_scale;
+  std::optional<Relief> heading_relief;
+  bool structure_texture = false;
+  LinkOptions links;
+};
+
+/// The paper and the spaces on it.
+struct LayoutOptions {
+  PageSpec page{"a4", 0.210, 0.297, 0.015};
+  std::optional<double> margin, letter_gap, word_gap, line_pitch, paragraph_gap;  ///< [m]
+  LineDirection lines = LineDirection::kLeftToRight;
+  SheetOptions sheet;
+};
+
+/// What is felt and how.
+struct FeelOptions {
+  SceneOptions scene;
+  std::string model;  ///< MJCF file; empty = the shipped page
+};
+
+void AddOptions(CLI::App& app, OutputOptions& options);
+void AddOptions(CLI::App& app, TextOptions& options);
+void AddOptions(CLI::App& app, StyleOptions& options);
+void AddOptions(CLI::App& app, LayoutOptions& options);
+/// `--law` only.
+void AddOptions(CLI::App& app, Surface& surface);
+/// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`.
+void AddOptions(CLI::App& app, FeelOptions& options);
+
+/// Commands add their options through these, as CLI11 takes long to compile.
+
+/// An option with one value, read by `read`; the last one given counts.
+void AddValue(CLI::App& app, const std::string& name, const std::string& type,
+              const std::function<void(const std::string&)>& read, const std::string& description);
+void AddFlag(CLI::App& app, const std::string& name, bool& flag, const std::string& description);
+/// A flag that may take a value, as in `--keys=FILE`; "true" without one.
+void AddFlag(CLI::App& app, const std::string& name, std::string& value,
+             const std::string& description);
+/// All arguments without a name.
+void AddWords(CLI::App& app, std::vector<std::string>& words, const std::string& description);
+/// Gives an option that was added before another description.
+void Redescribe(CLI::App& app, const std::string& name, const std::string& description);
+/// A number option in the user's unit, times `scale`, from `low` to `high` in the user's unit.
+void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double low,
+               double high, double scale, const std::string& description);
+/// `given_at_all`, unless null, becomes true if it was.
+void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all = nullptr);
+/// A file or folder. An empty one is a UsageError: it would read as not given.
+void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
+             const std::string& description);
+
+/// `--picture`; a path without an ending of pictures is a UsageError.
+void AddPicture(CLI::App& app, std::string& path, const std::string& description);
+
+/// Reads a finite number from `low` to `high`. Throws UsageError.
+double ReadNumber(const std::string& option, const std::string& given, double low, double high);
+
+/// The text of a command, at most 16 MB. Throws UsageError (none, two) and InputError.
+std::string ReadText(const TextOptions& options, const std::string& command, Console& console);
+
+/// The script asked for: command line, else label, else moon; with the signs of the one to fall
+/// back on.
+Script ScriptOf(const StyleOptions& options, const Label* label, std::string_view text = {});
+
+/// The letters asked for: command line before label before the design's defaults. A width given
+/// alone takes depth and rounding with it in proportion. Alternating lines add their guide lines to
+/// the script.
+TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Script& script,
+                  const Label* label);
+PageSpec PageOf(const LayoutOptions& layout);
+
+}  // namespace moontrace

@@ -1,0 +1,188 @@
+#include "sim/setup/typeset_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <vector>
+
+#include "sim/app/messages.h"
+#include "sim/setup/sheet_messages.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::size_t kMostSaid = 20;
+
+const char* How(Replaced how) {
+  switch (how) {
+    case Replaced::kFolded:
+      return "folded";
+    case Replaced::kOtherScript:
+      return "other-script";
+    case Replaced::kTransliterated:
+      return "transliterated";
+    case Replaced::kNamed:
+      return "named";
+  }
+  return "";
+}
+
+Json ReplacementsJson(const std::vector<Replacement>& replacements) {
+  Json list = Json::array();
+  for (const Replacement& r : replacements) {
+    Json entry = {{"was", r.was}, {"became", r.became}, {"line", r.line}, {"column", r.column}};
+    if (!r.became.empty()) entry["how"] = How(r.how);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json StructureJson(const Typeset& set) {
+  const StructureStyle& style = set.style.structure;
+  Json json = {{"headings", set.structure.headings},
+               {"quotations", set.structure.quotations},
+               {"links", set.structure.links},
+               {"heading_scale", style.heading_scale},
+               {"texture", style.texture}};
+  const Relief relief = style.heading_relief.value_or(set.style.relief);
+  json["heading_embossed"] = relief == Relief::kEmbossed;
+  return json;
+}
+
+constexpr double kMillimetres = 1e3;
+
+Json RidgeJson(const Profile& profile) {
+  return {{"width_mm", kMillimetres * profile.width},
+          {"height_mm", kMillimetres * profile.depth},
+          {"turning_force_n", TurningForce(profile, 1)}};
+}
+
+Json RulesJson(const TypeStyle& style, std::size_t count) {
+  if (!style.rules.lines) return nullptr;
+  Json json = RidgeJson(RuleProfile(style));
+  json["count"] = count;
+  return json;
+}
+
+Json MarginJson(const TypeStyle& style) {
+  return style.rules.margin ? RidgeJson(MarginProfile(style)) : Json(nullptr);
+}
+
+Json TextureJson(const TypeStyle& style) {
+  if (!style.texture.paper) return nullptr;
+  const PaperTexture& paper = *style.texture.paper;
+  Json json = {{"kind", NameOf(paper.kind)}, {"amplitude_mm", kMillimetres * paper.amplitude}};
+  if (paper.kind != PaperKind::kSampled || paper.tiled) {
+    json["wavelength_mm"] = kMillimetres * paper.wavelength;
+  }
+  if (paper.heights != nullptr) {
+    json["file"] = style.texture.file;
+    json["samples"] = {paper.heights->columns(), paper.heights->rows()};
+    json["memory_bytes"] = paper.heights->memory_bytes();
+  }
+  return json;
+}
+
+Json LinksJson(const LinkStyle& links, const LinkCounts& counts, const TypeStyle& style) {
+  Json json = {{"reach", NameOf(links.reach)}};
+  if (links.reach == LinkReach::kNone) return json;
+  json["depth"] = links.depth;
+  json["gap_mm"] = kMillimetres * links.gap.value_or(style.width / 4);
+  json["count"] = counts.links;
+  json["missing"] = counts.missing;
+  return json;
+}
+
+}  // namespace
+
+std::size_t CountRules(const Typeset& set, const Script& script) {
+  std::size_t count = 0;
+  for (const TextPage& page : set.pages) {
+    count += RaisedLinesOf(page, script, set.style).rules.size();
+  }
+  return count;
+}
+
+std::size_t CountSigns(const Typeset& set) {
+  std::size_t signs = 0;
+  for (const TextPage& page : set.pages) signs += page.glyphs.size();
+  return signs;
+}
+
+LinkCounts CountLinks(const Typeset& set, const Script& script) {
+  LinkCounts counts;
+  for (const TextPage& page : set.pages) {
+    const GrooveLinks links = LinkPage(page, script, set.style);
+    counts.links += links.links.size();
+    counts.missing += links.missing;
+  }
+  return counts;
+}
+
+Json TypesetJson(const Typeset& set, const Script& script) {
+  Json json;
+  json["script"] = script.name;
+  json["size_mm"] = kMillimetres * set.style.size;
+  json["width_mm"] = kMillimetres * set.style.width;
+  json["depth_mm"] = kMillimetres * set.style.depth;
+  json["rounding_mm"] = kMillimetres * set.style.rounding;
+  json["embossed"] = set.style.relief == Relief::kEmbossed;
+  json["line_pitch_mm"] = kMillimetres * set.style.line_pitch;
+  json["letter_gap_mm"] = kMillimetres * set.style.letter_gap;
+  json["h_form"] = set.style.h_form;
+  json["grade"] = set.style.grade;
+  json["slant_deg"] = set.style.form.slant * 180 / std::numbers::pi;
+  json["stretch"] = set.style.form.stretch;
+  if (set.style.structure.read) json["structure"] = StructureJson(set);
+  json["paper"] = {{"name", set.page.name},
+                   {"width_mm", kMillimetres * set.page.width},
+                   {"height_mm", kMillimetres * set.page.height},
+                   {"margin_mm", kMillimetres * set.page.margin}};
+  json["rules"] = RulesJson(set.style, CountRules(set, script));
+  json["raised_margin"] = MarginJson(set.style);
+  json["texture"] = TextureJson(set.style);
+  json["links"] = LinksJson(set.style.links, CountLinks(set, script), set.style);
+  json["folded"] = ReplacementsJson(set.folded);
+  json["missing"] = ReplacementsJson(set.missing);
+  json["doubtful"] = ReplacementsJson(set.doubtful);
+  json["untaught"] = ReplacementsJson(set.untaught);
+  json["counts"] = {{"folded", set.folded_count},
+                    {"missing", set.missing_count},
+                    {"doubtful", set.doubtful_count},
+                    {"untaught", set.untaught_count}};
+  return json;
+}
+
+void SaySheet(const Typeset& set, const Script& script,
+              const std::function<void(const std::string&)>& say_line) {
+  const TypeStyle& style = set.style;
+  const std::size_t rules = CountRules(set, script);
+  if (style.rules.lines) {
+    say_line(say::Rules(style, rules));
+    say_line(say::TurnsBack("A rule", RuleProfile(style)));
+  }
+  if (style.rules.margin) {
+    say_line(say::RaisedMargin(style));
+    say_line(say::TurnsBack("The margin", MarginProfile(style)));
+  }
+  if (style.texture.paper) say_line(say::SheetTexture(style));
+}
+
+void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line) {
+  const auto say_all = [&say_line](const std::vector<Replacement>& list, std::size_t count,
+                                   auto sentence) {
+    for (std::size_t i = 0; i < std::min(list.size(), kMostSaid); ++i) say_line(sentence(list[i]));
+    if (count > kMostSaid) say_line(say::MoreReplacements(count - kMostSaid));
+  };
+  say_all(set.missing, set.missing_count, [](const Replacement& r) { return say::Missing(r); });
+  say_all(set.untaught, set.untaught_count, [](const Replacement& r) { return say::Untaught(r); });
+  say_all(set.folded, set.folded_count, [](const Replacement& r) { return say::Folded(r); });
+  say_all(set.doubtful, set.doubtful_count, [](const Replacement& r) { return say::Doubtful(r); });
+}
+
+std::string Dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,261 @@
+#include "sim/trial/trial.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
+
+#include "devices/hand/simulated_stylus.h"
+#include "lessons/measure/link_meter.h"
+#include "lessons/measure/merged_metrics.h"
+#include "sim/scene/bound.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_push.h"
+#include "sim/trial/metrics_json.h"
+#include "sim/trial/record.h"
+#include "textures/base/resources.h"
+
+namespace moontrace {
+
+namespace {
+
+/// What the hand is doing at a time, walking forward through the plan's spans.
+class PhaseClock {
+ public:
+  explicit PhaseClock(const std::vector<Plan::Span>& spans) : spans_(spans) {}
+  const Plan::Span& At(double time) {
+    while (next_ + 1 < spans_.size() && time >= spans_[next_].end) ++next_;
+    return spans_[next_];
+  }
+
+ private:
+  const std::vector<Plan::Span>& spans_;
+  std::size_t next_ = 0;
+};
+
+/// Keeps the tip's way at a spacing, and every change of phase or contact.
+void Keep(std::vector<PathPoint>& path, const PathPoint& point, double spacing) {
+  if (spacing <= 0) return;
+  if (!path.empty()) {
+    const PathPoint& last = path.back();
+    const bool same = last.phase == point.phase && last.in_contact == point.in_contact;
+    if (same && glm::distance(last.tip_P, point.tip_P) < spacing) return;
+  }
+  path.push_back(point);
+}
+
+double LengthOf(const IntendedStroke& stroke) {
+  if (stroke.kind == StrokeKind::kDot) return stroke.width;
+  double length = 0;
+  for (const Piece& piece : stroke.spine_P) length += Length(piece);
+  return length;
+}
+
+std::unique_ptr<Recorder> StartRecorder(const RecordRequest* request, const TrialSetup& setup,
+                                        const TextureField& field, const Scene& scene) {
+  if (request == nullptr) return nullptr;
+  RecordHead head;
+  head.parameters_json = request->parameters_json;
+  head.field_hash = field.Hash();
+  head.seed = setup.seed;
+  return std::make_unique<Recorder>(request->folder, head, scene);
+}
+
+/// A tip that is higher above the paper has lifted: no less than the hand's tremor.
+constexpr double kLifted = 1e-4;  // [m]
+
+/// Counts how often the tip leaves the page and comes back to it within one line of text: neither
+/// in contact nor in a groove or a hair above it.
+class LiftCounter {
+ public:
+  LiftCounter(const std::vector<IntendedStroke>& strokes, const TextPage& page) {
+    for (const IntendedStroke& stroke : strokes) lines_.push_back(page.glyphs[stroke.glyph].line);
+  }
+  void Add(const Plan::Span& span, bool on_page) {
+    if (on_page && span.phase != TracePhase::kAir) {
+      const std::size_t line = lines_[span.stroke];
+      if (!touching_ && touched_ && line == line_) ++lifts_;
+      touched_ = true;
+      line_ = line;
+    }
+    touching_ = on_page;
+  }
+  std::size_t lifts() const { return lifts_; }
+
+ private:
+  std::vector<std::size_t> lines_;  // by stroke
+  bool touching_ = false, touched_ = false;
+  std::size_t line_ = 0, lifts_ = 0;
+};
+
+/// The push of a trial, and how much it did.
+class TrialPush {
+ public:
+  TrialPush(const TrialSetup& setup, const std::vector<IntendedStroke>& strokes) {
+    if (setup.guidance.on()) push_.emplace(PlanOf(setup.guidance, strokes), setup.scene.tick);
+  }
+  GuidanceResult Add(const Scene& scene, TickResult& output) {
+    ++ticks_;
+    if (!push_) return {};
+    // the force of the last tick stood while the tip came here
+    work_ += glm::dot(force_P_, output.tip_P - tip_P_);
+    const GuidanceResult push = push_->Add(scene.X_WP(), output);
+    force_P_ = push.force_P;
+    tip_P_ = output.tip_P;
+    sum_ += glm::length(force_P_);
+    return push;
+  }
+  void Tell(TrialResult& result) const {
+    result.mean_guidance = ticks_ > 0 ? sum_ / static_cast<double>(ticks_) : 0;
+    result.guidance_work = work_;
+  }
+
+ private:
+  std::optional<ScenePush> push_;
+  glm::dvec3 force_P_{0, 0, 0}, tip_P_{0, 0, 0};
+  std::size_t ticks_ = 0;
+  double sum_ = 0, work_ = 0;  ///< [N], [J]
+};
+
+/// The loop: device, scene, push, device, score. Everything it needs exists before it starts.
+void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& stylus,
+              TraceScorer& scorer, LinkMeter& links, LiftCounter lifts, TrialPush push,
+              Recorder* recorder, TrialResult& result) {
+  PhaseClock clock(plan.spans);
+  const double duration = std::min(plan.duration, setup.longest);
+  const auto ticks = static_cast<std::size_t>(std::ceil(duration / setup.scene.tick));
+  const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
+  for (std::size_t n = 0; n < ticks; ++n) {
+    if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
+    DeviceState input;
+    stylus.Read(input);
+    TickResult output = scene.Tick(input);
+    const GuidanceResult pushed = push.Add(scene, output);
+    if (setup.watch) setup.watch(input.time, output, pushed);
+    stylus.Write(output.force_W);
+
+    const Plan::Span& span = clock.At(input.time);
+    TraceSample sample;
+    sample.time = input.time;
+    sample.tip_P = output.tip_P;
+    sample.force_P = output.force_P;
+    sample.in_contact = output.depth > 0;
+    sample.phase = span.phase;
+    sample.stroke = span.stroke;
+    scorer.Add(sample);
+    links.Add(sample);
+    lifts.Add(span, sample.in_contact || output.tip_P.z < kLifted);
+    Keep(result.path, {output.tip_P, span.phase, sample.in_contact}, setup.path_spacing);
+    result.energy_out = std::max(result.energy_out, output.energy_out);
+    if (output.fault) ++result.faults;
+    if (recorder != nullptr) {
+      const bool air = span.phase == TracePhase::kAir;
+      recorder->Add({input, output, static_cast<double>(span.phase),
+                     air ? -1.0 : static_cast<double>(span.stroke)});
+    }
+    if (setup.alive && n % ticks_a_second == 0) {
+      setup.alive(static_cast<double>(n) / static_cast<double>(ticks));
+    }
+  }
+  push.Tell(result);
+  result.lifts_within_lines = lifts.lifts();
+  result.ticks = ticks;
+  result.duration = static_cast<double>(ticks) * setup.scene.tick;
+}
+
+}  // namespace
+
+HandModel ShippedHand() { return LoadHand(ResourcePath("devices/hand.toml")); }
+
+TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
+  const TextureField field = PageField(*setup.page, *setup.script, setup.style, setup.blank);
+  Scene scene = Scene::Load(setup.model_path, setup.scene);
+  scene.SetField(&field);
+  const std::vector<IntendedStroke> strokes =
+      IntendedStrokes(*setup.page, *setup.script, setup.style);
+  const Pose X_WP = scene.X_WP();
+  const GrooveLinks links = LinkPage(*setup.page, *setup.script, setup.style);
+  const Plan plan = MakePlan(strokes, WalksOf(strokes, *setup.page, links), setup.plan, X_WP);
+  const std::unique_ptr<Device> stylus =
+      MakeSimulatedStylus(setup.hand, plan.path_W, setup.scene.tick, setup.seed);
+  if (!plan.path_W.points.empty()) {
+    scene.Reset(FromWorld(X_WP, plan.path_W.points.front().p_D));
+  }
+
+  TrialResult result;
+  for (const IntendedStroke& stroke : strokes) result.stroke_length += LengthOf(stroke);
+  result.lines = setup.page->lines;
+  result.remarks = scene.remarks();
+  result.force_bound = scene.page_moves()
+                           ? std::numeric_limits<double>::infinity()
+                           : ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
+  TraceScorer scorer(strokes, setup.page->glyphs.size());
+  const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
+  const auto start = std::chrono::steady_clock::now();
+  LinkMeter link_meter(strokes, links);
+  RunTicks(setup, plan, scene, *stylus, scorer, link_meter, LiftCounter(strokes, *setup.page),
+           TrialPush(setup, strokes), recorder.get(), result);
+  result.score = scorer.Finish();
+  if (setup.style.links.reach != LinkReach::kNone) result.links_left = link_meter.left();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  result.real_time_factor = result.duration / std::max(elapsed.count(), 1e-9);
+  if (recorder != nullptr) {
+    for (const Excursion& left : result.score.left_at) {
+      recorder->AddEvent(left.time, "excursion", "stroke " + std::to_string(left.stroke));
+    }
+    recorder->Finish(ResultText(result), record->also_csv);
+  }
+  return result;
+}
+
+namespace {
+
+void AddLeft(TrialResult& all, const TrialResult& page) {
+  if (!page.links_left) return;
+  if (!all.links_left) all.links_left.emplace();
+  all.links_left->insert(all.links_left->end(), page.links_left->begin(), page.links_left->end());
+}
+
+}  // namespace
+
+TrialResult Merged(const std::vector<TrialResult>& pages) {
+  TrialResult all;
+  std::vector<PageMetrics> metrics;
+  double elapsed = 0, guidance = 0;
+  double letters = 0;
+  for (const TrialResult& page : pages) {
+    metrics.push_back({page.score.total, page.stroke_length});
+    all.stroke_length += page.stroke_length;
+    all.duration += page.duration;
+    all.ticks += page.ticks;
+    all.faults += page.faults;
+    all.lifts_within_lines += page.lifts_within_lines;
+    all.lines += page.lines;
+    AddLeft(all, page);
+    guidance += page.mean_guidance * page.duration;
+    all.guidance_work += page.guidance_work;
+    all.energy_out = std::max(all.energy_out, page.energy_out);
+    all.force_bound = std::max(all.force_bound, page.force_bound);
+    elapsed += page.duration / page.real_time_factor;
+    letters += page.score.letters_per_second * page.score.total.duration;
+  }
+  all.score.total = MergedMetrics(metrics);
+  if (letters > 0) all.score.letters_per_second = letters / all.score.total.duration;
+  all.mean_guidance = guidance / std::max(all.duration, 1e-300);
+  all.real_time_factor = all.duration / std::max(elapsed, 1e-9);
+  return all;
+}
+
+DirectBound BoundOfDirect(const TextureField& field, const Surface& surface, double press,
+                          const DeviceLimits& limits, double tick) {
+  const double s = field.greatest_slope();
+  DirectBound bound;
+  bound.felt = surface.stiffness * s * s + press * field.greatest_curvature();
+  const double acts_after = tick * (1.0 + 2.0 * limits.late_ticks);
+  bound.held = 2.0 * limits.damping / acts_after;
+  return bound;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "devices/core/device.h"
+#include "devices/hand/hand.h"
+#include "lessons/measure/scoring.h"
+#include "sim/scene/page_field.h"
+#include "sim/scene/scene_options.h"
+#include "sim/scene/tick_watch.h"
+#include "sim/setup/guide_options.h"
+#include "sim/trial/plan.h"
+#include "sim/wording/console.h"
+#include "textures/field/field.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+
+/// Everything that decides one simulated trial: one page, traced once. Same setup, same bytes.
+struct TrialSetup {
+  const Script* script = nullptr;  ///< must outlive the trial
+  const TextPage* page = nullptr;  ///< must outlive the trial
+  TypeStyle style;
+  bool blank = false;      ///< the same plan on paper without grooves
+  std::string model_path;  ///< MJCF; empty = the shipped page
+  SceneOptions scene;
+  HandModel hand;
+  PlanOptions plan;        ///< `plan.press` counts, not the hand's
+  TrialGuidance guidance;  ///< along the page's strokes; off: none
+  std::uint64_t seed = 1;
+  double path_spacing = 0;  ///< keep the tip's way at this spacing for a picture [m]; 0 = keep none
+  const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
+  std::function<void(double done)> alive;   ///< told each simulated second the share done, 0..1
+  TickWatch watch;                          ///< none: costs nothing
+  double longest = std::numeric_limits<double>::infinity();  ///< ends then, if not before [s]
+};
+
+/// Asks for the trial to be recorded (sim/trial/record.h).
+struct RecordRequest {
+  std::string folder;
+  std::string parameters_json;  ///< enough to build page and field again
+  bool also_csv = false;
+};
+
+/// One point of the tip's way.
+struct PathPoint {
+  glm::dvec3 tip_P{0, 0, 0};  ///< [m]
+  TracePhase phase = TracePhase::kAir;
+  bool in_contact = false;
+};
+
+struct TrialResult {
+  TraceScore score;
+  double energy_out = 0;  ///< put out by sampling, greatest seen [J]
+  /// ForceBound (sim/scene/bound.h) of a device that moves evenly; infinite on a page that can
+  /// move [N].
+  double force_bound = 0;
+  double duration = 0;          ///< simulated [s]
+  double real_time_factor = 0;  ///< simulated over elapsed time; the only value that is not exact
+  double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
+  std::size_t ticks = 0;
+  std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there
+  /// Times that the tip left the page, more than 0.1 mm above it, and came back within a line of
+  /// text.
+  std::size_t lifts_within_lines = 0;
+  std::size_t lines = 0;  ///< of text
+  /// Where links were left (link_meter.h), once for each; none where nobody planned to follow them.
+  std::optional<std::vector<Excursion>> links_left;
+  double mean_guidance = 0;  ///< size of the push, over the whole time [N]
+  double guidance_work = 0;  ///< that it did on the tip; below 0 where it held it back [J]
+  std::vector<PathPoint> path;
+  std::vector<std::string> remarks;  ///< the scene's, one line each
+};
+
+/// Page -> field -> scene -> plan -> hand -> ticks -> score, and the record if asked for. Throws
+/// InputError (model, friction, sizes), LackError (record folder), Interrupted.
+TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record = nullptr);
+
+/// The hand that comes with the program (devices/hand.toml).
+HandModel ShippedHand();
+
+/// Totals of several pages traced one after the other (merged_metrics.h); greatest values and
+/// counts over all. `letters` and `left_at` are left empty, `links_left` counts. `real_time_factor`
+/// is of the whole.
+TrialResult Merged(const std::vector<TrialResult>& pages);
+
+/// Whether direct rendering stays quiet (design section 4, point 4): the sideways stiffness felt,
+/// k s^2 + F s/r, against what damping b holds when forces act T_eff later, 2 b / T_eff; T_eff is
+/// one period, and two more for each tick the device answers late.
+struct DirectBound {
+  double felt = 0;  ///< [N/m]
+  double held = 0;  ///< [N/m]
+  bool Holds() const { return felt <= held; }
+};
+DirectBound BoundOfDirect(const TextureField& field, const Surface& surface, double press,
+                          const DeviceLimits& limits, double tick);
+
+}  // namespace moontrace

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sim/tutor/page_words.h"
+
+/// Sentences about a page that is changed while it is felt; see messages.h.
+namespace moontrace::say {
+
+inline constexpr const char* kForms = "crescent, arc, pocket or reverse-n";
+inline constexpr const char* kPapers = "smooth, sine, grid or noise";
+
+/// What the words want behind them.
+std::string PageWordsHelp();
+/// The page as it is from now on: "depth 50 % of the usual", without capital and stop.
+std::string PageBecomes(const PageCommand& command);
+/// "Depth 50 % of the usual."
+std::string PageNow(const PageCommand& command);
+/// `why`: what forbids it.
+std::string PageStays(std::string_view why);
+std::string PageStaysWhileScored();
+std::string NoTiltInPlane();
+
+}  // namespace moontrace::say

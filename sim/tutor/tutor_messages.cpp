@@ -1,0 +1,82 @@
+#include "sim/tutor/tutor_messages.h"
+
+#include <fmt/core.h>
+
+#include "sim/wording/words.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace::say {
+
+std::string TutorSaidNothing() { return "Nothing was said. Type ? for the words."; }
+
+std::string TutorCame(std::size_t tutor) {
+  return fmt::format("Tutor {} is here, and sees what you are told.", tutor);
+}
+
+std::string TutorLeft(std::size_t tutor) { return fmt::format("Tutor {} has left.", tutor); }
+
+std::string TutorDropped(std::size_t tutor) {
+  return fmt::format("Tutor {} was let go: it did not read what it was sent.", tutor);
+}
+
+std::string TutorLineTooLong(std::size_t longest) {
+  return fmt::format("Too long, not read: a line holds at most {} bytes.", longest);
+}
+
+std::string StrangerRefused() { return "Someone who is not you wanted in as tutor: refused."; }
+
+std::string TooManyTutors(std::size_t most) {
+  return fmt::format("No room: {} are here already. Try again later.",
+                     Counted(most, "tutor", "tutors"));
+}
+
+std::string SocketTaken(std::string_view path) {
+  return fmt::format(
+      "the tutor socket is already taken: another lesson of this learner runs; end it, or use "
+      "another --learner: {}",
+      OneLine(path, 300));
+}
+
+std::string SocketIsNoSocket(std::string_view path) {
+  return fmt::format("the tutor socket has no place: something else has its name; move it away: {}",
+                     OneLine(path, 300));
+}
+
+std::string FolderNotOurs(std::string_view folder) {
+  return fmt::format(
+      "no tutor can come: the folder for its socket is another user's or no folder; set "
+      "XDG_RUNTIME_DIR to one of your own: {}",
+      OneLine(folder, 300));
+}
+
+std::string FolderOpenToOthers(std::string_view folder) {
+  return fmt::format(
+      "no tutor can come: others may enter the folder for its socket; close it with chmod 700: {}",
+      OneLine(folder, 300));
+}
+
+std::string CannotOpenSocket(std::string_view path, std::string_view cause) {
+  return fmt::format("no tutor can come: the socket cannot be opened, {}: {}", cause,
+                     OneLine(path, 300));
+}
+
+std::string NoLessonRuns(std::string_view learner) {
+  return fmt::format("no lesson{} runs here with a tutor: start one with moontrace learn --tutor",
+                     learner.empty() ? std::string() : fmt::format(" of {}", OneLine(learner)));
+}
+
+std::string SeveralLessons(const std::vector<std::string>& learners) {
+  return fmt::format("several lessons run: choose with --learner: {}", Joined(learners, ", "));
+}
+
+std::string LessonRefused(std::string_view path, std::string_view cause) {
+  return fmt::format("the lesson cannot be reached, {}: {}", cause, OneLine(path, 300));
+}
+
+std::string LessonEnded() { return "The lesson has ended."; }
+
+std::string LessonSilent() { return "the lesson has not answered for 5 s"; }
+
+std::string TutorGone() { return "You have left; the lesson goes on."; }
+
+}  // namespace moontrace::say

@@ -1,0 +1,83 @@
+#include "sim/wording/console.h"
+
+#include <algorithm>
+#include <chrono>
+#include <istream>
+#include <ostream>
+
+#include "sim/app/messages.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+/// [s]
+double Now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::string Wrapped(std::string_view text, std::size_t columns) {
+  std::string lines;
+  std::size_t used = 0;
+  while (!text.empty()) {
+    const std::size_t space = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, space);
+    text.remove_prefix(std::min(space + 1, text.size()));
+    const std::size_t length = CountCharacters(word);
+    if (used > 0 && used + 1 + length > columns) {
+      lines += '\n';
+      used = 0;
+    }
+    if (used > 0) {
+      lines += ' ';
+      ++used;
+    }
+    lines += word;
+    used += length;
+  }
+  return lines + '\n';
+}
+
+Console::Console(std::istream& in, std::ostream& out, std::ostream& err,
+                 const std::atomic<bool>* stop)
+    : in_(in), out_(out), err_(err), stop_(stop), last_spoke_(Now()) {}
+
+void Console::Spoke() { last_spoke_ = Now(); }
+
+void Console::Result(std::string_view line) {
+  if (json_) return;
+  out_ << Wrapped(line);
+  Spoke();
+}
+
+void Console::Path(std::string_view path) {
+  if (json_) return;
+  out_ << path << '\n';
+  Spoke();
+}
+
+void Console::Remark(std::string_view line) {
+  if (quiet_) return;
+  err_ << Wrapped(line);
+  Spoke();
+}
+
+void Console::Error(std::string_view line) { err_ << OneLine(line, line.size()) << '\n'; }
+
+void Console::Json(std::string_view text) { out_ << text << '\n'; }
+
+void Console::Alive(double done) {
+  if (Now() - last_spoke_ < 30) return;
+  out_.flush();
+  Remark(say::StillWorking(done));
+  err_.flush();
+}
+
+void Console::CheckStop() const {
+  if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Interrupted();
+}
+
+}  // namespace moontrace

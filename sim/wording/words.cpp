@@ -1,0 +1,47 @@
+#include "sim/wording/words.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace moontrace::say {
+
+std::string Counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string Times(std::size_t count) {
+  if (count == 0) return "never";
+  return count == 1 ? "once" : fmt::format("{} times", count);
+}
+
+std::string Joined(const std::vector<std::string>& words, std::string_view last) {
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) list += i + 1 == words.size() ? std::string(last) : ", ";
+    list += words[i];
+  }
+  return list;
+}
+
+std::string Short(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string Plain(double value) {
+  if (value == 0 || !std::isfinite(value)) return Short(value, 0);
+  const int whole_digits = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return Short(value, std::clamp(4 - whole_digits, 0, 15));
+}
+
+std::string Percent(double share) {
+  return Short(std::floor(1000 * share + 1e-9) / 10, 1) + " percent";
+}
+
+}  // namespace moontrace::say

@@ -1,0 +1,167 @@
+// The shipped course, as it stands in lessons/courses/learn-moon.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lessons/course/course.h"
+#include "lessons/course/lesson_order.h"
+#include "lessons/course/taught_signs.h"
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+namespace {
+
+std::string Lines(const std::vector<CourseFault>& faults) {
+  std::string lines;
+  for (const CourseFault& fault : faults) lines += LineOf(fault) + "\n";
+  return lines;
+}
+
+TEST(LearnMoon, IsSoundDownToSixMillimetres) {
+  EXPECT_EQ(Lines(CheckCourse(LoadCourse("learn-moon"), 0.006)), "");
+}
+
+TEST(LearnMoon, GoesFromFortyToSixMillimetres) {
+  const Course course = LoadCourse("learn-moon");
+  EXPECT_DOUBLE_EQ(course.sizes.front(), 0.040);
+  EXPECT_DOUBLE_EQ(course.sizes.back(), 0.006);
+  EXPECT_TRUE(std::is_sorted(course.sizes.rbegin(), course.sizes.rend()));
+}
+
+TEST(LearnMoon, TeachesEverySignOfMoonExactlyOnce) {
+  const Course course = LoadCourse("learn-moon");
+  const Script moon = FindScript("moon");
+  std::map<std::string, int> times;  // an item of one sign teaches it
+  std::set<std::string> digits;
+  std::map<std::string, int> numerals;  // lesson -> digits
+  for (const Lesson& lesson : course.lessons) {
+    for (const std::string& item : lesson.items) {
+      const SignUse use = SignsOf(item, moon, lesson.grade, nullptr);
+      EXPECT_TRUE(TeachesSigns(item, use)) << item;
+      if (use.signs.size() == 1) ++times[use.signs.front()];
+      if (use.signs.size() == 1) continue;
+      ASSERT_EQ(use.signs.size(), 2U) << item;
+      EXPECT_EQ(use.signs.front(), "numeral");
+      EXPECT_TRUE(digits.insert(item).second) << item;
+      ++numerals[lesson.id];
+    }
+  }
+  EXPECT_EQ(digits.size(), 10U);
+  EXPECT_EQ(numerals.size(), 1U) << "the numeral sign is introduced in one lesson";
+  for (const auto& [sign, count] : times) EXPECT_EQ(count, 1) << sign;
+  for (char letter = 'a'; letter <= 'z'; ++letter) EXPECT_EQ(times[std::string(1, letter)], 1);
+  for (const char* sign :
+       {"and", "th", "ch", "wh", "comma", "full-stop", "apostrophe", "quote", "exclamation",
+        "question", "paren-open", "paren-close", "hyphen", "colon", "slash", "asterisk"}) {
+    EXPECT_EQ(times[sign], 1) << sign;
+  }
+  // Nothing that a text could be written with is left out.
+  for (const auto& sign : moon.signs) EXPECT_EQ(times[sign.second], 1) << sign.second;
+  for (const Contraction& group : moon.contractions) {
+    for (const std::string& sign : group.signs) EXPECT_EQ(times[sign], 1) << sign;
+  }
+}
+
+TEST(LearnMoon, GivesAMemoryAidForEverythingItTeaches) {
+  for (const Lesson& lesson : LoadCourse("learn-moon").lessons) {
+    for (const std::string& item : lesson.items) EXPECT_EQ(lesson.hints.count(item), 1U) << item;
+  }
+}
+
+TEST(LearnMoon, AsksMirrorMatesAgainstEachOther) {
+  const Course course = LoadCourse("learn-moon");
+  std::set<std::string> asked;
+  for (const Lesson& lesson : course.lessons) {
+    for (const Step& step : lesson.steps) {
+      if (step.question == Question::kPick) asked.insert(step.items.begin(), step.items.end());
+    }
+  }
+  // Mates inside the families of moon-script.md, section 10.
+  for (const auto& [one, other] : std::map<std::string, std::string>{{"b", "j"},
+                                                                     {"f", "g"},
+                                                                     {"c", "d"},
+                                                                     {"u", "w"},
+                                                                     {"e", "m"},
+                                                                     {"l", "y"},
+                                                                     {"k", "x"},
+                                                                     {"a", "v"},
+                                                                     {"r", "s"},
+                                                                     {"n", "z"},
+                                                                     {"p", "q"}}) {
+    EXPECT_EQ(course.mates.at(one), other);
+    EXPECT_EQ(course.mates.at(other), one);
+    EXPECT_TRUE(asked.count(one) > 0 && asked.count(other) > 0) << one << other;
+  }
+}
+
+TEST(LearnMoon, NamesEveryShapeAndMarkThatIsAskedInWords) {
+  const Course course = LoadCourse("learn-moon");
+  const auto can_be_typed = [](const std::string& item) {
+    return std::all_of(item.begin(), item.end(),
+                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); });
+  };
+  for (const Lesson& lesson : course.lessons) {
+    std::vector<std::string> items = lesson.items;
+    for (const Step& step : lesson.steps) {
+      items.insert(items.end(), step.items.begin(), step.items.end());
+    }
+    for (const std::string& item : items) {
+      EXPECT_TRUE(can_be_typed(item) || course.names.count(item) > 0) << item;
+    }
+  }
+}
+
+TEST(LearnMoon, IsWalkedInTheOrderOfItsFile) {
+  const Course course = LoadCourse("learn-moon");
+  const LessonOrder order = OrderOf(course);
+  ASSERT_EQ(order.walk.size(), course.lessons.size());
+  for (std::size_t i = 0; i < order.walk.size(); ++i) EXPECT_EQ(order.walk[i], i);
+}
+
+/// What a desk-top device reaches holds each page, at the size that its step has then.
+TEST(LearnMoon, FitsEachPageOnADeskTopDevice) {
+  const Course course = LoadCourse("learn-moon");
+  std::map<std::string, Script> scripts;
+  for (const Lesson& lesson : course.lessons) {
+    if (scripts.count(lesson.script) == 0) scripts[lesson.script] = FindScript(lesson.script);
+    const Script& script = scripts[lesson.script];
+    for (const Step& step : lesson.steps) {
+      std::vector<std::string> texts = step.items;
+      if (step.question == Question::kSame) {
+        for (std::string& text : texts) text += " " + course.mates.at(text);
+      }
+      if (!step.text.empty()) texts.push_back(step.text);
+      for (const std::string& text : texts) {
+        TypeStyle style =
+            DefaultStyle(step.size.value_or(course.sizes.back()), Relief::kEngraved, script);
+        style.grade = lesson.grade;
+        const Typeset typeset = SetText(text, script, style, FindPage("workspace"));
+        EXPECT_EQ(typeset.pages.size(), 1U) << lesson.id << ": " << text;
+        if (step.question == Question::kSame) continue;  // may lie one below the other
+        const auto ends = std::count(text.begin(), text.end(), '\n');
+        EXPECT_EQ(typeset.pages[0].lines, 1 + static_cast<std::size_t>(ends))
+            << lesson.id << ": a line is broken: " << text;
+      }
+    }
+  }
+}
+
+TEST(LearnMoon, SpeaksOfNothingThatNeedsSight) {
+  for (const Lesson& lesson : LoadCourse("learn-moon").lessons) {
+    for (const Step& step : lesson.steps) {
+      for (const char* word : {"look at", "see ", "screen", "picture", "colour", "click"}) {
+        // A picture frame is a thing that a hand knows.
+        if (std::string(word) == "picture" && lesson.id == "00-device") continue;
+        EXPECT_EQ(step.say.find(word), std::string::npos) << lesson.id << ": " << word;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,60 @@
+#include "lessons/machine/answer.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/lessons/lesson_fixture.h"
+
+namespace moontrace {
+namespace {
+
+Course Answerable() {
+  Course course = SmallCourse();
+  course.lessons[1].items = {"b", "a", "the", ",", ".", "o?", "number", "7"};
+  course.names = {{",", "comma"}, {".", "full stop"}, {"o?", "question mark"}, {"7", "Seven"}};
+  return course;
+}
+
+TEST(Answer, CapitalsBlanksAndWordsBeforeDoNotCount) {
+  const Course course = Answerable();
+  for (const char* said : {"b", "B", "  b ", "capital b", "letter b", "The letter  B.", "it is b",
+                           "b!", "It is the capital letter b?"}) {
+    EXPECT_TRUE(Names(course, "b", said)) << said;
+    EXPECT_EQ(ItemSaid(course, said, "t"), "b") << said;
+  }
+  for (const char* said : {"", " ", "c", "bb", "b b", "letter", "not b"}) {
+    EXPECT_FALSE(Names(course, "b", said)) << said;
+  }
+}
+
+TEST(Answer, NamesOfTheCourseAreAnswersBesideTheTexts) {
+  const Course course = Answerable();
+  EXPECT_TRUE(Names(course, ",", "Comma"));
+  EXPECT_TRUE(Names(course, ",", ","));
+  EXPECT_TRUE(Names(course, ".", "the full  stop"));
+  EXPECT_TRUE(Names(course, ".", "."));
+  EXPECT_TRUE(Names(course, "o?", "question mark"));
+  EXPECT_TRUE(Names(course, "7", "number seven"));
+  EXPECT_FALSE(Names(course, ",", "full stop"));
+}
+
+TEST(Answer, ItemsThatAreWordsOfThemselvesStayWhatTheyAre) {
+  const Course course = Answerable();
+  EXPECT_EQ(ItemSaid(course, "a", "b"), "a");
+  EXPECT_EQ(ItemSaid(course, "the", "b"), "the");
+  EXPECT_EQ(ItemSaid(course, "the word the", "b"), "the");
+  EXPECT_EQ(ItemSaid(course, "number", "7"), "number");
+  EXPECT_EQ(ItemSaid(course, "q", "b"), std::nullopt);
+  EXPECT_EQ(ItemSaid(course, std::string(100000, ' '), "b"), std::nullopt);
+}
+
+TEST(Answer, SameAndDifferentAreToldApart) {
+  EXPECT_EQ(SameSaid("Same"), true);
+  EXPECT_EQ(SameSaid("the same."), true);
+  EXPECT_EQ(SameSaid("s"), true);
+  EXPECT_EQ(SameSaid("different"), false);
+  EXPECT_EQ(SameSaid("not the same"), false);
+  EXPECT_EQ(SameSaid("b"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace moontrace

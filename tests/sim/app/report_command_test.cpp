@@ -1,0 +1,257 @@
+#include <pugixml.hpp>
+
+#include "lessons/records/database.h"
+#include "lessons/records/records.h"
+#include "lessons/records/trial_json.h"
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::int64_t kNoon = 1'699'963'200;  // of 2023-11-14, UTC
+constexpr std::int64_t kDay = 86'400;
+
+class ReportCommand : public CliTest {
+ protected:
+  void SetUp() override {
+    if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+    setenv("TZ", "UTC", 1);
+    std::filesystem::create_directories(In("small"));
+    WriteAll(In("small/course.toml"),
+             "title = \"Small & <quick>\"\nlanguage = \"en\"\nscript = \"moon\"\n"
+             "sizes_mm = [20, 10]\nlessons = [\"one\"]\n");
+    WriteAll(In("small/one.toml"),
+             "title = \"One\"\nnew = [\"n\", \"u\", \"l\"]\n[[steps]]\nkind = \"trace\"\n"
+             "[[steps]]\nkind = \"recognise\"\n");
+    Add("bat", false);
+    Add("robot", true);
+  }
+
+  /// 30 answers on three days, every fifth n taken for u; six traces, half of them guided. In one
+  /// transaction, as imported.
+  void Add(const std::string& name, bool simulated) {
+    LearnerHistory history;
+    history.learner.pseudonym = name;
+    history.learner.simulated = simulated;
+    Trial trial;
+    trial.lesson = "one";
+    trial.simulated = simulated;
+    trial.size = 0.02;
+    for (int i = 0; i < 30; ++i) {
+      trial.step = 1;
+      trial.kind = StepKind::kRecognise;
+      trial.time = kNoon + i / 10 * kDay + i;
+      trial.item = i % 2 == 0 ? "l" : "n";
+      trial.answer = i % 10 == 5 ? "u" : trial.item;
+      trial.right = trial.answer == trial.item;
+      trial.latency = 2;
+      history.trials.push_back({"small", trial, {}});
+      if (i % 5 != 0) continue;
+      Trial trace = trial;
+      trace.step = 0;
+      trace.kind = StepKind::kTrace;
+      trace.answer = "";
+      trace.coverage = i < 15 ? 0.75 : 1;
+      trace.duration = 4;
+      trace.error_widths = 0.25;
+      trace.help = i < 15 ? 0 : 5;
+      trace.guidance = i < 15 ? GuidanceMode::kOff : GuidanceMode::kRail;
+      history.trials.push_back({"small", trace, {}});
+    }
+    Records::Open(path_).Import(history, "test");
+  }
+
+  Outcome Report(const std::vector<std::string>& args) const {
+    return RunLine(With(With({"report"}, args), {"--records", path_, "--course", In("small")}));
+  }
+
+  std::int64_t Count(const std::string& where) const {
+    return Database(path_, false)
+        .Number(
+            "SELECT count(*) FROM trial JOIN learner ON learner.id = trial.learner "
+            "WHERE pseudonym = 'bat' AND " +
+            where);
+  }
+
+  const std::string path_ = In("records.sqlite");
+};
+
+TEST_F(ReportCommand, TellsAllInPlainLines) {
+  const Outcome outcome = Report({"bat"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "bat: 0 of 3 signs and words mastered, 0 of 1 lesson done, Small & <quick>.\n"
+            "Sure: nothing yet.\n"
+            "Practise l: traced well 0 of the last 2; now at 20 mm.\n"
+            "Practise n: named right 8 of the last 10, traced well 0 of the last 1, taken for\n"
+            "u 3 times; now at 20 mm.\n"
+            "Letters per second: 0.5, named right without help.\n"
+            "Traced without help: 0.25 letters per second, 75 percent covered, mean error\n"
+            "0.25 groove widths.\n"
+            "Size reached: none yet; the course begins at 20 mm.\n"
+            "Confused: n taken for u 3 times.\n"
+            "2023-11-14: 12 trials without help, 90 percent named right, 75 percent covered,\n"
+            "0.5 letters per second, smallest 20 mm.\n"
+            "2023-11-15: 11 trials without help, 90 percent named right, 75 percent covered,\n"
+            "0.5 letters per second, smallest 20 mm; 1 with help.\n"
+            "2023-11-16: 10 trials without help, 90 percent named right, 0.5 letters per\n"
+            "second, smallest 20 mm; 2 with help.\n"
+            "Without help: 33 trials, 90 percent named right, 75 percent covered.\n"
+            "With help: 3 trials, 100 percent covered; none of them counts above.\n"
+            "Conditions: Small & <quick>, 20 mm to 10 mm, 36 trials on 3 days.\n"
+            "Sure means, without help and at true size: 85 percent of the last 5 named right,\n"
+            "traces 90 percent covered, with a mean error of at most 0.5 groove widths.\n");
+  ExpectTextFace(outcome.out);
+}
+
+TEST_F(ReportCommand, SaysOfASimulatedLearnerThatItIsOne) {
+  const std::string words = "A simulated learner: this proves the software, not the pedagogy.";
+  EXPECT_EQ(Lines(Report({"robot"}).out).at(1), words);
+  EXPECT_EQ(Report({"bat"}).out.find("simulated"), std::string::npos);
+  Report({"robot", "--html", In("r.html")});
+  EXPECT_NE(ReadAll(In("r.html")).find(words), std::string::npos);
+  EXPECT_EQ(Report({"robot", "--json"}).Json()["simulated"], true);
+  EXPECT_EQ(Report({"bat", "--json"}).Json()["simulated"], false);
+}
+
+// What the database counts by its own language.
+TEST_F(ReportCommand, GivesTheNumbersOfTheDatabase) {
+  const auto json = Report({"bat", "--json"}).Json();
+  const std::string alone = "help = 0 AND scaled = 0 AND item <> ''";
+  const std::string named = alone + " AND kind = 'recognise'";
+  EXPECT_EQ(json["unguided"]["trials"], Count(alone));
+  EXPECT_EQ(json["guided"]["trials"], Count("help > 0"));
+  EXPECT_EQ(json["unguided"]["answers"], Count(named));
+  EXPECT_EQ(json["unguided"]["named_right"], Count(named + " AND right_answer = 1"));
+  EXPECT_EQ(json["unguided"]["traces"], Count(alone + " AND kind = 'trace'"));
+  EXPECT_EQ(json["confusions"][0]["times"], Count(named + " AND item = 'n' AND answer = 'u'"));
+  for (std::size_t day = 0; day < 3; ++day) {
+    const std::string on = " AND date(time_unix_s, 'unixepoch') = '" +
+                           json["days"][day]["day"].get<std::string>() + "'";
+    EXPECT_EQ(json["days"][day]["unguided"]["trials"], Count(alone + on));
+    EXPECT_EQ(json["days"][day]["guided"]["trials"], Count("help > 0" + on));
+  }
+  EXPECT_EQ(json["days"].size(), 3U);
+}
+
+TEST_F(ReportCommand, WritesATableWithARowForEachTrial) {
+  const Outcome outcome = Report({"bat", "--csv", In("bat.csv")});
+  EXPECT_NE(outcome.out.find("Report in:\n" + In("bat.csv") + "\n"), std::string::npos);
+  const std::vector<std::string> lines = Lines(ReadAll(In("bat.csv")));
+  EXPECT_EQ(lines.size(), 1U + static_cast<std::size_t>(Count("item <> ''")));
+  EXPECT_EQ(lines[0].find("learner,course,time_unix_s,"), 0U);
+  EXPECT_EQ(lines[1].find("bat,small,1699963200,one,1,recognise,l,0.02,off,0,"), 0U) << lines[1];
+}
+
+/// The text of an element and of all within it.
+std::string TextOf(const pugi::xml_node& node) {
+  std::string text = node.value();
+  for (const pugi::xml_node& child : node.children()) text += TextOf(child);
+  return text;
+}
+
+class ReportPageTest : public ReportCommand {
+ protected:
+  void SetUp() override {
+    ReportCommand::SetUp();
+    if (IsSkipped()) return;
+    ASSERT_EQ(Report({"bat", "--html", In("bat.html")}).code, 0);
+    const pugi::xml_parse_result read = page_.load_file(In("bat.html").c_str());
+    ASSERT_TRUE(read) << read.description();
+  }
+  pugi::xml_document page_;
+};
+
+TEST_F(ReportPageTest, HasALanguageATitleAndHeadingsInOrder) {
+  const pugi::xml_node html = page_.child("html");
+  EXPECT_STREQ(html.attribute("lang").value(), "en");
+  EXPECT_EQ(TextOf(html.child("head").child("title")), "bat, Small & <quick>");
+  EXPECT_EQ(page_.select_nodes("//h1").size(), 1U);
+  EXPECT_EQ(page_.select_nodes("//h3|//h4|//h5|//h6|//img|//script|//link").size(), 0U);
+  std::vector<std::string> headings;
+  for (const auto& heading : page_.select_nodes("//h2")) headings.push_back(TextOf(heading.node()));
+  EXPECT_EQ(headings, (std::vector<std::string>{
+                          "What is sure", "What to practise", "Letters per second", "Size reached",
+                          "What is confused with what", "Progress over days",
+                          "Without and with help", "Conditions", "Named right without help, by day",
+                          "Covered by traces without help, by day",
+                          "Letters per second, named right without help, by day",
+                          "Smallest letters named right without help, by day", "All answers"}));
+}
+
+TEST_F(ReportPageTest, TellsEveryPlotInWordsBesideIt) {
+  const auto plots = page_.select_nodes("//svg");
+  ASSERT_EQ(plots.size(), 4U);
+  for (const auto& plot : plots) {
+    const pugi::xml_node svg = plot.node();
+    EXPECT_STREQ(svg.attribute("role").value(), "img");
+    const std::string title = svg.child("title").attribute("id").value();
+    const std::string words = svg.child("desc").attribute("id").value();
+    EXPECT_EQ(svg.attribute("aria-labelledby").value(), title + " " + words);
+    EXPECT_EQ(TextOf(svg.child("title")), TextOf(svg.parent().child("h2")));
+    EXPECT_EQ(TextOf(svg.child("desc")), TextOf(svg.parent().child("p")));
+  }
+  EXPECT_EQ(TextOf(plots[0].node().child("desc")),
+            "From 90 percent on 2023-11-14 to 90 percent on 2023-11-16; least 90 percent, "
+            "greatest 90 percent, over 3 days.");
+  // traces without help on two days only
+  EXPECT_EQ(plots[1].node().select_nodes(".//circle").size(), 2U);
+}
+
+TEST_F(ReportPageTest, HoldsAllAnswersAsATable) {
+  EXPECT_EQ(page_.select_nodes("//tbody/tr").size(), 2U);
+  EXPECT_EQ(TextOf(page_.select_node("//thead/tr").node()), "Shownlnu");
+  EXPECT_EQ(TextOf(page_.select_node("//tbody/tr[th='l']").node()), "l1500");
+  EXPECT_EQ(TextOf(page_.select_node("//tbody/tr[th='n']").node()), "n0123");
+}
+
+TEST_F(ReportCommand, KeepsForeignTextFromBeingMarkup) {
+  Trial trial;
+  trial.time = kNoon;
+  trial.lesson = "one";
+  trial.step = 1;
+  trial.kind = StepKind::kRecognise;
+  trial.item = "n";
+  trial.answer = "<script>alert('&')</script>\x1b\"";
+  Records::Open(path_).Add("bat", "small", trial);
+  Report({"bat", "--html", In("bat.html")});
+  const std::string html = ReadAll(In("bat.html"));
+  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find('\x1b'), std::string::npos);
+  EXPECT_NE(html.find("&lt;script&gt;alert('&amp;')&lt;/script&gt;?&quot;"), std::string::npos);
+  EXPECT_TRUE(pugi::xml_document().load_string(html.c_str()));
+}
+
+TEST_F(ReportCommand, RefusesWhatIsNoUse) {
+  const auto refused = [](const Outcome& outcome, int code, const std::string& words) {
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  };
+  refused(Report({}), 2, "report lacks a learner");
+  refused(Report({"bat", "--html", "a", "--csv", "b"}), 2, "ask for one at a time");
+  refused(Report({"bit"}), 3, "did you mean bat?");
+  refused(RunLine({"report", "bat", "--records", path_, "--course", "learn-moon"}), 3,
+          "bat has no trials of learn-moon");
+  refused(RunLine({"report", "bat", "--records", path_}), 3, "name its folder by --course");
+  refused(RunLine({"report", "bat", "--records", In("none")}), 3, "no records there yet");
+  refused(Report({"bat", "--html", In("no/such/f")}), 4, "No such file");
+  LearnerEntry owl;
+  owl.pseudonym = "owl";
+  Records::Open(path_).AddLearner(owl);
+  refused(RunLine({"report", "owl", "--records", path_}), 3, "owl has no trials yet");
+}
+
+TEST_F(ReportCommand, TakesTheCourseLastLearnt) {
+  Trial trial;
+  trial.time = kNoon + 90 * kDay;
+  trial.lesson = "04-itlo";
+  trial.item = "i";
+  Records::Open(path_).Add("bat", "learn-moon", trial);
+  const Outcome outcome = RunLine({"report", "bat", "--records", path_, "--json"});
+  EXPECT_EQ(outcome.Json()["course"], "learn-moon");
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,298 @@
+#include "sim/app/trace_command.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "sim/picture/cairo_writer.h"
+#include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
+
+namespace moontrace {
+namespace {
+
+class TraceCommand : public CliTest {};
+
+nlohmann::json TraceJson(const std::vector<std::string>& more, const std::string& text = "LO") {
+  const Outcome outcome = RunLine(With({"trace", text, "--json"}, more));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return outcome.Json();
+}
+
+/// Without the one value that depends on the machine.
+nlohmann::json Exact(nlohmann::json json) {
+  json["total"].erase("real_time_factor");
+  return json;
+}
+
+TEST_F(TraceCommand, CoversTheLettersAndStaysInTheGrooves) {
+  const nlohmann::json json =
+      TraceJson({}, "The quick brown fox jumps over the lazy dog, 0123456789.");
+  const nlohmann::json& total = json["total"];
+  // The bars of the issue: coverage 0.98, mean error a tenth of the width.
+  EXPECT_GE(total["coverage"], 0.98);
+  EXPECT_LE(total["mean_error_mm"], 0.1 * json["width_mm"].get<double>());
+  EXPECT_GE(total["rms_error_mm"], total["mean_error_mm"]);
+  EXPECT_GE(total["max_error_mm"], total["rms_error_mm"]);
+  EXPECT_EQ(total["faults"], 0);
+  EXPECT_GT(total["duration_s"], 1.0);
+  EXPECT_GT(total["real_time_factor"], 0.0);
+  EXPECT_GE(total["energy_out_uj"], 0.0);
+  // The hand presses with 1 N.
+  EXPECT_NEAR(total["mean_force_n"], 1.0, 0.15);
+  EXPECT_GE(total["peak_force_n"], total["mean_force_n"]);
+}
+
+TEST_F(TraceCommand, TellsHowTheHandWent) {
+  const nlohmann::json json = TraceJson({}, "JON");
+  const nlohmann::json& total = json["total"];
+  // The hand's plan follows the strokes from start to end, in order; tremor may turn it round for
+  // a moment at a corner.
+  EXPECT_GT(total["direction"], 0.9);
+  EXPECT_EQ(total["order"], 1);
+  EXPECT_LE(std::abs(total["bias_mm"].get<double>()), total["mean_error_mm"]);
+  EXPECT_GE(total["frechet_mm"], total["hausdorff_mm"]);
+  EXPECT_GT(total["contact_share"], 0.5);
+  EXPECT_LT(total["contact_share"], 1);
+  EXPECT_GT(total["mean_speed_mm_s"], 5);
+  EXPECT_NEAR(total["letters_per_second"].get<double>(), 3 / total["duration_s"].get<double>(),
+              1e-9);
+  EXPECT_LT(total["log_jerk"], -5.3220);      // no hand is smoother than minimum jerk
+  EXPECT_LT(total["spectral_arc"], -1.4024);  // nor by this measure
+  EXPECT_GE(total["speed_peaks"], 3);
+  EXPECT_EQ(total["smoothness_rate_hz"], 100);
+  EXPECT_EQ(total["smoothness_low_pass_hz"], 10);
+  for (const nlohmann::json& letter : json["letters"]) EXPECT_LT(letter["log_jerk"], -5.3220);
+}
+
+TEST_F(TraceCommand, TellsTheForceBound) {
+  const nlohmann::json proxy = TraceJson({}, "L")["total"];
+  // Integral of |h| of the coupling, 200 e^(-100 t) cos(100 t) for 1000 N/m, 10 N s/m and 50 g, is
+  // 1 + 2 e^(-pi/2) / (1 - e^-pi); times the cap of 3 N. The steps of 1 ms or less, a tenth of the
+  // coupling's time constant of 10 ms, change it by less than that tenth.
+  const double pi = std::acos(-1.0);
+  const double exact = 3 * (1 + 2 * std::exp(-pi / 2) / (1 - std::exp(-pi)));
+  EXPECT_NEAR(proxy["force_bound_n"], exact, 0.1 * exact);
+  EXPECT_LE(proxy["peak_force_n"], proxy["force_bound_n"]);
+  // Direct: the cap, with friction across it.
+  const nlohmann::json direct =
+      TraceJson({"--render", "direct", "--friction", "0.2", "--quiet"}, "L")["total"];
+  EXPECT_NEAR(direct["force_bound_n"], 3 * std::sqrt(1.04), 1e-12);
+}
+
+TEST_F(TraceCommand, ScoresEachLetterApart) {
+  const nlohmann::json json = TraceJson({});
+  ASSERT_EQ(json["letters"].size(), 2U);
+  EXPECT_EQ(json["letters"][0]["glyph"], "l");
+  EXPECT_EQ(json["letters"][1]["text"], "O");
+  for (const nlohmann::json& letter : json["letters"]) {
+    EXPECT_GE(letter["coverage"], 0.98);
+    EXPECT_GE(letter["entries"], 1);
+    EXPECT_TRUE(letter.contains("lifts"));
+  }
+}
+
+TEST_F(TraceCommand, BlankPageLosesTheHand) {
+  const nlohmann::json json = TraceJson({"--blank"}, "LOON");
+  const nlohmann::json& total = json["total"];
+  EXPECT_TRUE(total["coverage"] < 0.98 ||
+              total["mean_error_mm"] > 0.1 * json["width_mm"].get<double>());
+  EXPECT_TRUE(json["blank"]);
+}
+
+TEST_F(TraceCommand, SameSeedSameNumbersOtherSeedOthers) {
+  const nlohmann::json one = Exact(TraceJson({"--seed", "1"}, "L"));
+  EXPECT_EQ(one, Exact(TraceJson({"--seed", "1"}, "L")));
+  EXPECT_NE(one["total"], Exact(TraceJson({"--seed", "2"}, "L"))["total"]);
+}
+
+TEST_F(TraceCommand, EveryOptionChangesTheTrace) {
+  const nlohmann::json plain = Exact(TraceJson({}, "L"))["total"];
+  const std::vector<std::vector<std::string>> lines = {
+      {"--size-mm", "16"},   {"--width-mm", "2"},  {"--depth-mm", "0.5"},  {"--rounding-mm", "0.3"},
+      {"--embossed"},        {"--tilt-deg", "10"}, {"--render", "direct"}, {"--law", "paper"},
+      {"--friction", "0.1"}, {"--press-n", "0.5"}, {"--speed-mm-s", "20"}, {"--blank"}};
+  std::set<std::string> seen{plain.dump()};
+  for (const std::vector<std::string>& more : lines) {
+    const nlohmann::json total = Exact(TraceJson(more, "L"))["total"];
+    EXPECT_TRUE(seen.insert(total.dump()).second) << more.front();
+  }
+  EXPECT_EQ(TraceJson({"--h-form", "arc"}, "H")["letters"][0]["glyph"], "h.arc");
+  EXPECT_EQ(TraceJson({"--grade", "0.5"}, "AND")["letters"].size(), 3U);
+  const std::string script = SourcePath("textures/scripts/moon.svg");
+  EXPECT_EQ(Exact(TraceJson({"--script", script}, "L"))["total"], plain);
+}
+
+TEST_F(TraceCommand, LayoutOptionsMoveTheLetters) {
+  const double plain = TraceJson({}, "I I")["total"]["duration_s"];
+  EXPECT_NE(TraceJson({"--letter-gap-mm", "20"}, "I I")["total"]["duration_s"], plain);
+  EXPECT_NE(TraceJson({"--word-gap-mm", "40"}, "I I")["total"]["duration_s"], plain);
+  EXPECT_NE(TraceJson({"--line-pitch-mm", "60"}, "I\nI")["total"]["duration_s"],
+            TraceJson({}, "I\nI")["total"]["duration_s"]);
+  EXPECT_EQ(TraceJson({"--page", "a5"}, "I")["paper"]["name"], "a5");
+  // Wide margins leave room for one letter a line, so the way from letter to letter is another.
+  EXPECT_NE(TraceJson({"--margin-mm", "97"}, "I I")["total"]["duration_s"], plain);
+}
+
+TEST_F(TraceCommand, DirectIsDoneAsAskedAndWarnedOf) {
+  const Outcome outcome = RunLine({"trace", "I", "--render", "direct", "--size-mm", "6"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("Direct rendering will buzz"), std::string::npos) << outcome.err;
+  ExpectTextFace(outcome.err);
+  EXPECT_TRUE(
+      RunLine({"trace", "I", "--render", "direct", "--size-mm", "6", "--quiet"}).err.empty());
+  EXPECT_EQ(RunLine({"trace", "I"}).err.find("buzz"), std::string::npos);
+}
+
+TEST_F(TraceCommand, TracesEveryPageAndCountsThemAll) {
+  const nlohmann::json json = TraceJson(
+      {"--page", "60x40", "--margin-mm", "5", "--picture", In("p.svg"), "--record", In("r")},
+      "LI\nIL\nLL");
+  EXPECT_EQ(json["pages"], 3);
+  EXPECT_EQ(json["letters"].size(), 6U);
+  EXPECT_EQ(json["letters"][5]["page"], 2);
+  EXPECT_GE(json["total"]["coverage"], 0.98);
+  EXPECT_EQ(json["total"]["entries"], 6);
+  ExpectOnly({"p-1.svg", "p-2.svg", "p-3.svg", "r-1", "r-2", "r-3"});
+  EXPECT_EQ(RunLine({"replay", In("r-2"), "--check"}).code, 0);
+}
+
+TEST_F(TraceCommand, SaysTheOutcomeFirstAndPathsAlone) {
+  const Outcome outcome =
+      RunLine({"trace", "LO", "--picture", In("p.svg"), "--record", In("r"), "--csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  EXPECT_EQ(lines.front().rfind("Traced: ", 0), 0U);
+  EXPECT_LE(lines.front().size(), 40U);
+  EXPECT_EQ(lines.back(), In("r"));
+  EXPECT_NE(std::find(lines.begin(), lines.end(), In("p.svg")), lines.end());
+  EXPECT_NE(outcome.out.find("\nForce bound: "), std::string::npos) << outcome.out;
+  ExpectTextFace(outcome.out);
+  const std::string svg = ReadAll(In("p.svg"));
+  EXPECT_NE(svg.find("<desc>Text: LO. Covered: "), std::string::npos);
+  EXPECT_NE(svg.find("<polyline"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(In("r/samples.csv")));
+}
+
+TEST_F(TraceCommand, RingsMarkWhereTheTipLeft) {
+  const Outcome outcome =
+      RunLine({"trace", "MOON", "--blank", "--size-mm", "20", "--json", "--picture", In("p.svg")});
+  const auto left = outcome.Json()["total"]["excursions"].get<std::size_t>();
+  ASSERT_GT(left, 0U);  // else this seed shows nothing
+  const std::string svg = ReadAll(In("p.svg"));
+  std::size_t rings = 0;
+  for (std::size_t at = svg.find("<circle"); at != std::string::npos;
+       at = svg.find("<circle", at + 1)) {
+    ++rings;
+  }
+  EXPECT_EQ(rings, left);
+  EXPECT_NE(svg.find("Orange"), std::string::npos);
+}
+
+TEST_F(TraceCommand, WritesEachKindOfPicture) {
+  if (!HaveCairo()) GTEST_SKIP() << "built without cairo";
+  EXPECT_EQ(RunLine({"trace", "I", "--picture", In("p.png")}).code, 0);
+  EXPECT_EQ(RunLine({"trace", "I", "--picture", In("p.pdf")}).code, 0);
+  EXPECT_EQ(ReadAll(In("p.png")).substr(1, 3), "PNG");
+  EXPECT_EQ(ReadAll(In("p.pdf")).substr(0, 4), "%PDF");
+}
+
+TEST_F(TraceCommand, TextComesFromAFileOrStandardInput) {
+  WriteAll(In("text"), "IL");
+  EXPECT_EQ(RunLine({"trace", "--json", "--file", In("text")}).Json()["text"], "IL");
+  EXPECT_EQ(RunLine({"trace", "--json", "-"}, "LI").Json()["text"], "LI");
+}
+
+constexpr const char* kSign =
+    "<mujoco><custom><text name='moontrace:sign' data=\"{LABEL}\"/></custom>"
+    "<worldbody><geom name='sign' type='plane' size='0.2 0.2 0.01' pos='0.1 0.2 0.3'/>"
+    "</worldbody></mujoco>";
+
+std::string Model(const std::string& label) {
+  std::string xml = kSign;
+  return xml.replace(xml.find("{LABEL}"), 7, "{" + label + "}");
+}
+
+TEST_F(TraceCommand, ModelsLabelGivesTextAndLettersAndTheCommandLineOverrides) {
+  WriteAll(In("sign.xml"), Model("text='LI', size_mm=20, at_mm=[-100,-100]"));
+  const Outcome outcome = RunLine({"trace", "--json", "--model", In("sign.xml")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = outcome.Json();
+  EXPECT_EQ(json["text"], "LI");
+  EXPECT_NEAR(json["size_mm"], 20.0, 1e-9);
+  EXPECT_GE(json["total"]["coverage"], 0.98);
+  const nlohmann::json over = TraceJson({"--model", In("sign.xml"), "--size-mm", "14"}, "O");
+  EXPECT_EQ(over["text"], "O");
+  EXPECT_NEAR(over["size_mm"], 14.0, 1e-9);
+}
+
+TEST_F(TraceCommand, TextIsWrappedToTheGeomThatCarriesIt) {
+  // 0.2 m from the label's corner to the far edge, 1 mm margins: one letter of 100 mm a line
+  WriteAll(In("sign.xml"), Model("at_mm=[0,0]"));
+  const nlohmann::json json = TraceJson({"--model", In("sign.xml"), "--size-mm", "100"}, "II LL");
+  EXPECT_NEAR(json["paper"]["width_mm"], 200, 1e-9);
+  EXPECT_NEAR(json["paper"]["height_mm"], 200, 1e-9);
+  EXPECT_EQ(json["pages"], 3);  // of one line each: II, L, L
+  const Outcome large = RunLine({"trace", "WWW", "--model", In("sign.xml"), "--size-mm", "300"});
+  EXPECT_EQ(large.code, 3);
+  EXPECT_NE(large.err.find("198 mm"), std::string::npos) << large.err;
+}
+
+TEST_F(TraceCommand, ALabelBesideItsGeomIsRefused) {
+  WriteAll(In("sign.xml"), Model("text='I', at_mm=[9000,0]"));
+  const Outcome outcome = RunLine({"trace", "--model", In("sign.xml")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("at_mm lies outside the geom"), std::string::npos) << outcome.err;
+}
+
+TEST_F(TraceCommand, LooksAtAllFoldersBeforeTheFirstPage) {
+  std::filesystem::create_directory(In("n-2"));
+  WriteAll(In("n-2/x"), "");
+  const Outcome outcome = RunLine(
+      {"trace", "the moon is bright tonight and still", "--page", "80x60", "--record", In("n")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err.rfind(In("n-2") + ": exists and is not an empty folder", 0), 0U)
+      << outcome.err;
+  ExpectOnly({"n-2"});
+}
+
+TEST_F(TraceCommand, PutsNoFramesAmongOtherFiles) {
+  std::filesystem::create_directory(In("r"));
+  WriteAll(In("r/trial.json"), "{}");
+  const Outcome outcome = RunLine({"trace", "I", "--frames", In("r")});
+  if (outcome.code == 4) GTEST_SKIP() << outcome.err;  // built without a view
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find(In("r") + ": is not empty"), std::string::npos) << outcome.err;
+}
+
+TEST_F(TraceCommand, PictureShowsRulesAndMarginAndNamesThePaper) {
+  const std::vector<std::string> line = {"trace",  "LO", "--size-mm", "8",
+                                         "--page", "a5", "--picture"};
+  ASSERT_EQ(RunLine(With(line, {In("plain.svg")})).code, 0);
+  ASSERT_EQ(
+      RunLine(With(line, {In("sheet.svg"), "--rules", "--raised-margin", "--texture", "sine"}))
+          .code,
+      0);
+  const std::string green = "#009e73";  // the colour of rules on a page's own picture
+  ASSERT_EQ(RunLine({"page", "LO", "--size-mm", "8", "--rules", "--picture", In("page.svg")}).code,
+            0);
+  ASSERT_NE(ReadAll(In("page.svg")).find(green), std::string::npos);
+  EXPECT_EQ(ReadAll(In("plain.svg")).find(green), std::string::npos);
+  const std::string sheet = ReadAll(In("sheet.svg"));
+  EXPECT_NE(sheet.find(green), std::string::npos);
+  EXPECT_NE(sheet.find("Raised margin"), std::string::npos);
+  EXPECT_NE(sheet.find("left out"), std::string::npos);
+}
+
+TEST_F(TraceCommand, StopsAtOnceAndLeavesNothing) {
+  const std::atomic<bool> stop{true};
+  const Outcome outcome =
+      RunLine({"trace", "MOON", "--record", In("r"), "--picture", In("p.svg")}, "", &stop);
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.err.rfind("Stopped", 0), 0U);
+  ExpectOnly({});
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,96 @@
+#include "sim/learn/learn_messages.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/learn/learn_keys.h"
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+using lesson_action::Sentence;
+
+/// The first 40 columns, what a Braille display shows, end a clause: with the sentence, a stop, a
+/// comma or a colon.
+void ExpectOutcomeFirst(const std::string& line) {
+  EXPECT_FALSE(line.empty());
+  const bool clause =
+      Characters(line) <= 40 || line.substr(0, 40).find_first_of(".,;:?!") != std::string::npos;
+  EXPECT_TRUE(clause) << line;
+}
+
+TEST(LearnMessages, EverySentenceOfTheLessonHasItsOutcomeInTheFirst40Columns) {
+  const Course course;
+  for (int i = 0; i <= static_cast<int>(Sentence::kNoSuchLesson); ++i) {
+    lesson_action::Say say;
+    say.sentence = static_cast<Sentence>(i);
+    say.text = "apostrophe";
+    say.other = "quotation";
+    say.value = 0.012;
+    say.number = 3;
+    say.of = 10;
+    ExpectOutcomeFirst(say::LessonSentence(course, say));
+  }
+}
+
+TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
+  for (const std::string& line : {say::AlreadyStopped(),
+                                  say::NotStopped(),
+                                  say::Pausing(),
+                                  say::NotWhileAsked(),
+                                  say::NoLetterHere(),
+                                  say::NothingTouched(),
+                                  say::StillAsked(),
+                                  say::LedNow(),
+                                  say::ProgramTraces(),
+                                  say::Demonstration(),
+                                  say::DemonstrationCounts(),
+                                  say::NotFelt(),
+                                  say::EndOfInput(),
+                                  say::LostTrial(),
+                                  say::NoRoomFor(0.04, 0.02),
+                                  say::NoForceDevice(),
+                                  say::NoLeading(),
+                                  say::LearnScaled(),
+                                  say::SessionEnded(12, 3),
+                                  say::TipAt("apostrophe", 2, true),
+                                  say::TipBetween(false),
+                                  say::WhereInCourse("J, N and Z", 7, 22, 1, 6),
+                                  say::Learner("somebody", 1000, false)}) {
+    ExpectOutcomeFirst(line);
+  }
+  for (const auto await : {lesson_action::Await::kTrace, lesson_action::Await::kAnswer,
+                           lesson_action::Await::kNext, lesson_action::Await::kEnd}) {
+    ExpectOutcomeFirst(say::Awaited(await, Question::kName));
+  }
+}
+
+TEST(LearnMessages, ItemsAreCalledByTheirNames) {
+  Course course;
+  course.names[","] = "comma";
+  EXPECT_EQ(say::Called(course, ","), "comma");
+  EXPECT_EQ(say::Called(course, "b"), "b");
+  EXPECT_EQ(say::Called(course, ",\nb"), "comma and b");
+}
+
+TEST(LearnMessages, AnUnknownKeyIsToldWithoutTheSlashOfWords) {
+  EXPECT_EQ(say::LearnUnknown("/x"), "Unknown: x. Type ? for the words.");
+  EXPECT_EQ(say::LearnUnknown("/"), "Unknown: /. Type ? for the words.");
+}
+
+TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
+  const std::string words = say::LearnHelp().front();
+  for (std::size_t i = 0; i < LearnWords().size(); ++i) {
+    EXPECT_NE(words.find(std::to_string(i + 1) + " " + LearnWords()[i]), std::string::npos);
+  }
+}
+
+TEST(LearnMessages, HelpWithKeysNamesEveryKeyWithItsWord) {
+  const std::string words = say::KeysHelp(UsualKeys()).front();
+  for (const auto& [key, word] : UsualKeys()) {
+    EXPECT_NE(words.find(key + " " + word), std::string::npos) << key;
+  }
+}
+
+}  // namespace
+}  // namespace moontrace

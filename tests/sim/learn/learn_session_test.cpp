@@ -1,0 +1,285 @@
+#include "sim/learn/learn_session.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "lessons/records/records.h"
+#include "sim/learn/learn_words.h"
+#include "tests/sim/learn_fixture.h"
+#include "tests/sim/pty_fixture.h"
+
+namespace moontrace {
+namespace {
+
+class LearnSessionTest : public LearnTest {};
+class SlowLearnSession : public LearnTest {};
+
+bool Holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Trials that a session said were done: each ends in one of these.
+std::size_t Announced(const std::string& all) {
+  std::size_t count = 0;
+  for (const char* begin : {"\nRight: ", "\nWrong: ", "\nGood: ", "\nNot yet: "}) {
+    for (std::size_t at = all.find(begin); at != std::string::npos; at = all.find(begin, at + 1)) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+std::size_t TrialsIn(const std::string& records) {
+  std::size_t count = 0;
+  for (const Trial& trial : Records::OpenToRead(records).Trials("ann")) {
+    if (!trial.item.empty()) ++count;
+  }
+  return count;
+}
+
+/// Every word but those that end a step or the session.
+std::vector<std::string> WordsThatStay() {
+  std::vector<std::string> words;
+  for (const std::string& word : LearnWords()) {
+    if (word != "next" && word != "quit" && word != "done") words.push_back(word);
+  }
+  return words;
+}
+
+TEST_F(LearnSessionTest, SaysFirstThatNothingIsFeltAndEndsWithItsInput) {
+  const Outcome outcome = RunLine(Learn(), "where\nnext\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  ExpectTextFace(outcome.out);
+  ExpectTextFace(outcome.err);
+  const std::vector<std::string> lines = Lines(outcome.out);
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "New learner: ann.");
+  EXPECT_EQ(lines[1].rfind("Demonstration: nothing is felt.", 0), 0U);
+  EXPECT_TRUE(Holds(outcome.out, "a sign comes again until you say next")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Welcome to Small course.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2: First lesson.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "\nFeel the line.\nIt is upright.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2, step 1 of 8: First lesson.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "End of input: the session ends.")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, GoesOnWhereItWas) {
+  ASSERT_EQ(RunLine(Learn(), "next\n").code, 0);
+  const Outcome outcome = RunLine(Learn(), "where\n");
+  EXPECT_TRUE(Holds(outcome.out, "Welcome back, to: First lesson.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2, step 2 of 8: First lesson.")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, SaysTheTextOfEachStepThatIsComeToByNext) {
+  WriteAll(folder_ / "course" / "one.toml", R"(
+title = "First lesson"
+new = ["i"]
+[[steps]]
+kind = "explore"
+say = "The first text."
+text = "i"
+[[steps]]
+kind = "explore"
+say = "The second text."
+text = "i"
+[[steps]]
+kind = "trace"
+)");
+  const Outcome outcome = RunLine(Learn(), "next\n");
+  EXPECT_TRUE(Holds(outcome.out, "\nThe first text.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "\nThe second text.\n")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, TakesTheOnlyLearnerAndAsksNobodyInAPipe) {
+  const std::vector<std::string> nobody = {"learn",        "--course", In("course"), "--records",
+                                           In("r.sqlite"), "--device", "simulated"};
+  const Outcome none = RunLine(nobody, "quit\n");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_EQ(Lines(none.err).size(), 1U) << none.err;
+  ASSERT_EQ(RunLine(With(nobody, {"--learner", "ann"}), "quit\n").code, 0);
+  const Outcome one = RunLine(nobody, "quit\n");
+  EXPECT_EQ(one.code, 0) << one.err;
+  EXPECT_TRUE(Holds(one.out, "Learner: ann, 0 trials so far.")) << one.out;
+}
+
+TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
+  const Outcome outcome = RunLine(Learn({"--seconds", "9"}), "next\n");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<Trial> trials = Records::OpenToRead(In("records.sqlite")).Trials("ann");
+  std::size_t done = 0;
+  for (const Trial& trial : trials) {
+    EXPECT_TRUE(trial.simulated && trial.scaled) << trial.item;
+    if (!trial.item.empty()) ++done;
+  }
+  EXPECT_GE(done, 1U) << outcome.out;  // the program's own hand went round a letter
+  EXPECT_TRUE(Holds(outcome.out, ", 0 signs sure.")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
+  session.Send("\n");
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  session.Send("pause\n");
+  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  session.Send("\n");
+  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  session.Send("where\n");  // answered, and that all rests
+  EXPECT_TRUE(session.WaitFor("Lesson 1 of 2")) << session.all();
+  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  session.Send("stop\n");  // a pause is not taken for a stop, nor a stop for a pause
+  session.Send("\n");
+  EXPECT_TRUE(session.WaitFor("Say go to go on.")) << session.all();
+  session.Send("go\n");
+  EXPECT_TRUE(session.WaitFor("Going on")) << session.all();
+  session.Send("next\n");
+  EXPECT_TRUE(session.WaitFor("The program's hand traces ")) << session.all();
+  session.Send("\n");
+  EXPECT_TRUE(session.WaitFor("The program's hand traces; next")) << session.all();
+  EXPECT_FALSE(Holds(session.all(), "Your turn")) << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_FALSE(Holds(session.all(), "the tip jumped")) << session.all();
+}
+
+TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
+  session.Send("\n");
+  ASSERT_TRUE(session.WaitFor("Raw tracks will not be kept.")) << session.all();
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  for (const char* line : {"stop", "", "where", "letter", "fly", "le", "?", "go", "12", "/hint"}) {
+    EXPECT_TRUE(session.Ask(line)) << line << session.all();
+  }
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_TRUE(session.terminal_is_usual());
+  ExpectStream(session.all());
+}
+
+TEST_F(LearnSessionTest, LeavesASignOfADemonstrationAtNext) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
+  session.Send("no\nnext\nnext\nnext\n");  // what is explored, then what i and l are
+  ASSERT_TRUE(session.WaitFor("\r\nGood: ")) << session.all();
+  ASSERT_TRUE(session.WaitFor("hand traces i.")) << session.all();
+  session.ReadFor(300);  // the hand is on the page: the trace has begun
+  session.Send("next\n");
+  EXPECT_TRUE(session.WaitFor("Skipped, not sure yet: i.")) << session.all();
+}
+
+TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session({"learn", "--course", In("course"), "--records", In("records.sqlite"),
+                      "--device", "simulated"});
+  ASSERT_TRUE(session.WaitFor("Who learns?")) << session.all();
+  for (const auto& [said, answer] :
+       {std::pair{"a/b", "Not a name: "}, std::pair{"?", "The word quit"}}) {
+    session.Send(std::string(said) + "\n");
+    ASSERT_TRUE(session.WaitFor(answer)) << session.all();
+    ASSERT_TRUE(session.WaitFor("Who learns?")) << session.all();
+  }
+  session.Send(" ann \n");
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
+  session.Send("no\n");
+  EXPECT_TRUE(session.WaitFor("New learner: ann.")) << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  ExpectStream(session.all());
+}
+
+TEST_F(LearnSessionTest, KeepsNobodyWhoLeavesAtAQuestion) {
+  SKIP_WITHOUT_TERMINALS();
+  for (const bool asked_who : {true, false}) {
+    std::vector<std::string> args{"learn",     "--course",           In("course"),
+                                  "--records", In("records.sqlite"), "--device",
+                                  "simulated"};
+    if (!asked_who) args = Learn();
+    PtySession session(args);
+    ASSERT_TRUE(session.WaitFor(asked_who ? "Who learns?" : "Keep the raw tracks"));
+    session.Send("quit\n");
+    EXPECT_TRUE(session.WaitFor("Ended before it began: nothing was kept.")) << session.all();
+    EXPECT_EQ(session.Wait(), 0);
+    EXPECT_TRUE(Records::OpenToRead(In("records.sqlite")).Learners().empty());
+  }
+}
+
+TEST_F(SlowLearnSession, AnswersEveryWordAtEveryStep) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session(Learn());
+  ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
+  session.Send("no\n");
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  for (std::size_t step = 1; step <= kStepsOfFirst; ++step) {
+    const std::string place = "step " + std::to_string(step) + " of 8";
+    // skips what is left of the step before; a stopped hand does not go on by itself
+    for (int i = 0; i < 12; ++i) {
+      ASSERT_TRUE(session.Ask("/stop")) << session.all();
+      ASSERT_TRUE(session.Ask("/where")) << session.all();
+      if (session.WaitFor(" of 2, ")) {
+        session.ReadFor(100);
+        const std::size_t at = session.all().rfind("Lesson 1 of 2, step ");
+        ASSERT_NE(at, std::string::npos) << session.all();
+        if (session.all().compare(at + 15, place.size(), place) == 0) break;
+      }
+      ASSERT_TRUE(session.Ask("/next")) << session.all();
+    }
+    for (const std::string& word : WordsThatStay()) {
+      EXPECT_TRUE(session.Ask("/" + word)) << word << " at " << place << session.all();
+    }
+    for (const char* line : {"", "elephant", "i", "/18000", "s"}) {
+      EXPECT_TRUE(session.Ask(line)) << line << " at " << place << session.all();
+    }
+  }
+  session.Send("/quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  ExpectStream(session.all());
+}
+
+/// Kills a session at random instants, again and again, and looks what is left.
+void KillAgainAndAgain(const std::vector<std::string>& args, const std::string& records,
+                       int times) {
+  std::mt19937 random(1873);  // fixed: William Moon's first page of a list, ours
+  std::size_t announced = 0;
+  for (int i = 0; i < times; ++i) {
+    PtySession session(args);
+    if (i == 0) {
+      ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
+      session.Send("\n");
+    }
+    ASSERT_TRUE(session.WaitFor("earner: ann")) << session.all();
+    // at the recognising step each answer is a trial; others skip or trace
+    session.Send("/next\n/next\n/next\n/next\n/next\ni\nl\ni\nl\ni\n");
+    session.ReadFor(200 + static_cast<int>(random() % 2500));
+    session.Kill(SIGKILL);
+    announced += Announced(session.all());
+    ASSERT_GE(TrialsIn(records), announced) << session.all();
+    announced = TrialsIn(records);  // one may have been kept and not told
+  }
+  EXPECT_GT(announced, 0U);
+  // and it goes on where the rows say
+  PtySession session(args);
+  EXPECT_TRUE(session.WaitFor("Learner: ann, " + std::to_string(announced) + " trial"))
+      << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0) << session.all();
+}
+
+TEST_F(LearnSessionTest, LosesNoTrialThatWasToldWhenItIsKilled) {
+  SKIP_WITHOUT_TERMINALS();
+  KillAgainAndAgain(Learn(), In("records.sqlite"), 2);
+}
+
+TEST_F(SlowLearnSession, LosesNoTrialThatWasToldWhenItIsKilledManyTimes) {
+  SKIP_WITHOUT_TERMINALS();
+  const char* times = std::getenv("MOONTRACE_KILLS");
+  KillAgainAndAgain(Learn(), In("records.sqlite"), times != nullptr ? std::atoi(times) : 20);
+}
+
+}  // namespace
+}  // namespace moontrace

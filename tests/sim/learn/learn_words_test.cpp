@@ -1,0 +1,103 @@
+#include "sim/learn/learn_words.h"
+
+#include <gtest/gtest.h>
+
+namespace moontrace {
+namespace {
+
+using Kind = LearnLine::Kind;
+
+/// Teaches a, the word "go", 7 and the comma.
+Course SmallCourse() {
+  Course course;
+  Lesson lesson;
+  lesson.items = {"a", "go", "7", ",", "the"};
+  course.lessons = {lesson};
+  course.names = {{",", "comma"}, {"?", "question mark"}};
+  return course;
+}
+
+LearnLine Read(std::string_view line, Asked asked = Asked::kNothing) {
+  return ReadLearnLine(line, asked, SmallCourse());
+}
+
+void ExpectWord(const LearnLine& line, LearnWord word) {
+  EXPECT_EQ(line.kind, Kind::kWord);
+  EXPECT_EQ(line.word, word);
+}
+
+void ExpectAnswer(const LearnLine& line, const std::string& answer) {
+  EXPECT_EQ(line.kind, Kind::kAnswer);
+  EXPECT_EQ(line.answer, answer);
+}
+
+TEST(LearnWords, AreReadWholeBegunOrByNumber) {
+  const std::vector<std::string>& words = LearnWords();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    for (const std::string& given :
+         {words[i], "/" + words[i], " " + words[i] + "\t", words[i] + "?", std::to_string(i + 1)}) {
+      ExpectWord(Read(given), static_cast<LearnWord>(i));
+    }
+  }
+  ExpectWord(Read("STOP"), LearnWord::kStop);
+  ExpectWord(Read("ag"), LearnWord::kAgain);
+  ExpectWord(Read("mo"), LearnWord::kMoreHelp);
+  ExpectWord(Read("less"), LearnWord::kLessHelp);
+  ExpectWord(Read("?"), LearnWord::kHelp);
+  ExpectWord(Read("/"), LearnWord::kHelp);
+}
+
+TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
+  EXPECT_EQ(Read("").kind, Kind::kNothing);
+  EXPECT_EQ(Read(" \t ").kind, Kind::kNothing);
+  EXPECT_EQ(Read("fly").kind, Kind::kUnknown);
+  EXPECT_EQ(Read("0").kind, Kind::kUnknown);
+  EXPECT_EQ(Read("20").kind, Kind::kUnknown);
+  EXPECT_EQ(Read("le").kind, Kind::kAmbiguous);
+  EXPECT_EQ(LearnWordsFrom("le"), (std::vector<std::string>{"letter", "less help"}));
+  EXPECT_EQ(LearnWordsFrom("/w"), (std::vector<std::string>{"where", "word"}));
+}
+
+TEST(LearnWords, GiveWayToAnswersWhereSomethingIsAsked) {
+  ExpectAnswer(Read("a", Asked::kName), "a");    // not "again"
+  ExpectAnswer(Read("B", Asked::kName), "b");    // a sign that is not taught yet
+  ExpectAnswer(Read("7", Asked::kName), "7");    // not "bigger"
+  ExpectAnswer(Read("12", Asked::kName), "12");  // not "faster"
+  ExpectAnswer(Read("go", Asked::kName), "go");  // an item of the course
+  ExpectAnswer(Read("the", Asked::kName), "the");
+  ExpectAnswer(Read("Comma", Asked::kName), "comma");
+  ExpectAnswer(Read("question mark", Asked::kName), "question mark");
+  ExpectAnswer(Read("elephant", Asked::kName), "elephant");
+}
+
+TEST(LearnWords, CanBeSaidWhileSomethingIsAsked) {
+  ExpectWord(Read("again", Asked::kName), LearnWord::kAgain);
+  ExpectWord(Read("ag", Asked::kName), LearnWord::kAgain);
+  ExpectWord(Read("/a", Asked::kName), LearnWord::kAgain);
+  ExpectWord(Read("/7", Asked::kName), LearnWord::kBigger);
+  ExpectWord(Read("/go", Asked::kName), LearnWord::kGo);
+  ExpectWord(Read("?", Asked::kName), LearnWord::kHelp);
+  ExpectWord(Read("word?", Asked::kName), LearnWord::kWord);
+  EXPECT_EQ(Read("le", Asked::kName).kind, Kind::kAmbiguous);
+}
+
+TEST(LearnWords, StopAndQuitAreNeverAnswers) {
+  Course course = SmallCourse();
+  course.lessons[0].items = {"stop", "quit"};
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
+    ExpectWord(ReadLearnLine("stop", asked, course), LearnWord::kStop);
+    ExpectWord(ReadLearnLine("quit", asked, course), LearnWord::kQuit);
+  }
+}
+
+TEST(LearnWords, SameAndDifferentMayBeBegun) {
+  ExpectAnswer(Read("same", Asked::kSame), "same");
+  ExpectAnswer(Read("S", Asked::kSame), "s");
+  ExpectAnswer(Read("dif", Asked::kSame), "different");
+  ExpectWord(Read("smaller", Asked::kSame), LearnWord::kSmaller);
+  ExpectWord(Read("7", Asked::kSame), LearnWord::kBigger);
+  EXPECT_EQ(Read("elephant", Asked::kSame).kind, Kind::kUnknown);
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,307 @@
+// Studies: rows, files, shards, resuming; and the order of conditions that the literature reports.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/app/study_messages.h"
+#include "sim/learner/study_files.h"
+#include "sim/learner/study_summary.h"
+#include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kProtocol = R"(title = "Small"
+learners = 2
+letters = ["l", "v"]
+size_mm = 8.0
+groove_depth_share = 0.1
+press_n = 0.1
+[trials]
+pre_test = 1
+training = 3
+retention = 1
+[retention]
+days = [0, 1]
+[[conditions]]
+name = "full"
+mode = "rail"
+help = [10, 10]
+[[conditions]]
+name = "none"
+)";
+
+std::string BytesOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Study : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("moontrace-study-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    std::ofstream(Path("small.toml")) << kProtocol;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string Whole(int threads) {
+    const std::string path = Path("whole-" + std::to_string(threads) + ".csv");
+    StudyOutput output;
+    output.path = path;
+    output.threads = threads;
+    RunStudy(LoadStudy(Path("small.toml")), output);
+    return BytesOf(path);
+  }
+  fs::path folder_;
+};
+
+TEST_F(Study, GivesTheSameBytesForAnyNumberOfThreads) {
+  const std::string one = Whole(1);
+  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1 + 4 * 6);
+  EXPECT_EQ(one, Whole(3));
+}
+
+TEST_F(Study, GoesOnWhereItWasEnded) {
+  const std::string whole = Whole(1);
+  const StudyProtocol protocol = LoadStudy(Path("small.toml"));
+  StudyOutput output;
+  output.path = Path("ended.csv");
+  fs::create_directories(output.path + ".parts");
+  // Three trials of the first learner, and a line that was cut off.
+  std::size_t end = 0;
+  for (int line = 0; line < 4; ++line) end = whole.find('\n', end) + 1;
+  std::ofstream(output.path + ".parts/full-1.csv") << whole.substr(0, end + 20);
+  RunStudy(protocol, output);
+  EXPECT_EQ(BytesOf(output.path), whole);
+  EXPECT_FALSE(fs::exists(output.path + ".parts"));
+}
+
+TEST_F(Study, RunsNoFinishedTrialAgain) {
+  const StudyProtocol protocol = LoadStudy(Path("small.toml"));
+  const StudyPlace place{0, 1};
+  std::vector<StudyRow> rows;
+  RunStudyLearner(protocol, place, {}, [&rows](const StudyRow& row) { rows.push_back(row); });
+  ASSERT_EQ(rows.size(), RowsOf(protocol, place));
+  const std::vector<StudyRow> first(rows.begin(), rows.begin() + 4);
+  std::vector<StudyRow> rest;
+  RunStudyLearner(protocol, place, first, [&rest](const StudyRow& row) { rest.push_back(row); });
+  ASSERT_EQ(rest.size(), rows.size() - 4);
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    EXPECT_EQ(FormatRow(rest[i]), FormatRow(rows[i + 4]));
+  }
+}
+
+TEST_F(Study, LosesNothingWhenKilled) {
+  const std::string whole = Whole(1);
+  const std::string path = Path("killed.csv");
+  const StudyProtocol protocol = LoadStudy(Path("small.toml"));
+  for (const int trials : {2, 9, 17}) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      StudyOutput output;
+      output.path = path;
+      // One thread: this one gives the lines, and dies by SIGKILL after so many.
+      const std::vector<StudyPlace> places = PlacesOf(protocol, 1, 1);
+      fs::create_directories(path + ".parts");
+      int left = trials;
+      for (const StudyPlace& place : places) {
+        const std::string part = path + ".parts/" + protocol.conditions[place.condition].name +
+                                 "-" + std::to_string(place.seed) + ".csv";
+        std::vector<StudyRow> before;
+        if (fs::exists(part)) before = ParseRows(BytesOf(part), part);
+        std::ofstream file(part, std::ios::app);
+        if (before.empty() && fs::file_size(part) == 0) file << StudyHeader() << std::flush;
+        RunStudyLearner(protocol, place, before, [&](const StudyRow& row) {
+          file << FormatRow(row) << std::flush;
+          if (--left == 0) {
+            file << "half a li" << std::flush;
+            kill(getpid(), SIGKILL);
+          }
+        });
+      }
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status));
+    StudyOutput output;
+    output.path = path;
+    RunStudy(protocol, output);
+    EXPECT_EQ(BytesOf(path), whole) << trials;
+    fs::remove(path);
+  }
+}
+
+TEST_F(Study, ShardsOfTwoProcessesMergeToTheWhole) {
+  const std::string whole = Whole(1);
+  std::vector<pid_t> children;
+  for (const int shard : {1, 2}) {
+    children.push_back(fork());
+    if (children.back() == 0) {
+      StudyOutput output;
+      output.path = Path("shard-" + std::to_string(shard) + ".csv");
+      output.shard = shard;
+      output.shards = 2;
+      RunStudy(LoadStudy(Path("small.toml")), output);
+      _exit(0);
+    }
+  }
+  for (const pid_t child : children) waitpid(child, nullptr, 0);
+  const Outcome merged = RunLine(
+      {"study", "merge", Path("shard-2.csv"), Path("shard-1.csv"), "--output", Path("merged.csv")});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(BytesOf(Path("merged.csv")), whole);
+  ExpectTextFace(merged.out);
+  EXPECT_EQ(RunLine({"study", "merge", Path("shard-1.csv"), "--output", Path("m.csv")}).code, 3);
+}
+
+TEST_F(Study, SaysWhatCameOfIt) {
+  const std::vector<std::string> line = {"study", Path("small.toml"), "--output", Path("a.csv")};
+  const Outcome first = RunLine(line);
+  EXPECT_EQ(first.code, 0) << first.err;
+  ExpectTextFace(first.out);
+  EXPECT_EQ(first.out.rfind("Study done: 24 trials of 4 learners.\n", 0), 0u);
+  EXPECT_NE(first.out.find("proves"), std::string::npos);
+  EXPECT_EQ(RunLine(line).out, first.out);  // nothing is left to do
+  const auto json = RunLine(With(line, {"--json"})).Json();
+  EXPECT_EQ(json["cells"].size(), 2u * 4);
+  EXPECT_EQ(json["trials"], 24);
+}
+
+TEST_F(Study, SaysWhatAStopLeaves) {
+  const std::atomic<bool> stop{true};
+  const Outcome stopped =
+      RunLine({"study", Path("small.toml"), "--output", Path("a.csv")}, "", &stop);
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_NE(stopped.err.find(Path("a.csv") + ".parts"), std::string::npos) << stopped.err;
+}
+
+TEST_F(Study, ComparesNothingInAShare) {
+  const Outcome share =
+      RunLine({"study", Path("small.toml"), "--shard", "1/2", "--output", Path("share.csv")});
+  EXPECT_EQ(share.code, 0) << share.err;
+  EXPECT_NE(share.out.find("This is share 1/2 of the learners"), std::string::npos) << share.out;
+  EXPECT_EQ(share.out.find("least first"), std::string::npos) << share.out;
+}
+
+TEST_F(Study, RefusesWhatItCannotUse) {
+  EXPECT_EQ(RunLine({"study"}).code, 2);
+  EXPECT_EQ(RunLine({"study", "merge"}).code, 2);
+  EXPECT_EQ(RunLine({"study", "merge", Path("x.csv")}).code, 2);
+  EXPECT_EQ(RunLine({"study", Path("small.toml"), "--shard", "3/2"}).code, 2);
+  EXPECT_EQ(RunLine({"study", Path("small.toml"), "--threads", "0"}).code, 2);
+  EXPECT_EQ(RunLine({"study", Path("missing.toml")}).code, 3);
+  const Outcome mistyped = RunLine({"study", "guidence"});
+  EXPECT_EQ(mistyped.code, 3);
+  EXPECT_NE(mistyped.err.find("there is guidance"), std::string::npos) << mistyped.err;
+  std::ofstream(Path("other.csv")) << "a,b\n";
+  EXPECT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("other.csv")}).code, 3);
+  const Outcome nowhere = RunLine({"study", Path("small.toml"), "--output", Path("none/a.csv")});
+  EXPECT_EQ(nowhere.code, 4);
+  EXPECT_EQ(std::count(nowhere.err.begin(), nowhere.err.end(), '\n'), 1) << nowhere.err;
+  std::ofstream(Path("nope.toml")) << "script = \"nope\"\n" << kProtocol;
+  const Outcome unknown = RunLine({"study", Path("nope.toml")});
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_EQ(unknown.err.rfind(Path("nope.toml") + ": script: ", 0), 0U) << unknown.err;
+}
+
+TEST(StudySummary, GivesMeanDeviationAndInterval) {
+  std::vector<StudyRow> rows;
+  for (int seed = 1; seed <= 4; ++seed) {
+    StudyRow row;
+    row.condition = "none";
+    row.given.phase = "training";
+    row.seed = static_cast<std::uint64_t>(seed);
+    row.mean_error = seed;
+    rows.push_back(row);
+  }
+  rows.push_back(rows.front());
+  rows.back().excluded = "why";
+  const StudySummary summary = Summarise(rows);
+  ASSERT_EQ(summary.cells.size(), 1u);
+  const StudyCell& cell = summary.cells.front();
+  EXPECT_DOUBLE_EQ(cell.mean, 2.5);
+  EXPECT_NEAR(cell.deviation, 1.2910, 1e-4);         // of 1, 2, 3, 4
+  EXPECT_NEAR(cell.high - cell.mean, 2.0543, 1e-3);  // 3.182 x 1.2910 / 2
+  EXPECT_EQ(summary.exclusions.size(), 1u);
+}
+
+TEST(StudyMessages, OneLearnerHasNoSpread) {
+  StudyCell cell;
+  cell.phase = "training";
+  cell.condition = "none";
+  cell.mean = cell.low = cell.high = 596e-6;
+  cell.learners = 1;
+  EXPECT_EQ(say::StudyCellLine(cell), "training, none: 0.596 mm, n 1");
+}
+
+TEST(StudySummary, ComparesTheSameLearners) {
+  std::vector<StudyRow> rows;
+  for (int seed = 1; seed <= 3; ++seed) {
+    for (const char* condition : {"full", "none"}) {
+      StudyRow row;
+      row.condition = condition;
+      row.given.phase = "training";
+      if (row.condition == "full") row.given.mode = GuidanceMode::kRail;
+      row.seed = static_cast<std::uint64_t>(seed);
+      row.mean_error = 10 * seed + (row.condition == "full" ? seed : 0);
+      rows.push_back(row);
+    }
+  }
+  const StudySummary summary = Summarise(rows);
+  EXPECT_EQ(summary.reference, "none");
+  ASSERT_EQ(summary.cells.size(), 2u);
+  EXPECT_DOUBLE_EQ(summary.cells[0].more, 2);                // of 1, 2, 3
+  EXPECT_NEAR(summary.cells[0].more_high - 2, 2.484, 1e-3);  // 4.303 x 1 / sqrt 3
+  EXPECT_EQ(summary.cells[1].pairs, 0u);
+}
+
+TEST(StudySummary, KnowsStudentsT) {  // from the usual table
+  EXPECT_NEAR(StudentT95(1), 12.706, 1e-3);
+  EXPECT_NEAR(StudentT95(12), 2.179, 2e-3);
+  EXPECT_NEAR(StudentT95(19), 2.093, 2e-3);
+  EXPECT_NEAR(StudentT95(1000), 1.962, 1e-3);
+}
+
+// Training-and-ux 1.2 and 1.7: guided is best while training and worst at retention, amplified the
+// reverse, fading between; 20 learners of each condition.
+TEST(SlowStudy, ShowsTheOrderOfTheLiterature) {
+  const std::string path =
+      fs::temp_directory_path() / ("moontrace-guidance-" + std::to_string(getpid()) + ".csv");
+  StudyOutput output;
+  output.path = path;
+  output.threads = 2;
+  const auto rows = RunStudy(LoadStudy(SourcePath("lessons/studies/guidance.toml")), output);
+  fs::remove(path);
+  std::map<std::string, std::map<std::string, StudyCell>> cells;
+  for (const StudyCell& cell : Summarise(rows).cells) cells[cell.phase][cell.condition] = cell;
+  auto& training = cells["training"];
+  EXPECT_LT(training["full"].high, training["fading"].low);
+  EXPECT_LT(training["fading"].high, training["none"].low);
+  EXPECT_LT(training["none"].mean, training["amplified"].mean);
+  auto& week = cells["retention-7"];
+  // The same learners are in each condition: their differences to those who had no help.
+  EXPECT_GT(week["full"].more_low, 0);
+  EXPECT_LT(week["amplified"].more_high, 0);
+  EXPECT_GT(week["full"].more, week["fading"].more);
+  EXPECT_GT(week["fading"].more, week["amplified"].more);
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,92 @@
+// Where the print stands that `page --letters` draws.
+
+#include "sim/picture/print_marks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <numbers>
+
+#include "textures/typeset/reshape.h"
+#include "textures/typeset/rules.h"
+
+namespace moontrace {
+namespace {
+
+/// A text set with `style` on a sheet of 120 x 60 mm, its print and its ink [mm].
+struct Printed {
+  Printed(const std::string& text, Script script, TypeStyle style) {
+    script = Reshaped(script, style.form);
+    const Typeset set = SetText(text, script, style, FindPage("120x60"));
+    const TextPage& page = set.pages.front();
+    for (Mark& mark : PrintMarks(page, script, style, text))
+      marks.push_back(std::get<TextMark>(mark));
+    for (const PlacedGlyph& placed : page.glyphs) {
+      for (const Stroke& stroke : script.glyphs[placed.glyph].strokes) {
+        // a groove is as wide as the style says, a dot has its outline
+        const double half = stroke.kind == StrokeKind::kStroke ? style.width / 2 : 0;
+        for (const Piece& piece : stroke.pieces) {
+          const Box box = BoundsOf(Placed(piece, style.size, placed.origin_P));
+          lowest = std::min(lowest, 1e3 * (box.min.y - half));
+        }
+      }
+    }
+    for (const Line& rule : RaisedLinesOf(page, script, style).rules) {
+      lowest = std::min(lowest, 1e3 * (rule.from.y - RuleProfile(style).width / 2));
+    }
+    origin = 1e3 * page.glyphs.front().origin_P;
+  }
+  std::vector<TextMark> marks;
+  double lowest = 1e9;
+  glm::dvec2 origin{0, 0};
+};
+
+TypeStyle StyleFor(const Script& script) {
+  return DefaultStyle(script.size, Relief::kEngraved, script);
+}
+
+void ExpectBelow(const Printed& printed) {
+  for (const TextMark& mark : printed.marks) {
+    EXPECT_LT(mark.at.y + mark.height, printed.lowest) << mark.text;
+    EXPECT_GT(mark.at.y, printed.lowest - 2 * mark.height) << mark.text;
+  }
+}
+
+TEST(PrintMarks, StandBelowTheLowestStroke) {
+  const Script moon = FindScript("moon"), braille = FindScript("braille");
+  ExpectBelow(Printed("moon", moon, StyleFor(moon)));
+  ExpectBelow(Printed("lml", braille, StyleFor(braille)));
+}
+
+TEST(PrintMarks, StandBelowTheLowerRule) {
+  const Script moon = FindScript("moon");
+  TypeStyle style = StyleFor(moon);
+  style.rules.lines = true;
+  ExpectBelow(Printed("here", moon, style));
+}
+
+TEST(PrintMarks, MoveWithTheFootOfLettersThatLean) {
+  const Script moon = FindScript("moon");
+  TypeStyle style = StyleFor(moon);
+  const Printed upright("moon", moon, style);
+  EXPECT_NEAR(upright.marks[0].at.x, upright.origin.x, 1e-9);
+  style.form = {std::numbers::pi / 12, 1};  // about the base line
+  const Printed right("moon", moon, style);
+  EXPECT_NEAR(right.marks[0].at.x, right.origin.x, 1e-9);
+  style.form = {-std::numbers::pi / 6, 0.5};  // about the top line, 12 mm above
+  const Printed left("moon", moon, style);
+  EXPECT_NEAR(left.marks[0].at.x, left.origin.x + 12 * std::tan(std::numbers::pi / 6), 1e-9);
+}
+
+TEST(PrintMarks, AreThoseOfTheText) {
+  const Script moon = FindScript("moon");
+  const Printed printed("no 1", moon,
+                        StyleFor(moon));  // with a numeral sign, which stands for none
+  ASSERT_EQ(printed.marks.size(), 3U);
+  EXPECT_EQ(printed.marks[2].text, "1");
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,54 @@
+#include "sim/session/device_opening.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "devices/core/device_error.h"
+#include "devices/hid/homing.h"
+#include "sim/wording/console.h"
+#include "tests/devices/fake_hid.h"
+#include "tests/source_path.h"
+
+namespace moontrace {
+namespace {
+
+const std::string kProfiles = SourcePath("devices/profiles");
+
+std::unique_ptr<Device> Open(const std::string& name, std::vector<std::string>& told,
+                             const std::atomic<bool>* stop = nullptr) {
+  return OpenHomed(
+      {name}, kProfiles, [&told](std::string_view line) { told.emplace_back(line); }, stop);
+}
+
+TEST(SlowOpenHomed, AsksForTheRestAndTheMove) {
+  const FakeHid fake("woodenhaptics");  // with somebody who does what is asked
+  std::vector<std::string> told;
+  const auto device = Open("woodenhaptics", told);
+  EXPECT_EQ(told, (std::vector<std::string>{std::string(SentenceOf(HomingStep::kRest)),
+                                            std::string(SentenceOf(HomingStep::kMove))}));
+  DeviceState state;
+  EXPECT_NE(device->Read(state), DeviceStatus::kNotReady);
+}
+
+TEST(OpenHomed, AsksNothingOfADeviceThatKnowsWhereItIs) {
+  const FakeHid fake("moontrace-raw");
+  std::vector<std::string> told;
+  EXPECT_NE(Open("moontrace-raw", told), nullptr);
+  EXPECT_TRUE(told.empty());
+}
+
+TEST(OpenHomed, EndsWhenItIsStoppedOrUnplugged) {
+  std::vector<std::string> told;
+  {
+    const FakeHid fake("polhem");
+    const std::atomic<bool> stop{true};
+    EXPECT_THROW(Open("polhem", told, &stop), Interrupted);
+  }
+  const FakeHid fake("polhem", "unplug@100");
+  EXPECT_THROW(Open("polhem", told), DeviceError);
+}
+
+}  // namespace
+}  // namespace moontrace

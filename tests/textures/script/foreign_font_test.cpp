@@ -1,0 +1,159 @@
+#include "textures/script/foreign_font.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "textures/base/error.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+namespace {
+
+std::string FontOf(const std::string& glyphs, const std::string& face = "units-per-em=\"1000\"") {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\">"
+         "<metadata>Drawn by\n  A. Person, CC0</metadata><defs>"
+         "<font id=\"f\" horiz-adv-x=\"1200\">\n<font-face font-family=\"Strokes\" " +
+         face + "/>\n<missing-glyph horiz-adv-x=\"500\" d=\"M0 0H500V500Z\"/>\n" + glyphs +
+         "\n</font></defs></svg>\n";
+}
+
+Script FontWith(const std::string& glyphs) { return ParseForeignFont(FontOf(glyphs), "b/a.svg"); }
+
+std::string ErrorOf(const std::string& svg) {
+  try {
+    ParseForeignFont(svg, "a.svg");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+double LengthOf(const Glyph& glyph) {
+  double length = 0;
+  for (const Stroke& stroke : glyph.strokes) {
+    for (const Piece& piece : stroke.pieces) length += Length(piece);
+  }
+  return length;
+}
+
+TEST(ParseForeignFont, TakesSignsFromTheUnicodeAttributesAndItsWordsFromTheFont) {
+  const Script script = FontWith(
+      "<glyph unicode=\" \" horiz-adv-x=\"700\"/>"
+      "<glyph unicode=\"a\" glyph-name=\"alpha\" d=\"M0 0L500 0\"/>"
+      "<glyph unicode=\"A\" d=\"M0 0L900 0\"/>");
+  EXPECT_EQ(script.name, "a");
+  EXPECT_EQ(script.title, "Strokes");
+  EXPECT_EQ(script.author, "Drawn by A. Person, CC0");
+  EXPECT_DOUBLE_EQ(script.space_advance, 0.7);
+  ASSERT_EQ(script.glyphs.size(), 2U);  // the missing-glyph is no sign
+  EXPECT_EQ(script.signs.at(U'a'), "alpha");
+  EXPECT_EQ(script.signs.at(U'A'), "A");
+  const TypeStyle style = DefaultStyle(0.012, Relief::kEngraved, script);
+  const Typeset set = SetText("aA a?", script, style, FindPage("a4"));
+  EXPECT_EQ(set.pages.at(0).glyphs.size(), 3U);
+  EXPECT_EQ(set.missing_count, 1U);  // told, not drawn as a box
+}
+
+TEST(ParseForeignFont, TakesCapHeightThenAscentThenUnitsPerEmAsTheEm) {
+  const std::string glyph = "<glyph unicode=\"a\" d=\"M0 0L700 0\"/>";
+  for (const auto& [face, em] :
+       {std::pair{"units-per-em=\"1000\"", 1000.0},
+        std::pair{"units-per-em=\"1000\" ascent=\"800\"", 800.0},
+        std::pair{"units-per-em=\"1000\" ascent=\"800\" cap-height=\"0\"", 800.0},
+        std::pair{"units-per-em=\"1000\" ascent=\"800\" cap-height=\"500\"", 500.0}}) {
+    EXPECT_DOUBLE_EQ(LengthOf(ParseForeignFont(FontOf(glyph, face), "a.svg").glyphs.at(0)),
+                     700 / em);
+  }
+}
+
+TEST(ParseForeignFont, WritesGroupsOfCharactersAsOneSign) {
+  const Script script = FontWith(
+      "<glyph unicode=\"f\" d=\"M0 0L1 0\"/><glyph unicode=\"i\" d=\"M0 0L2 0\"/>"
+      "<glyph unicode=\"fi\" glyph-name=\"f_i\" d=\"M0 0L3 0\"/>");
+  const TypeStyle style = DefaultStyle(0.012, Relief::kEngraved, script);
+  const Typeset set = SetText("fif", script, style, FindPage("a4"));
+  ASSERT_EQ(set.pages.at(0).glyphs.size(), 2U);
+  EXPECT_EQ(script.glyphs.at(set.pages[0].glyphs[0].glyph).name, "f_i");
+}
+
+TEST(ParseForeignFont, ForgivesWhatOtherFontsHave) {
+  const Script script = FontWith(
+      "<glyph d=\"M0 0L1 1\"/>"                                        // no name
+      "<glyph unicode=\"x\"/>"                                         // nothing drawn
+      "<glyph unicode=\"&#x301;\" horiz-adv-x=\"0\" d=\"M0 0L1 1\"/>"  // a mark above
+      "<glyph unicode=\"a\" glyph-name=\"n\" d=\"M0 0L1 0\"/>"         // the first counts
+      "<glyph unicode=\"a\" glyph-name=\"n\" d=\"M0 0L2 0\"/><hkern k=\"1\"/>");
+  ASSERT_EQ(script.glyphs.size(), 2U);
+  EXPECT_EQ(script.glyphs[1].name, "n#2");
+  EXPECT_EQ(script.signs, (std::map<char32_t, std::string>{{U'a', "n"}}));
+}
+
+TEST(ParseForeignFont, ReadsGroupsUsesAndSimpleShapes) {
+  const Script script = FontWith(
+      "<glyph unicode=\"a\"><g stroke=\"red\"><path id=\"p\" d=\"M0 0L100 0\"/></g>"
+      "<use xlink:href=\"#p\" x=\"10\" y=\"20\"/></glyph>"
+      "<glyph unicode=\"b\"><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"300\"/>"
+      "<polyline points=\"0,0 100,0 100,100\"/><polygon points=\"0 0 10 0 10 10\"/></glyph>");
+  const Line& used = std::get<Line>(script.glyphs.at(0).strokes.at(1).pieces.at(0));
+  EXPECT_LT(glm::length(used.from - glm::dvec2(0.01, 0.02)), 1e-12);
+  EXPECT_LT(glm::length(used.to - glm::dvec2(0.11, 0.02)), 1e-12);
+  const Glyph& b = script.glyphs.at(1);
+  ASSERT_EQ(b.strokes.size(), 3U);
+  EXPECT_DOUBLE_EQ(Length(b.strokes[0].pieces.at(0)), 0.3);
+  EXPECT_EQ(b.strokes[1].pieces.size(), 2U);
+  EXPECT_EQ(b.strokes[2].kind, StrokeKind::kFill);
+}
+
+TEST(ParseForeignFont, FollowsEveryPathCommand) {
+  // All commands of SVG 1.1 in one path, relative and absolute; each end point counted by hand.
+  const Script script = FontWith(
+      "<glyph unicode=\"a\" d=\"M0 0 m10 10 L20 10 l0 10 H30 h10 V30 v10 C40 50 50 60 60 60 "
+      "c10 0 20 0 30 0 S110 70 110 80 s0 10 10 10 Q130 90 130 100 q0 10 10 10 T160 120 t10 0 "
+      "A10 10 0 0 1 180 130 a10 10 0 0 0 10 10 z\"/>"
+      "<glyph unicode=\"b\" d=\"M0 0h1\"/>");
+  const std::vector<Piece>& pieces = script.glyphs.at(0).strokes.at(0).pieces;
+  EXPECT_LT(glm::length(StartOf(pieces.front()) - glm::dvec2(0.01, 0.01)), 1e-9);
+  EXPECT_LT(glm::length(EndOf(pieces.back()) - glm::dvec2(0.01, 0.01)), 1e-9);
+  EXPECT_LT(glm::length(StartOf(pieces.back()) - glm::dvec2(0.19, 0.14)), 1e-9);
+  EXPECT_EQ(script.glyphs[0].strokes[0].kind, StrokeKind::kFill);
+}
+
+TEST(ParseForeignFont, RefusesACycleOfUseInOneLine) {
+  EXPECT_EQ(
+      ErrorOf(FontOf("<glyph unicode=\"a\"><g id=\"g\"><use xlink:href=\"#g\"/></g></glyph>")),
+      "a.svg:5:30: <use> of '#g' within itself: a cycle without end; draw it in place");
+  EXPECT_EQ(ErrorOf(FontOf("<glyph id=\"a\" unicode=\"a\"><use href=\"#b\"/></glyph>\n"
+                           "<glyph id=\"b\" unicode=\"b\"><use href=\"#a\"/></glyph>")),
+            "a.svg:6:27: <use> of '#a' within itself: a cycle without end; draw it in place");
+  EXPECT_EQ(ErrorOf(FontOf("<glyph unicode=\"a\"><use href=\"o.svg#x\"/></glyph>")),
+            "a.svg:5:20: <use> of 'o.svg#x', which is no id of this file; draw it in place");
+}
+
+TEST(ParseForeignFont, BoundsUsesThatMultiply) {
+  // Each of 30 groups uses the one before ten times: 10^30 paths, were they all drawn.
+  std::string groups = "<g id=\"g0\"><path d=\"M0 0L1 1\"/></g>";
+  for (int i = 1; i <= 30; ++i) {
+    groups += "<g id=\"g" + std::to_string(i) + "\">";
+    for (int k = 0; k < 10; ++k) groups += "<use href=\"#g" + std::to_string(i - 1) + "\"/>";
+    groups += "</g>";
+  }
+  const std::string inside =
+      ErrorOf(FontOf("<glyph unicode=\"a\">" + groups + "<use href=\"#g30\"/></glyph>"));
+  EXPECT_NE(inside.find(": too many path commands; simplify the drawing"), std::string::npos)
+      << inside;
+}
+
+TEST(ParseForeignFont, NamesNaNWrongEncodingAndEmptyFonts) {
+  EXPECT_EQ(ErrorOf(FontOf("<glyph unicode=\"a\" d=\"M0 0LNaN 1\"/>")),
+            "a.svg:5:28: 'NaN' is no finite number; write one");
+  EXPECT_EQ(ErrorOf(FontOf("<glyph unicode=\"\xE9\" d=\"M0 0L1 1\"/>")),
+            "a.svg:5:17: this is not UTF-8; save it as UTF-8");
+  EXPECT_EQ(ErrorOf(std::string("\xFF\xFE<\0s\0v\0g\0>\0", 12)),
+            "a.svg:1:1: this is UTF-16; save it as UTF-8");
+  EXPECT_EQ(ErrorOf(FontOf("<glyph unicode=\"a\"/>")).rfind("a.svg:2:", 0), 0U);
+}
+
+}  // namespace
+}  // namespace moontrace

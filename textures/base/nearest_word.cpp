@@ -1,0 +1,49 @@
+#include "textures/base/nearest_word.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+namespace moontrace {
+namespace {
+
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates) {
+  // Longer words come from broken files, not from slips of the finger; this bounds the time.
+  constexpr std::size_t kLongestWord = 64;
+  std::string nearest;
+  if (word.empty() || word.size() > kLongestWord) return nearest;
+  for (const std::string& candidate : candidates) {
+    if (candidate.compare(0, word.size(), word) != 0) continue;
+    if (nearest.empty() || candidate.size() < nearest.size()) nearest = candidate;
+  }
+  if (!nearest.empty()) return nearest;
+  std::size_t best = word.size() / 2 + 1;
+  for (const std::string& candidate : candidates) {
+    if (candidate.size() > kLongestWord) continue;
+    const std::size_t distance = EditDistance(word, candidate);
+    if (distance < best) {
+      best = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,53 @@
+#include "textures/base/text_file.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "textures/base/hidden_character.h"
+#include "textures/base/text_pipe.h"
+#include "textures/base/utf8_check.h"
+
+namespace moontrace {
+
+TextPlace PlaceOf(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  TextPlace place;
+  place.line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+  const std::size_t newline = before.rfind('\n');
+  place.column = newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
+  return place;
+}
+
+std::string OneLine(std::string_view text, std::size_t limit) {
+  std::string line(text.substr(0, limit));
+  if (text.size() > limit) {
+    // The cut must not leave half a UTF-8 character behind.
+    std::size_t cut = limit;
+    while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U) --cut;
+    line.resize(cut);
+    line += "...";
+  }
+  while (const std::optional<std::size_t> bad = FirstBadUtf8(line)) line[*bad] = '?';
+  return HiddenShown(line);
+}
+
+std::size_t CountCharacters(std::string_view utf8) noexcept {
+  return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+std::string LowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+std::string ReadTextFile(const std::string& path, std::size_t max_bytes) {
+  RequireRegularFile(path);
+  return ReadTextOrPipe(path, max_bytes);
+}
+
+}  // namespace moontrace

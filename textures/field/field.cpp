@@ -1,0 +1,149 @@
+#include "textures/field/field.h"
+
+#include <cmath>
+
+#include "textures/field/field_layer.h"
+
+namespace moontrace {
+
+namespace {
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): guards against accident, not malice.
+class Digest {
+ public:
+  void Add(std::uint64_t word) {
+    for (int byte = 0; byte < 8; ++byte) {
+      hash_ = (hash_ ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3ull;
+    }
+  }
+  void Add(double value) {
+    std::uint64_t bits = 0;
+    static_assert(sizeof bits == sizeof value);
+    __builtin_memcpy(&bits, &value, sizeof bits);
+    Add(bits);
+  }
+  void Add(glm::dvec2 v) {
+    Add(v.x);
+    Add(v.y);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325ull;
+};
+
+void Add(Digest& digest, const FlatElement& element) {
+  digest.Add(element.anchor);
+  digest.Add(element.direction);
+  digest.Add(element.length);
+  digest.Add(element.radius);
+  digest.Add(element.cos_half);
+  digest.Add(static_cast<std::uint64_t>(element.kind));
+  digest.Add(static_cast<std::uint64_t>(element.profile));
+}
+
+void Add(Digest& digest, const Rows& rows) {
+  digest.Add(rows.first_x);
+  digest.Add(rows.step);
+  for (const Letters& letters : rows.slots) {
+    digest.Add(static_cast<std::uint64_t>(letters.first));
+    for (const std::uint8_t code : letters.codes) {
+      digest.Add(static_cast<std::uint64_t>(rows.codes[code].step));
+      digest.Add(std::uint64_t{rows.codes[code].block});
+    }
+  }
+  for (const double y : rows.y) digest.Add(y);
+  for (const std::uint32_t row : rows.of_band) digest.Add(std::uint64_t{row});
+}
+
+void Add(Digest& digest, const PaperField& paper) {
+  for (const FlatPatch& patch : paper.patches()) {
+    digest.Add(patch.box.min);
+    digest.Add(patch.box.max);
+    digest.Add(patch.fade_per_m);
+    digest.Add(static_cast<std::uint64_t>(patch.kind));
+    digest.Add(patch.amplitude);
+    digest.Add(patch.wave);
+    digest.Add(std::uint64_t{patch.seed} * 2 + (patch.tiled ? 1 : 0));
+    if (patch.heights == nullptr) continue;
+    digest.Add(std::uint64_t{patch.heights->columns()});
+    for (const float height : patch.heights->heights()) digest.Add(static_cast<double>(height));
+  }
+}
+
+template <class T, class Allocator>
+std::size_t Bytes(const std::vector<T, Allocator>& values) {
+  return values.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+TextureField::TextureField() = default;
+TextureField::~TextureField() = default;
+TextureField::TextureField(TextureField&&) noexcept = default;
+TextureField& TextureField::operator=(TextureField&&) noexcept = default;
+
+TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
+  for (const Layer& layer : texture.layers) {
+    if (layer.group == nullptr || layer.group->bounds.min.x > layer.group->bounds.max.x) continue;
+    layers_.push_back(CompileLayer(layer));
+    double slope = 0, curvature = 0, depth = 0;
+    for (const FlatProfile& profile : layers_.back().profiles) {
+      slope = std::fmax(slope, profile.slope);
+      curvature = std::fmax(curvature, profile.curvature);
+      depth = std::fmax(depth, profile.depth);
+    }
+    greatest_slope_ += slope;
+    greatest_curvature_ += curvature;
+    greatest_displacement_ += depth;
+  }
+  greatest_slope_ += paper_.bounds().slope;
+  greatest_curvature_ += paper_.bounds().curvature;
+  greatest_displacement_ += paper_.bounds().displacement;
+  steepest_cosine_ = 1 / std::sqrt(1 + greatest_slope_ * greatest_slope_);
+}
+
+std::size_t TextureField::memory_bytes() const noexcept {
+  std::size_t bytes = sizeof *this + Bytes(layers_) + paper_.memory_bytes();
+  for (const CompiledLayer& layer : layers_) {
+    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.rows.of_band) +
+             Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) +
+             Bytes(layer.reaches) + Bytes(layer.heights) + Bytes(layer.blocks) +
+             Bytes(layer.blend_radii) + Bytes(layer.cells) + Bytes(layer.items) +
+             Bytes(layer.elements) + Bytes(layer.fills) + Bytes(layer.fades) +
+             Bytes(layer.profiles);
+    for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
+  }
+  return bytes;
+}
+
+std::uint64_t TextureField::Hash() const noexcept {
+  Digest digest;
+  for (const CompiledLayer& layer : layers_) {
+    digest.Add(layer.sign);
+    Add(digest, layer.rows);
+    for (const std::uint32_t first : layer.bands) digest.Add(std::uint64_t{first});
+    for (const Leaf& leaf : layer.leaves) {
+      digest.Add(leaf.origin);
+      digest.Add(std::uint64_t{leaf.block});
+    }
+    for (const Block& block : layer.blocks) digest.Add(layer.blend_radii[block.blend]);
+    for (const FlatElement& element : layer.elements) Add(digest, element);
+    for (const FlatFade& fade : layer.fades) {
+      Add(digest, fade.spine);
+      for (const double value : {fade.from, fade.to, fade.rate}) digest.Add(value);
+    }
+    for (const FlatFill& fill : layer.fills) {
+      for (const FlatEdge& edge : fill.edges) Add(digest, edge.spine);
+    }
+    for (const FlatProfile& profile : layer.profiles) {
+      digest.Add(profile.half);
+      digest.Add(profile.rounding);
+      digest.Add(profile.depth);
+    }
+  }
+  Add(digest, paper_);
+  return digest.value();
+}
+
+}  // namespace moontrace

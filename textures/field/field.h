@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "textures/field/paper_field.h"
+#include "textures/field/texture.h"
+
+namespace moontrace {
+
+/// The compiled texture: flat, immutable, made for the tick. A query does not grow with the page.
+class TextureField {
+ public:
+  struct CompiledLayer;  ///< see field_layer.h
+
+  /// An empty field: flat everywhere.
+  TextureField();
+  /// Compiles a tree. Throws InputError for a broken profile or more than 2^24 placements.
+  explicit TextureField(const Texture& texture);
+
+  /// Displacement and gradient at `p_P` [m]; zero outside every element and for a point that is not
+  /// finite. On a crease the lowest-numbered member's gradient. Any thread.
+  Sample SampleAt(glm::dvec2 p_P) const noexcept;
+
+  /// Greatest slope and curvature over all elements: s_max [m/m], (s/r)_max [1/m]; zero when empty.
+  /// Layers and paper add.
+  double greatest_slope() const noexcept { return greatest_slope_; }
+  /// Cosine of the steepest inclination, 1 / sqrt(1 + s_max^2); 1 when empty.
+  double steepest_cosine() const noexcept { return steepest_cosine_; }
+  double greatest_curvature() const noexcept { return greatest_curvature_; }
+  /// Deepest and highest displacement that can occur [m], both >= 0 as magnitudes, summed over
+  /// layers.
+  double greatest_displacement() const noexcept { return greatest_displacement_; }
+
+  std::size_t memory_bytes() const noexcept;
+  /// A digest of everything that decides a sample: equal fields, equal digests.
+  std::uint64_t Hash() const noexcept;
+
+ private:
+  std::vector<CompiledLayer> layers_;
+  PaperField paper_;
+  double greatest_slope_ = 0;
+  double steepest_cosine_ = 1;
+  double greatest_curvature_ = 0;
+  double greatest_displacement_ = 0;
+
+ public:
+  ~TextureField();
+  TextureField(TextureField&&) noexcept;
+  TextureField& operator=(TextureField&&) noexcept;
+  TextureField(const TextureField&) = delete;
+  TextureField& operator=(const TextureField&) = delete;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,296 @@
+// Flattens the tree: runs outside the tick, may allocate and throw.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <map>
+#include <numbers>
+
+#include "textures/base/error.h"
+#include "textures/field/blend.h"
+#include "textures/field/field_place.h"
+
+namespace moontrace {
+
+namespace {
+
+using CompiledLayer = TextureField::CompiledLayer;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting,
+                   std::vector<PlacedGroup>& leaves) {
+  if (nesting > 64) throw InputError("groups are nested deeper than 64: flatten them");
+  if (leaves.size() >= (1u << 24)) throw InputError("more than 2^24 groups on one page: split it");
+  if (!group.elements.empty()) {
+    leaves.push_back({&group, origin, 0, static_cast<std::uint32_t>(leaves.size()), {}});
+  }
+  for (const Placement& placement : group.placements) {
+    CollectLeaves(*placement.group, origin + placement.origin, nesting + 1, leaves);
+  }
+}
+
+FlatProfile Flatten(const Profile& profile) {
+  Check(profile);
+  const double slope = GreatestSlope(profile);
+  return {profile.width / 2,
+          profile.rounding,
+          profile.depth,
+          slope,
+          slope / profile.rounding,
+          profile.depth + slope * profile.rounding / 2};
+}
+
+std::uint16_t ProfileNumber(const Profile& profile, CompiledLayer& layer) {
+  const FlatProfile flat = Flatten(profile);
+  const auto found = std::find(layer.profiles.begin(), layer.profiles.end(), flat);
+  if (found != layer.profiles.end()) {
+    return static_cast<std::uint16_t>(found - layer.profiles.begin());
+  }
+  if (layer.profiles.size() >= 65535) throw InputError("more than 65535 different profiles");
+  layer.profiles.push_back(flat);
+  return static_cast<std::uint16_t>(layer.profiles.size() - 1);
+}
+
+std::uint16_t BlendNumber(double radius, CompiledLayer& layer) {
+  std::vector<double>& radii = layer.blend_radii;
+  const auto number = std::find(radii.begin(), radii.end(), radius) - radii.begin();
+  if (number == std::ssize(radii)) radii.push_back(radius);
+  return static_cast<std::uint16_t>(number);
+}
+
+FlatElement FlattenRound(glm::dvec2 center, double radius) {
+  FlatElement flat;
+  flat.kind = radius > 0 ? FlatKind::kRing : FlatKind::kDot;
+  flat.anchor = center;
+  flat.radius = radius;
+  flat.cos_half = -1;
+  return flat;
+}
+
+FlatElement FlattenPiece(const Piece& piece) {
+  if (const Line* line = std::get_if<Line>(&piece)) {
+    FlatElement flat;
+    flat.anchor = line->from;
+    flat.length = glm::length(line->to - line->from);
+    if (flat.length > 0) flat.direction = (line->to - line->from) / flat.length;
+    return flat;
+  }
+  const Arc& arc = std::get<Arc>(piece);
+  FlatElement flat = FlattenRound(arc.center, arc.radius);
+  if (std::abs(arc.sweep) >= kTurn) return flat;
+  const double middle = arc.start + 0.5 * arc.sweep;
+  flat.kind = FlatKind::kArc;
+  flat.direction = {std::cos(middle), std::sin(middle)};
+  flat.cos_half = std::cos(0.5 * arc.sweep);
+  return flat;
+}
+
+FlatElement FlattenFill(const Fill& fill, CompiledLayer& layer) {
+  if (fill.outline.size() == 1) {
+    FlatElement disc = FlattenPiece(fill.outline.front());
+    if (disc.kind == FlatKind::kRing) {
+      disc.kind = FlatKind::kDisc;
+      return disc;
+    }
+  }
+  if (layer.fills.size() >= 65535) throw InputError("more than 65535 filled outlines on a page");
+  FlatElement flat;
+  flat.kind = FlatKind::kFill;
+  flat.fill = static_cast<std::uint16_t>(layer.fills.size());
+  FlatFill& outline = layer.fills.emplace_back();
+  for (const Piece& piece : fill.outline) {
+    outline.edges.push_back({FlattenPiece(piece), StartOf(piece), EndOf(piece)});
+  }
+  outline.rising = RisingEdges(fill.outline);
+  return flat;
+}
+
+void FlattenFade(const Element& element, FlatElement& flat, CompiledLayer& layer) {
+  if (layer.fades.size() >= 65535) throw InputError("more than 65535 fading strokes on a page");
+  const Arc* arc = std::get_if<Arc>(&element.shape);
+  const double rate = arc == nullptr ? 0 : (arc->sweep < 0 ? -0.5 : 0.5) / std::acos(flat.cos_half);
+  layer.fades.push_back({flat, element.fade.from, element.fade.to, rate});
+  flat.kind = FlatKind::kFading;
+  flat.fill = static_cast<std::uint16_t>(layer.fades.size() - 1);
+}
+
+FlatElement Flatten(const Element& element, CompiledLayer& layer) {
+  FlatElement flat;
+  if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
+    flat = FlattenFill(*fill, layer);
+  } else if (const Dot* dot = std::get_if<Dot>(&element.shape)) {
+    flat = FlattenRound(dot->center, 0);
+  } else if (const Line* line = std::get_if<Line>(&element.shape)) {
+    flat = FlattenPiece(Piece(*line));
+  } else {
+    flat = FlattenPiece(Piece(std::get<Arc>(element.shape)));
+  }
+  flat.profile = ProfileNumber(element.profile, layer);
+  if (!element.fade.IsNone() && flat.kind <= FlatKind::kArc) FlattenFade(element, flat, layer);
+  return flat;
+}
+
+/// Whether the element can matter within `reach` of a point (a cell's middle): never false by
+/// mistake.
+bool CanMatter(const Element& element, glm::dvec2 middle, double reach) {
+  if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
+    if (IsInside(fill->outline, middle)) return true;
+    return std::any_of(fill->outline.begin(), fill->outline.end(),
+                       [&](const Piece& piece) { return DistanceTo(piece, middle) <= reach; });
+  }
+  reach += 0.5 * element.profile.width;
+  if (const Dot* dot = std::get_if<Dot>(&element.shape)) {
+    return glm::length(middle - dot->center) <= reach;
+  }
+  const Piece piece = std::holds_alternative<Line>(element.shape)
+                          ? Piece(std::get<Line>(element.shape))
+                          : Piece(std::get<Arc>(element.shape));
+  return DistanceTo(piece, middle) <= reach;
+}
+
+/// The elements that can matter within `reach` of a cell's middle, in the group's order. `bounds`
+/// are the elements' own, which rule most of them out at once.
+Cell MakeCell(const Group& group, const std::vector<Box>& bounds, glm::dvec2 middle, double reach,
+              CompiledLayer& layer) {
+  std::vector<std::uint16_t> items;
+  for (std::size_t i = 0; i < group.elements.size(); ++i) {
+    if (!Contains(Grown(bounds[i], reach), middle)) continue;
+    if (CanMatter(group.elements[i], middle, reach)) items.push_back(static_cast<std::uint16_t>(i));
+  }
+  Cell cell;
+  cell.count = static_cast<std::uint16_t>(items.size());
+  if (items.size() <= Cell::kInPlace) {
+    std::copy(items.begin(), items.end(), cell.items.begin());
+    return cell;
+  }
+  const auto first = static_cast<std::uint32_t>(layer.items.size());
+  cell.items = {static_cast<std::uint16_t>(first & 0xffff), static_cast<std::uint16_t>(first >> 16),
+                0};
+  layer.items.insert(layer.items.end(), items.begin(), items.end());
+  return cell;
+}
+
+/// Fills a block's grid: for each cell the elements that can matter there, in the group's order.
+void AddCells(const Group& group, double blend_reach, Block& block, CompiledLayer& layer) {
+  // cells of a third of the finest groove: most of them then hold one element or none
+  const glm::dvec2 size = block.box.max - block.box.min;
+  double finest = glm::length(size);
+  for (const Element& element : group.elements) {
+    finest = std::min(finest, element.profile.width);
+  }
+  // coarser for what is not a letter of the plain page: links are many and stand mostly alone
+  const double share = block.plain || block.blend > 0 ? 0.33 : 1.0;
+  const auto count = [finest, share](double length) {
+    const double wanted = std::ceil(length / (share * finest));
+    return static_cast<std::uint8_t>(std::clamp(wanted, 1.0, 40.0));
+  };
+  block.columns = count(size.x);
+  block.rows = count(size.y);
+  block.cells_per_m = glm::dvec2(block.columns, block.rows) / size;
+  block.first_cell = static_cast<std::uint32_t>(layer.cells.size());
+
+  std::vector<Box> bounds;
+  for (const Element& element : group.elements) bounds.push_back(BoundsOf(element));
+  // the cell grown by a hair, so that rounding of a query's cell never hides an element
+  const glm::dvec2 cell = size / glm::dvec2(block.columns, block.rows);
+  const double reach = 0.5 * glm::length(cell) * (1 + 1e-9) + blend_reach;
+  for (std::uint32_t row = 0; row < block.rows; ++row) {
+    for (std::uint32_t column = 0; column < block.columns; ++column) {
+      const glm::dvec2 middle = block.box.min + cell * (glm::dvec2(column, row) + 0.5);
+      layer.cells.push_back(MakeCell(group, bounds, middle, reach, layer));
+    }
+  }
+}
+
+Block MakeBlock(const Group& group, CompiledLayer& layer) {
+  if (group.elements.size() > 65534) throw InputError("a group of more than 65534 elements");
+  Block block;
+  block.first_element = static_cast<std::uint32_t>(layer.elements.size());
+  block.blend = BlendNumber(group.blend_radius, layer);
+  block.plain = group.blend_radius == 0;
+  std::size_t blending = 0;
+  for (const Element& element : group.elements) {
+    layer.elements.push_back(Flatten(element, layer));
+    const FlatElement& flat = layer.elements.back();
+    if (&element == &group.elements.front()) block.profile = flat.profile;
+    block.plain &= flat.kind < FlatKind::kDisc && flat.profile == block.profile;
+    blending += flat.kind <= FlatKind::kRing ? 1 : 0;
+  }
+  // an element can change the result where it is within the blend radius of one that reaches
+  const double reach = BlendReach(blending, group.blend_radius);
+  for (const Element& element : group.elements) {
+    Include(block.box, Grown(BoundsOf(element), reach));
+  }
+  // room for rounding on either side, and never a box without area
+  block.box = Grown(block.box, 1e-12);
+  AddCells(group, group.blend_radius > 0 ? reach + group.blend_radius : 0, block, layer);
+  return block;
+}
+
+void AddBlocks(std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
+  std::map<const Group*, std::uint16_t> numbers;
+  for (PlacedGroup& leaf : leaves) {
+    const auto [at, is_new] =
+        numbers.try_emplace(leaf.group, static_cast<std::uint16_t>(layer.blocks.size()));
+    if (is_new) {
+      if (layer.blocks.size() >= 65535) throw InputError("more than 65535 different groups");
+      layer.blocks.push_back(MakeBlock(*leaf.group, layer));
+    }
+    leaf.block = at->second;
+    leaf.box = Moved(layer.blocks[leaf.block].box, leaf.origin);
+  }
+}
+
+/// A rectangle that no element reaches: the layer's box, cut back from the side that costs least
+/// area for each element in turn. Large where elements stand around, as a raised margin does; not
+/// looked for between many groups, as of text.
+Box HoleIn(const std::vector<PlacedGroup>& leaves) {
+  constexpr std::size_t kFew = 16;
+  if (leaves.size() > kFew) return {};
+  Box hole;
+  std::vector<Box> boxes;
+  for (const PlacedGroup& leaf : leaves) {
+    Include(hole, leaf.box);
+    const double reach = BlendReach(leaf.group->elements.size(), leaf.group->blend_radius);
+    for (const Element& element : leaf.group->elements) {
+      boxes.push_back(Grown(Moved(BoundsOf(element), leaf.origin), reach + 1e-9));
+    }
+  }
+  const auto area = [](const Box& box) {
+    const glm::dvec2 size = glm::max(box.max - box.min, 0.0);
+    return size.x * size.y;
+  };
+  for (const Box& box : boxes) {
+    if (!Overlap(hole, box)) continue;
+    std::array<Box, 4> cut{hole, hole, hole, hole};
+    cut[0].min.x = box.max.x;
+    cut[1].max.x = box.min.x;
+    cut[2].min.y = box.max.y;
+    cut[3].max.y = box.min.y;
+    hole = *std::max_element(cut.begin(), cut.end(),
+                             [&area](const Box& a, const Box& b) { return area(a) < area(b); });
+    if (area(hole) == 0) return {};
+  }
+  return hole;
+}
+
+}  // namespace
+
+CompiledLayer CompileLayer(const Layer& layer) {
+  CompiledLayer compiled;
+  compiled.sign = layer.relief == Relief::kEngraved ? -1 : 1;
+  std::vector<PlacedGroup> leaves;
+  CollectLeaves(*layer.group, {0, 0}, 0, leaves);
+  for (const PlacedGroup& leaf : leaves) {
+    if (!std::isfinite(leaf.origin.x) || !std::isfinite(leaf.origin.y)) {
+      throw InputError("a group stands at a place that is not a number: check its origin");
+    }
+  }
+  AddBlocks(leaves, compiled);
+  compiled.hole = HoleIn(leaves);
+  AddPlaces(leaves, compiled);
+  return compiled;
+}
+
+}  // namespace moontrace

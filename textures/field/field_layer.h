@@ -1,0 +1,177 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "textures/field/field.h"
+#include "textures/field/fill.h"
+#include "textures/field/large_array.h"
+
+namespace moontrace {
+
+/// A profile with everything that a query needs worked out.
+struct FlatProfile {
+  double half = 0;       ///< w/2 [m]
+  double rounding = 0;   ///< r [m]
+  double depth = 0;      ///< D [m]
+  double slope = 0;      ///< s [m/m]
+  double curvature = 0;  ///< s/r [1/m]
+  double flank = 0;      ///< D + s r/2, where the straight flank meets the spine [m]
+  bool operator==(const FlatProfile&) const = default;
+};
+
+enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kFading };
+
+/// An element ready for the query; a cache line. Lines, arcs, rings and dots share one formula
+/// without branches, since at random points a branch on the kind would be mispredicted every second
+/// time: a dot is a ring of radius zero, a ring an arc without ends.
+struct FlatElement {
+  glm::dvec2 anchor{0, 0};  ///< a line's start, else the centre [m]
+  glm::dvec2 direction{
+      0, 0};            ///< unit: along a line, to the middle of an arc; zero for rings and dots
+  double radius = 0;    ///< of arc, ring, disc [m]; 0 for lines and dots
+  double cos_half = 0;  ///< of half an arc's sweep; -1 for rings and dots, 0 for lines
+  double length = 0;    ///< of a line [m]; else infinite
+  FlatKind kind = FlatKind::kLine;
+  std::uint16_t profile = 0;
+  std::uint16_t fill = 0;  ///< number of the outline or of the fade, if any
+};
+
+/// A piece of a fill's outline with its ends, which its neighbours share.
+struct FlatEdge {
+  FlatElement spine;
+  glm::dvec2 first{0, 0}, last{0, 0};  ///< [m]
+};
+
+/// A filled outline: its edges and what counts a ray's crossings.
+struct FlatFill {
+  std::vector<FlatEdge> edges;
+  std::vector<RisingEdge> rising;
+};
+
+/// A line or an arc that becomes smaller along its spine (Fade in element.h).
+struct FlatFade {
+  FlatElement spine;
+  double from = 1, to = 1;  ///< q at start and end
+  double rate = 0;          ///< of an arc: share of it for an angle, below zero clockwise [1/rad]
+};
+
+/// The elements that can matter in one cell of a block: up to three of them in place, else a list.
+struct Cell {
+  std::uint16_t count = 0;
+  std::array<std::uint16_t, 3> items{};  ///< element, counted from the block's first; ascending
+  static constexpr std::uint16_t kInPlace = 3;
+  /// Where a longer list starts in `items`.
+  std::uint32_t list() const noexcept { return items[0] | (std::uint32_t{items[1]} << 16); }
+};
+
+/// The elements of one group, shared by all its placements, behind a small grid that says which of
+/// them can matter where; a cache line.
+struct Block {
+  Box box;
+  glm::dvec2 cells_per_m{0, 0};
+  std::uint32_t first_cell = 0;
+  std::uint32_t first_element = 0;
+  std::uint16_t profile = 0;
+  std::uint16_t blend = 0;  ///< number of the blend radius; 0: nothing is blended
+  std::uint8_t columns = 1, rows = 1;
+  bool plain = true;  ///< strokes of one profile, nothing blended: the nearest spine decides
+};
+
+/// Where a leaf's box lies in its band, coarsely and never less than it does: four numbers of 15
+/// bits, a spare bit above each. Its left and lower edge are kept as they are, its right and upper
+/// one counted backwards, so that a point lies in the box only if none of the point's own four
+/// numbers is less: one subtraction tells, and eight bytes a leaf stay in the cache.
+using Reach = std::uint64_t;
+
+inline constexpr std::uint64_t kReachSteps = 0x7ffe;          // along a side
+inline constexpr Reach kReachSpare = 0x8000'8000'8000'8000u;  // the spare bits
+inline constexpr Reach kReachBegun = 0x8000u;                 // that of the left edge
+inline constexpr Reach kReachNowhere = 0x7fffu;               // right of every point
+/// How many leaves a query looks at together.
+inline constexpr std::size_t kLeavesAtOnce = 4;
+
+/// Edges in steps, each at most kReachSteps. A point is a box without size.
+inline Reach PackReach(std::uint64_t left, std::uint64_t low, std::uint64_t right,
+                       std::uint64_t high) noexcept {
+  return left | low << 16 | (kReachSteps - right) << 32 | (kReachSteps - high) << 48;
+}
+
+/// A placed block in a bucket's list. Each band's leaves end with one that stands infinitely far to
+/// the right.
+struct Leaf {
+  glm::dvec2 origin{0, 0};  ///< [m]
+  std::uint32_t order = 0;  ///< in the tree, decides ties
+  std::uint16_t block = 0;
+};
+
+/// Up to four letters that follow each other in a row.
+struct Letters {
+  static constexpr std::uint32_t kMost = 4;
+  std::int32_t first = 0;                   ///< where the first stands, in steps of the raster
+  std::array<std::uint8_t, kMost> codes{};  ///< of each
+};
+
+/// A block, and where the next one in the row stands.
+struct Code {
+  std::int32_t step = 0;  ///< to the next origin, in steps of the raster
+  std::uint16_t block = 0;
+};
+
+/// Evenly set text: placed blocks that stand apart from each other on a raster, those of one band
+/// at one height. A band is a row of slots, each for four letters: they are in the slot where the
+/// first of them begins, or, where letters crowd, up to `kWindow` further on; a slot left empty
+/// repeats the letters before. So a letter is found by arithmetic and one visit to memory, and two
+/// bytes a letter keep a book in the processor's cache.
+struct Rows {
+  static constexpr std::uint32_t kWindow = 4;
+  double first_x = 0;        ///< where the raster starts [m]
+  double step = 0;           ///< of the raster [m]
+  double begin = 0;          ///< of the first slot [m], left of the first letter
+  double steps_per_m = 0;    ///< [1/m]
+  double slots_per_m = 0;    ///< [1/m]
+  double slot_count = 0;     ///< in a row, a whole number; a point beyond it meets nothing
+  std::uint32_t length = 0;  ///< slots stored of each row
+  LargeArray<Letters> slots;
+  std::array<Code, 256> codes{};
+  std::vector<double> y;  ///< of each row's letters [m]
+  /// The row that each band meets, where lines are unevenly spaced; else empty: bands are rows.
+  std::vector<std::uint32_t> of_band;
+};
+
+/// One layer of the tree, flattened: nested groups of a layer are one group, since "the greatest
+/// magnitude" does not care how its members are bracketed. It is cut into bands of equal height;
+/// what stands in them is kept as rows, or, if it overlaps or stands anyhow, in buckets of equal
+/// width: a bucket knows the first leaf that reaches into it.
+struct TextureField::CompiledLayer {
+  double sign = -1;
+  glm::dvec2 origin{0, 0};   ///< of the first band's first bucket [m]
+  double bands_per_m = 0;    ///< [1/m]
+  double buckets_per_m = 0;  ///< [1/m]
+  double reach_per_m = 0;    ///< steps of Reach in x [1/m]
+  Box hole;                  ///< a rectangle within which there is nothing; empty: not known
+  double band_count = 0,
+         bucket_count = 0;  ///< buckets in a band, 0 with rows; whole numbers, compared as doubles
+  std::uint32_t bucket_shift = 0;    ///< a bucket holds offset / 2^shift from the band's first leaf
+  Rows rows;                         ///< else the following three
+  std::vector<std::uint32_t> bands;  ///< first leaf of each
+  std::vector<std::uint16_t> buckets;
+  std::vector<Leaf> leaves;         ///< of each band from left to right
+  LargeArray<Reach> reaches;        ///< of each leaf, and some beyond the last that cover nothing
+  std::vector<glm::dvec2> heights;  ///< from and to where groups fill a band [m]; where few blocks
+  LargeArray<Block> blocks;
+  std::vector<double> blend_radii{0.0};  ///< [m]
+  LargeArray<Cell> cells;
+  std::vector<std::uint16_t> items;
+  LargeArray<FlatElement> elements;  ///< each in one cache line
+  std::vector<FlatFill> fills;
+  std::vector<FlatFade> fades;
+  std::vector<FlatProfile> profiles;
+};
+
+/// Flattens one layer. Throws InputError for broken profiles and for more than 65535 different
+/// groups.
+TextureField::CompiledLayer CompileLayer(const Layer& layer);
+
+}  // namespace moontrace

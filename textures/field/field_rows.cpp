@@ -1,0 +1,248 @@
+// Rows of slots, the form of evenly set text. Runs outside the tick.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "textures/field/field_place.h"
+
+namespace moontrace {
+
+namespace {
+
+using Row = std::vector<const PlacedGroup*>;
+
+constexpr double kMostSteps = 0x1p24;   // finer than this is no raster but rounding
+constexpr std::int32_t kFar = 1 << 26;  // beyond every letter; a row's sum of steps stays in range
+
+/// Equally spaced places in x.
+struct Raster {
+  double first = 0;  ///< [m]
+  double step = 0;   ///< [m]; 0 if there is none
+  double NumberOf(double x) const { return std::floor((x - first) / step + 0.5); }
+};
+
+/// The greatest length that both are multiples of (Euclid), rounding errors aside.
+double CommonMeasure(double a, double b, double negligible) {
+  while (b > negligible) {
+    const double rest = std::abs(std::remainder(a, b));
+    a = b;
+    b = rest;
+  }
+  return a;
+}
+
+/// The coarsest raster that all places stand on to a few units in the last place of the greatest;
+/// typeset letters have one, since advances are whole thousandths of an em.
+Raster FindRaster(const Bands& bands, const Box& all) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const Row& row : bands) {
+    for (const PlacedGroup* place : row) {
+      first = std::min(first, place->origin.x);
+      last = std::max(last, place->origin.x);
+    }
+  }
+  const double least = (last - first) / kMostSteps;
+  double step = 0;
+  for (const Row& row : bands) {
+    double before = first;
+    for (const PlacedGroup* place : row) {
+      step = CommonMeasure(std::abs(place->origin.x - before), step, 0.25 * least);
+      before = place->origin.x;
+      if (step > 0 && step < least) return {};
+    }
+  }
+  if (step == 0) return {first, all.max.x - all.min.x};
+  Raster raster{first, step};
+  raster.step = (last - first) / raster.NumberOf(last);  // sharper: the longest length measured
+  const double most = 8 * std::numeric_limits<double>::epsilon() * std::max(-first, last);
+  for (const Row& row : bands) {
+    for (const PlacedGroup* place : row) {
+      const double x = first + raster.NumberOf(place->origin.x) * raster.step;
+      if (!(std::abs(x - place->origin.x) <= most)) return {};
+    }
+  }
+  return raster;
+}
+
+/// Whether every row's blocks stand at one height, and none begins before its neighbour has ended;
+/// a block begins `lead` [m] from its origin.
+bool StandApart(const Bands& bands, double lead) {
+  for (const Row& row : bands) {
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      if (row[i]->origin.y != row[0]->origin.y) return false;
+      if (!(row[i - 1]->box.max.x < row[i]->origin.x + lead)) return false;
+    }
+  }
+  return true;
+}
+
+/// Numbers the blocks and steps that occur together.
+class CodeBook {
+ public:
+  /// False if there are too many.
+  bool Add(Code code, std::uint8_t& number) {
+    const auto [at, is_new] = numbers_.try_emplace({code.block, code.step}, numbers_.size());
+    if (at->second >= codes_.size()) return false;
+    number = static_cast<std::uint8_t>(at->second);
+    codes_[number] = code;
+    return true;
+  }
+  const std::array<Code, 256>& codes() const { return codes_; }
+
+ private:
+  std::map<std::pair<std::uint16_t, std::int32_t>, std::size_t> numbers_;
+  std::array<Code, 256> codes_{};
+};
+
+/// Writes a row's letters by fours; false if the code book does not suffice.
+bool Encode(const Row& row, const Raster& raster, CodeBook& book, std::vector<Letters>& line) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto at = static_cast<std::int32_t>(raster.NumberOf(row[i]->origin.x));
+    if (i % Letters::kMost == 0) line.push_back({at, {}});
+    Code code{kFar, row[i]->block};
+    if (i + 1 < row.size()) {
+      code.step = static_cast<std::int32_t>(raster.NumberOf(row[i + 1]->origin.x)) - at;
+    }
+    if (!book.Add(code, line.back().codes[i % Letters::kMost])) return false;
+  }
+  return true;
+}
+
+/// Spreads a line over slots, from left to right; false if letters come to stand further on than a
+/// query looks.
+bool Spread(const std::vector<Letters>& line, const Rows& rows, std::vector<Letters>& slots) {
+  slots.assign(1, line.empty() ? Letters{kFar, {}} : line.front());
+  for (const Letters& letters : line) {
+    // the first slot is for what begins before a query's
+    const auto own = 1 + static_cast<std::size_t>(letters.first * rows.step * rows.slots_per_m);
+    if (slots.size() >= own + Rows::kWindow) return false;
+    while (slots.size() < own) slots.push_back(slots.back());
+    slots.push_back(letters);
+  }
+  return true;
+}
+
+/// Spreads all lines over `count` slots each; false as above.
+bool SpreadAll(const std::vector<std::vector<Letters>>& lines, std::size_t count, double width,
+               Rows& rows) {
+  rows.slots_per_m = static_cast<double>(count) / width;
+  rows.slot_count = std::floor(width * rows.slots_per_m) + 1;
+  std::vector<std::vector<Letters>> spread(lines.size());
+  std::size_t length = 1 + Rows::kWindow;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!Spread(lines[i], rows, spread[i])) return false;
+    length = std::max(length, spread[i].size());
+  }
+  rows.length = static_cast<std::uint32_t>(length);
+  rows.slots.reserve(length * lines.size());
+  for (std::vector<Letters>& row : spread) {
+    row.resize(length, row.back());
+    rows.slots.insert(rows.slots.end(), row.begin(), row.end());
+  }
+  return true;
+}
+
+/// The groups that stand at one height, and the heights that they reach over.
+struct TextLine {
+  Row row;
+  double low = 0, high = 0;  ///< [m]
+};
+
+/// Lines from the lowest to the highest.
+std::vector<TextLine> LinesOf(const std::vector<PlacedGroup>& places) {
+  std::map<double, TextLine> by_height;
+  for (const PlacedGroup& place : places) {
+    TextLine& line = by_height[place.origin.y];
+    const bool first = line.row.empty();
+    line.low = first ? place.box.min.y : std::min(line.low, place.box.min.y);
+    line.high = first ? place.box.max.y : std::max(line.high, place.box.max.y);
+    line.row.push_back(&place);
+  }
+  std::vector<TextLine> lines;
+  lines.reserve(by_height.size());
+  for (auto& [y, line] : by_height) lines.push_back(std::move(line));
+  return lines;
+}
+
+/// The narrowest gap between neighbouring lines [m]; zero or less where they overlap.
+double NarrowestGap(const std::vector<TextLine>& lines) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    gap = std::min(gap, lines[i].low - lines[i - 1].high);
+  }
+  return gap;
+}
+
+}  // namespace
+
+bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& layer) {
+  const Raster raster = FindRaster(bands, all);
+  if (raster.step == 0) return false;
+  double lead = layer.blocks.front().box.min.x;
+  for (const Block& block : layer.blocks) lead = std::min(lead, block.box.min.x);
+  Rows rows;
+  rows.first_x = raster.first;
+  rows.step = raster.step;
+  rows.steps_per_m = 1 / raster.step;
+  // half a step of room on either side, so that a query's rounding never hides a letter
+  if (!StandApart(bands, lead - raster.step)) return false;
+  rows.begin = raster.first + lead - 0.5 * raster.step;
+  const double width = all.max.x - rows.begin;
+  if (!(2 * width < kFar * raster.step)) return false;
+
+  CodeBook book;
+  std::vector<std::vector<Letters>> lines(bands.size());
+  std::size_t places = 0, longest = 1;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    if (!Encode(bands[i], raster, book, lines[i])) return false;
+    places += bands[i].size();
+    longest = std::max(longest, lines[i].size());
+    rows.y.push_back(bands[i].empty() ? 0 : bands[i].front()->origin.y);
+  }
+  rows.codes = book.codes();
+  // the fewest slots that serve; not so many that rows would outgrow buckets
+  const std::size_t most = (4 * places + 64) / bands.size();
+  for (std::size_t count = std::max<std::size_t>(longest, Rows::kWindow); count < most;
+       count += 1 + count / 8) {
+    if (!SpreadAll(lines, count, width, rows)) continue;
+    layer.rows = std::move(rows);
+    return true;
+  }
+  return false;
+}
+
+bool AddUnevenRows(const std::vector<PlacedGroup>& places, const Box& all,
+                   TextureField::CompiledLayer& layer) {
+  std::vector<TextLine> lines = LinesOf(places);
+  const double gap = NarrowestGap(lines), height = all.max.y - all.min.y;
+  const double most = 4.0 * static_cast<double>(places.size()) + 64;
+  // bands narrower than any gap meet one line at most; so many that they would outgrow buckets: no
+  if (lines.size() < 2 || !(gap > 0) || height / (0.9 * gap) > most) return false;
+  Bands rows;
+  for (TextLine& line : lines) {
+    std::stable_sort(
+        line.row.begin(), line.row.end(),
+        [](const PlacedGroup* a, const PlacedGroup* b) { return a->box.min.x < b->box.min.x; });
+    rows.push_back(line.row);
+  }
+  if (!AddRows(rows, all, layer)) return false;
+  layer.origin.y = all.min.y;
+  layer.bands_per_m = 1 / (0.9 * gap);
+  layer.band_count = std::floor((all.max.y - layer.origin.y) * layer.bands_per_m) + 1;
+  layer.rows.of_band.assign(static_cast<std::size_t>(layer.band_count), 0);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    // computed as a query computes it, so that rounding cannot part them
+    const auto band_of = [&layer](double y) {
+      return static_cast<std::size_t>((y - layer.origin.y) * layer.bands_per_m);
+    };
+    for (std::size_t band = band_of(lines[i].low); band <= band_of(lines[i].high); ++band) {
+      layer.rows.of_band[band] = static_cast<std::uint32_t>(i);
+    }
+  }
+  return true;
+}
+
+}  // namespace moontrace

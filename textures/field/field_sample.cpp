@@ -1,0 +1,380 @@
+// The query of the compiled field: everything here runs in the tick.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "textures/field/blend.h"
+#include "textures/field/field_layer.h"
+
+namespace moontrace {
+
+namespace {
+
+using CompiledLayer = TextureField::CompiledLayer;
+
+constexpr double kFar = 1e300;
+constexpr double kTiny = 1e-300;
+constexpr std::size_t kMostFeet = 32;
+
+/// The positive part, exactly: std::fmax is a library call, and a comparison would become a branch
+/// that at random points is mispredicted.
+inline double PositivePart(double a) noexcept { return 0.5 * (a + std::abs(a)); }
+
+/// Where a point lies relative to an element's spine: the distance, and the unit direction in which
+/// it grows.
+struct Near {
+  double distance = kFar;  ///< kFar where a butt end stops the element
+  glm::dvec2 away{0.0, 0.0};
+};
+
+inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
+  const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
+  const double ux = element.direction.x, uy = element.direction.y;
+  const double along = vx * ux + vy * uy;
+  // signs are copied and ranges joined, since points on either side are equally likely
+  if (element.kind == FlatKind::kLine) {
+    const double across = vy * ux - vx * uy;
+    if (!((along >= 0) & (along <= element.length))) return {};
+    const double side = std::copysign(1.0, across);
+    return {std::abs(across), {-side * uy, side * ux}};
+  }
+  const double distance = std::sqrt(vx * vx + vy * vy);
+  if (!(along >= distance * element.cos_half)) return {};
+  // at the centre no direction is nearest: none is chosen
+  const double d = distance - element.radius;
+  const double scale = std::copysign(1.0, d) / std::max(distance, kTiny);
+  return {std::abs(d), {scale * vx, scale * vy}};
+}
+
+/// Magnitude and its gradient at a distance below w/2. The derivative is a trapezoid in d, written
+/// with maxima so that no branch depends on the point.
+inline Magnitude FromSpine(const FlatProfile& profile, double d, glm::dvec2 away) noexcept {
+  const double k = profile.curvature;
+  const double in_spine = PositivePart(profile.rounding - d);
+  const double in_rim = PositivePart(d - (profile.half - profile.rounding));
+  const double height =
+      profile.flank - profile.slope * d + 0.5 * k * (in_rim * in_rim - in_spine * in_spine);
+  const double slope = k * (in_spine + in_rim) - profile.slope;
+  return {height, {slope * away.x, slope * away.y}};
+}
+
+inline Magnitude FromRim(const FlatProfile& profile, double inside, glm::dvec2 from_edge) noexcept {
+  if (!(inside > 0)) return {};
+  if (inside >= profile.half) return {profile.depth, {0.0, 0.0}};
+  const double d = profile.half - inside;
+  if (d <= profile.rounding) {
+    return {profile.depth - 0.5 * profile.curvature * d * d,
+            profile.curvature * d / inside * from_edge};
+  }
+  if (d <= profile.half - profile.rounding) {
+    return {profile.flank - profile.slope * d, profile.slope / inside * from_edge};
+  }
+  return {0.5 * profile.curvature * inside * inside, profile.curvature * from_edge};
+}
+
+/// Vector from the nearest point of an outline to p, and its square.
+struct FromOutline {
+  double distance2 = kFar;
+  glm::dvec2 v{0.0, 0.0};
+};
+inline FromOutline NearestOfOutline(const FlatFill& fill, glm::dvec2 p) noexcept {
+  FromOutline nearest;
+  const auto take = [&nearest](glm::dvec2 v) {
+    const double d2 = v.x * v.x + v.y * v.y;
+    if (d2 < nearest.distance2) nearest = {d2, v};
+  };
+  for (const FlatEdge& edge : fill.edges) {
+    const Near near = NearestOf(edge.spine, p);
+    if (near.distance < kFar) take(near.distance * near.away);
+    take(p - edge.first);
+    take(p - edge.last);
+  }
+  return nearest;
+}
+
+inline Magnitude OfFill(const CompiledLayer& layer, const FlatElement& fill,
+                        glm::dvec2 p) noexcept {
+  const FlatProfile& profile = layer.profiles[fill.profile];
+  if (fill.kind == FlatKind::kDisc) {
+    const glm::dvec2 v = p - fill.anchor;
+    const double distance = std::sqrt(v.x * v.x + v.y * v.y);
+    const double inside = fill.radius - distance;
+    const double share = distance > 0 ? -inside / distance : 0;
+    return FromRim(profile, inside, share * v);
+  }
+  const FlatFill& outline = layer.fills[fill.fill];
+  bool in = false;
+  for (const RisingEdge& edge : outline.rising) in ^= Crosses(edge, p);
+  if (!in) return {};
+  const FromOutline nearest = NearestOfOutline(outline, p);
+  return FromRim(profile, std::sqrt(nearest.distance2), nearest.v);
+}
+
+/// The elements of a cell, wherever their numbers stand.
+class CellElements {
+ public:
+  CellElements(const CompiledLayer& layer, const Block& block, const Cell& cell) noexcept
+      : elements_(&layer.elements[block.first_element]),
+        items_(cell.count <= Cell::kInPlace ? cell.items.data() : &layer.items[cell.list()]) {}
+  const FlatElement& operator[](std::size_t i) const noexcept { return elements_[items_[i]]; }
+
+ private:
+  const FlatElement* elements_;
+  const std::uint16_t* items_;
+};
+
+/// All strokes of one profile: the nearest spine has the greatest magnitude.
+inline Magnitude SamplePlain(const CompiledLayer& layer, const Block& block, const Cell& cell,
+                             glm::dvec2 p) noexcept {
+  const CellElements elements(layer, block, cell);
+  const FlatProfile& profile = layer.profiles[block.profile];
+  Near nearest = NearestOf(elements[0], p);
+  for (std::uint32_t i = 1; i < cell.count; ++i) {
+    const Near near = NearestOf(elements[i], p);
+    if (near.distance < nearest.distance) nearest = near;
+  }
+  if (!(nearest.distance < profile.half)) return {};
+  return FromSpine(profile, nearest.distance, nearest.away);
+}
+
+Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
+  Foot foot{.distance = -1, .profile = element.profile};
+  if (element.kind > FlatKind::kRing) return foot;
+  const Near near = NearestOf(element, p);
+  if (near.distance == kFar) return foot;
+  foot.distance = near.distance;
+  foot.gradient = near.away;
+  foot.inset = kFar;
+  const glm::dvec2 v = p - element.anchor;
+  const glm::dvec2 u = element.direction;
+  if (element.kind == FlatKind::kLine) {
+    const double t = v.x * u.x + v.y * u.y;
+    foot.inset = std::min(t, element.length - t);
+    foot.inset_gradient = t <= element.length - t ? u : -u;
+  } else if (element.kind == FlatKind::kArc) {
+    // counted from the arc's middle, so that both ends are alike
+    const double turned = std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
+    foot.inset = element.radius * (std::acos(element.cos_half) - std::abs(turned));
+    const double inward = (turned < 0 ? 1 : -1) * element.radius / (v.x * v.x + v.y * v.y);
+    foot.inset_gradient = inward * glm::dvec2(-v.y, v.x);
+  }
+  return foot;
+}
+
+Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::dvec2 p) noexcept {
+  const FlatFade& fade = layer.fades[element.fill];
+  const FlatElement& spine = fade.spine;
+  const FlatProfile& profile = layer.profiles[element.profile];
+  const Near near = NearestOf(spine, p);
+  if (!(near.distance < profile.half)) return {};
+  const glm::dvec2 v = p - spine.anchor, a = spine.direction;
+  double u = 0;
+  glm::dvec2 rise(0.0, 0.0);  // of u
+  if (spine.kind == FlatKind::kLine) {
+    u = (v.x * a.x + v.y * a.y) / spine.length;
+    rise = a / spine.length;
+  } else {
+    u = 0.5 + fade.rate * std::atan2(a.x * v.y - a.y * v.x, a.x * v.x + a.y * v.y);
+    rise = fade.rate / std::max(v.x * v.x + v.y * v.y, kTiny) * glm::dvec2(-v.y, v.x);
+  }
+  u = u < 0 ? 0 : u > 1 ? 1 : u;
+  const double change = fade.to - fade.from;
+  const double q = fade.from + change * u * u * (3 - 2 * u);
+  const double d = near.distance / q;
+  if (!(d < profile.half)) return {};
+  const Magnitude whole = FromSpine(profile, d, near.away);
+  const double slope = whole.gradient.x * near.away.x + whole.gradient.y * near.away.y;
+  const double by_q = (2 * q * whole.height - near.distance * slope) * change * 6 * u * (1 - u);
+  return {q * q * whole.height, q * whole.gradient + by_q * rise};
+}
+
+inline Magnitude OfElement(const CompiledLayer& layer, const FlatElement& element,
+                           glm::dvec2 p) noexcept {
+  if (element.kind >= FlatKind::kDisc) {
+    return element.kind == FlatKind::kFading ? OfFading(layer, element, p)
+                                             : OfFill(layer, element, p);
+  }
+  const FlatProfile& profile = layer.profiles[element.profile];
+  const Near near = NearestOf(element, p);
+  if (!(near.distance < profile.half)) return {};
+  return FromSpine(profile, near.distance, near.away);
+}
+
+/// Mixed profiles and fills: magnitudes are compared one by one.
+Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, const Cell& cell,
+                      glm::dvec2 p) noexcept {
+  const CellElements elements(layer, block, cell);
+  Magnitude greatest;
+  for (std::size_t i = 0; i < cell.count; ++i) {
+    const Magnitude member = OfElement(layer, elements[i], p);
+    if (member.height > greatest.height) greatest = member;
+  }
+  return greatest;
+}
+
+/// The same with creases rounded.
+Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Cell& cell,
+                        glm::dvec2 p) noexcept {
+  const CellElements elements(layer, block, cell);
+  // more lines and arcs than this near one point do not blend: they crowd far below any tip's size
+  std::array<Foot, kMostFeet> feet;
+  const std::size_t foot_count = std::min<std::size_t>(cell.count, kMostFeet);
+  for (std::size_t i = 0; i < foot_count; ++i) feet[i] = FootOf(elements[i], p);
+
+  Magnitude greatest;
+  for (std::size_t i = 0; i < cell.count; ++i) {
+    const FlatElement& element = elements[i];
+    Magnitude member;
+    if (i < foot_count && element.kind <= FlatKind::kRing) {
+      if (feet[i].distance < 0) continue;
+      const FlatProfile& profile = layer.profiles[element.profile];
+      const BlendedDistance blended =
+          Blend({feet.data(), foot_count}, i, layer.blend_radii[block.blend]);
+      const double d = PositivePart(blended.distance);
+      if (d < profile.half) member = FromSpine(profile, d, blended.gradient);
+    } else {
+      member = OfElement(layer, element, p);
+    }
+    if (member.height > greatest.height) greatest = member;
+  }
+  return greatest;
+}
+
+/// `p` lies in the block's box.
+inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
+                             glm::dvec2 p) noexcept {
+  const auto column = static_cast<std::uint32_t>((p.x - block.box.min.x) * block.cells_per_m.x);
+  const auto row = static_cast<std::uint32_t>((p.y - block.box.min.y) * block.cells_per_m.y);
+  const Cell& cell = layer.cells[block.first_cell + std::min(row, block.rows - 1u) * block.columns +
+                                 std::min(column, block.columns - 1u)];
+  if (cell.count == 0) return {};
+  if (block.plain) return SamplePlain(layer, block, cell, p);
+  return block.blend > 0 ? SampleBlended(layer, block, cell, p)
+                         : SampleMixed(layer, block, cell, p);
+}
+
+/// `p` relative to a placed block's origin; nothing if it lies beside the block.
+inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
+  // one branch instead of four: they are all taken or the point lies between letters
+  return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
+}
+
+/// At most one block is met: the last that begins at or before the point.
+inline Magnitude SampleRow(const CompiledLayer& layer, std::uint32_t band, glm::dvec2 p) noexcept {
+  const Rows& rows = layer.rows;
+  const double from_begin = p.x - rows.begin;
+  const double u = from_begin * rows.slots_per_m;
+  if (!(u >= 0 && u < rows.slot_count)) return {};
+  const std::uint32_t start =
+      std::min(static_cast<std::uint32_t>(u), rows.length - 1 - Rows::kWindow);
+  const Letters* slot = &rows.slots[band * rows.length + start];
+  // counting needs no branch, which at random points would be mispredicted
+  const auto here = static_cast<std::int32_t>(from_begin * rows.steps_per_m);
+  std::uint32_t begun = 0;
+  for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first <= here ? 1 : 0;
+  const Letters& letters = slot[begun];
+  std::int32_t place = letters.first, next = place;
+  std::uint32_t which = 0;
+  for (std::uint32_t i = 0; i + 1 < Letters::kMost; ++i) {
+    const std::int32_t step = rows.codes[letters.codes[i]].step;
+    next += step;
+    const std::int32_t has_begun = next <= here ? 1 : 0;
+    place += step & -has_begun;
+    which += static_cast<std::uint32_t>(has_begun);
+  }
+  const Block& block = layer.blocks[rows.codes[letters.codes[which]].block];
+  const double x = rows.first_x + static_cast<double>(place) * rows.step;
+  const glm::dvec2 local(p.x - x, p.y - rows.y[band]);
+  return IsIn(block.box, local) ? SampleBlock(layer, block, local) : Magnitude{};
+}
+
+/// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
+/// it.
+struct Met {
+  unsigned leaves = 0;
+  bool all_begun = true;
+};
+inline Met LeavesMet(const Reach* reaches, Reach point) noexcept {
+  // without a branch: which of them is met changes from point to point
+  Met met;
+  Reach begun = kReachSpare;
+  for (std::size_t k = 0; k < kLeavesAtOnce; ++k) {
+    const Reach not_less = ((point | kReachSpare) - reaches[k]) & kReachSpare;
+    met.leaves |= (not_less == kReachSpare ? 1u : 0u) << k;
+    begun &= not_less;
+  }
+  met.all_begun = (begun & kReachBegun) != 0;
+  return met;
+}
+
+/// `up` is the point's share of the band's height.
+Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, double up,
+                        glm::dvec2 p) noexcept {
+  const double u = (p.x - layer.origin.x) * layer.buckets_per_m;
+  if (!(u >= 0 && u < layer.bucket_count)) return {};
+  const std::uint32_t bucket = layer.buckets[band * static_cast<std::uint32_t>(layer.bucket_count) +
+                                             static_cast<std::uint32_t>(u)];
+  const auto column = static_cast<std::uint32_t>((p.x - layer.origin.x) * layer.reach_per_m);
+  const std::uint64_t x = std::min<std::uint64_t>(column, kReachSteps);
+  const auto y = static_cast<std::uint32_t>(up * kReachSteps);
+  const Reach point = PackReach(x, y, x, y);
+  Magnitude greatest;
+  std::uint32_t order = 0;
+  for (std::size_t i = layer.bands[band] + (bucket << layer.bucket_shift);; i += kLeavesAtOnce) {
+    // leaves of the next band may be among them: what is met of those is met in this one too
+    Met met = LeavesMet(&layer.reaches[i], point);
+    for (; met.leaves != 0; met.leaves &= met.leaves - 1) {
+      const Leaf& leaf = layer.leaves[i + static_cast<std::size_t>(std::countr_zero(met.leaves))];
+      const Block& block = layer.blocks[leaf.block];
+      const glm::dvec2 local = p - leaf.origin;
+      if (!IsIn(block.box, local)) continue;
+      const Magnitude member = SampleBlock(layer, block, local);
+      if (member.height > greatest.height ||
+          (member.height == greatest.height && member.height > 0 && leaf.order < order)) {
+        greatest = member;
+        order = leaf.order;
+      }
+    }
+    if (!met.all_begun) return greatest;
+  }
+}
+
+/// Whether the point lies above or below all that its band holds.
+inline bool IsBetween(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+  if (layer.heights.empty()) return false;
+  const double v = (p.y - layer.origin.y) * layer.bands_per_m;
+  if (!(v >= 0 && v < layer.band_count)) return true;
+  const glm::dvec2& height = layer.heights[static_cast<std::uint32_t>(v)];
+  return (p.y < height.x) | (p.y > height.y);
+}
+
+/// The layer's magnitude and gradient.
+inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+  // comparisons are written so that a NaN ends here
+  const double v = (p.y - layer.origin.y) * layer.bands_per_m;
+  if (!(v >= 0 && v < layer.band_count)) return {};
+  const auto band = static_cast<std::uint32_t>(v);
+  if (layer.rows.length == 0) return SampleBuckets(layer, band, v - band, p);
+  const std::vector<std::uint32_t>& of_band = layer.rows.of_band;
+  return SampleRow(layer, of_band.empty() ? band : of_band[band], p);
+}
+
+}  // namespace
+
+Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
+  Sample sum;
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const CompiledLayer& layer = layers_[i];
+    // what is added to the text is mostly not where the text is
+    if (i > 0 && (IsIn(layer.hole, p_P) || IsBetween(layer, p_P))) continue;
+    const Magnitude magnitude = SampleLayer(layer, p_P);
+    sum.displacement += layer.sign * magnitude.height;
+    sum.gradient += layer.sign * magnitude.gradient;
+  }
+  if (paper_.empty()) return sum;
+  const Sample paper = paper_.SampleAt(p_P);
+  return {sum.displacement + paper.displacement, sum.gradient + paper.gradient};
+}
+
+}  // namespace moontrace

@@ -1,0 +1,128 @@
+#include "textures/field/texture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "textures/field/blend.h"
+
+namespace moontrace {
+
+namespace {
+
+bool CanBlend(const Element& element) {
+  if (!element.fade.IsNone()) return false;
+  return std::holds_alternative<Line>(element.shape) || std::holds_alternative<Arc>(element.shape);
+}
+
+Foot FootOf(const Line& line, glm::dvec2 p) {
+  Foot foot{.distance = -1};
+  const double length = glm::length(line.to - line.from);
+  if (length == 0) return foot;
+  const glm::dvec2 unit = (line.to - line.from) / length;
+  const double t = glm::dot(p - line.from, unit);
+  if (t < 0 || t > length) return foot;
+  const glm::dvec2 v = p - line.from - t * unit;
+  foot.distance = glm::length(v);
+  if (foot.distance > 0) foot.gradient = v / foot.distance;
+  foot.inset = std::min(t, length - t);
+  foot.inset_gradient = t <= length - t ? unit : -unit;
+  return foot;
+}
+
+Foot FootOf(const Arc& arc, glm::dvec2 p) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  Foot foot{.distance = -1};
+  const glm::dvec2 v = p - arc.center;
+  const double distance = glm::length(v);
+  if (distance == 0) return foot;
+  const double sense = arc.sweep < 0 ? -1 : 1;
+  double along = std::fmod(sense * (std::atan2(v.y, v.x) - arc.start), kTurn);
+  if (along < 0) along += kTurn;
+  const double sweep = std::abs(arc.sweep);
+  if (sweep < kTurn && along > sweep) return foot;
+  foot.distance = std::abs(distance - arc.radius);
+  if (foot.distance > 0) foot.gradient = (distance < arc.radius ? -1.0 : 1.0) / distance * v;
+  if (sweep >= kTurn) {
+    foot.inset = std::numeric_limits<double>::max();
+    return foot;
+  }
+  const bool near_start = along <= sweep - along;
+  foot.inset = arc.radius * (near_start ? along : sweep - along);
+  const glm::dvec2 onward = sense / distance * glm::dvec2(-v.y, v.x) / distance;
+  foot.inset_gradient = arc.radius * (near_start ? onward : -onward);
+  return foot;
+}
+
+/// Magnitude of the group's element `i`, its creases with the group's others rounded.
+Magnitude BlendedMagnitude(const Group& group, std::size_t i, glm::dvec2 p) {
+  std::vector<Foot> feet(group.elements.size(), Foot{.distance = -1});
+  for (std::size_t j = 0; j < feet.size(); ++j) {
+    const Element& element = group.elements[j];
+    if (const Line* line = std::get_if<Line>(&element.shape)) feet[j] = FootOf(*line, p);
+    if (const Arc* arc = std::get_if<Arc>(&element.shape)) feet[j] = FootOf(*arc, p);
+    const Profile &a = element.profile, &b = group.elements[i].profile;
+    const bool same = a.width == b.width && a.depth == b.depth && a.rounding == b.rounding;
+    if (!same || !CanBlend(element)) {
+      feet[j].distance = -1;
+    }
+  }
+  if (feet[i].distance < 0) return {};
+  const BlendedDistance blended = Blend(feet, i, group.blend_radius);
+  const ProfileSample sample = Evaluate(group.elements[i].profile, std::max(blended.distance, 0.0));
+  return {sample.height, sample.slope * blended.gradient};
+}
+
+Magnitude SampleGroup(const Group& group, glm::dvec2 p) {
+  if (!Contains(group.bounds, p)) return {};
+  Magnitude greatest;
+  const auto take = [&greatest](const Magnitude& member) {
+    if (member.height > greatest.height) greatest = member;
+  };
+  for (std::size_t i = 0; i < group.elements.size(); ++i) {
+    const bool blend = group.blend_radius > 0 && CanBlend(group.elements[i]);
+    take(blend ? BlendedMagnitude(group, i, p) : Evaluate(group.elements[i], p));
+  }
+  for (const Placement& placement : group.placements) {
+    take(SampleGroup(*placement.group, p - placement.origin));
+  }
+  return greatest;
+}
+
+}  // namespace
+
+std::shared_ptr<const Group> Finish(Group group) {
+  const auto members = static_cast<std::size_t>(
+      std::count_if(group.elements.begin(), group.elements.end(), CanBlend));
+  const double reach = BlendReach(members, group.blend_radius);
+  group.bounds = Box{};
+  for (const Element& element : group.elements) {
+    Include(group.bounds, Grown(BoundsOf(element), reach));
+  }
+  for (const Placement& placement : group.placements) {
+    const Box& member = placement.group->bounds;
+    if (member.min.x <= member.max.x) Include(group.bounds, Moved(member, placement.origin));
+  }
+  return std::make_shared<const Group>(std::move(group));
+}
+
+Sample SampleTree(const Texture& texture, glm::dvec2 p_P) {
+  Sample sum;
+  for (const Layer& layer : texture.layers) {
+    const Magnitude magnitude = SampleGroup(*layer.group, p_P);
+    const double sign = layer.relief == Relief::kEngraved ? -1 : 1;
+    sum.displacement += sign * magnitude.height;
+    sum.gradient += sign * magnitude.gradient;
+  }
+  for (const PaperPatch& patch : texture.paper) {
+    const Sample sample = Evaluate(patch, p_P);
+    sum.displacement += sample.displacement;
+    sum.gradient += sample.gradient;
+  }
+  return sum;
+}
+
+}  // namespace moontrace

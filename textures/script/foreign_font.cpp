@@ -1,0 +1,44 @@
+#include "textures/script/foreign_font.h"
+
+#include <filesystem>
+
+#include "textures/base/text_file.h"
+#include "textures/script/svg_font.h"
+
+namespace moontrace {
+namespace {
+
+/// Runs of blanks and line breaks become one blank.
+std::string Squeezed(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\n' || c == '\r' || c == '\t';
+    if (blank && (result.empty() || result.back() == ' ')) continue;
+    result += blank ? ' ' : c;
+  }
+  if (!result.empty() && result.back() == ' ') result.pop_back();
+  return result;
+}
+
+}  // namespace
+
+Script ParseForeignFont(std::string_view svg, const std::string& svg_name) {
+  SvgFont font = ParseSvgFont(svg, svg_name, SvgFontKind::kForeign);
+  Script script;
+  script.name = std::filesystem::path(svg_name).stem().string();
+  script.title = font.family.empty() ? script.name : OneLine(Squeezed(font.family));
+  const std::string metadata = OneLine(Squeezed(font.metadata), 200);
+  script.author = metadata.empty() ? "not said in the font" : metadata;
+  script.licence = metadata.empty() ? "not said in the font" : "see the author's words";
+  script.stroke_width = 0.1;
+  script.space_advance = font.space_advance > 0 ? font.space_advance : 0.5;
+  script.grades = {1};
+  script.glyphs = std::move(font.glyphs);
+  script.signs = std::move(font.characters);
+  for (const auto& [print, glyph] : font.groups) {
+    script.contractions.push_back({print, {glyph}, 1, Contraction::Where::kAnywhere});
+  }
+  return script;
+}
+
+}  // namespace moontrace

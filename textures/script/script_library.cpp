@@ -1,0 +1,159 @@
+#include "textures/script/script_library.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
+#include "textures/base/resources.h"
+#include "textures/base/text_file.h"
+#include "textures/script/foreign_font.h"
+#include "textures/script/hanzi.h"
+#include "textures/script/hershey.h"
+#include "textures/script/kanjivg.h"
+#include "textures/script/needed_characters.h"
+#include "textures/script/svg_font.h"
+
+namespace moontrace {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kHersheyFolder = "/usr/share/hershey-fonts";
+constexpr std::string_view kHershey = "hershey:";
+
+bool IsMedians(const std::string& ending) {
+  return ending == ".txt" || ending == ".json" || ending == ".jsonl";
+}
+
+bool IsFile(const std::string& ending) {
+  return ending == ".svg" || ending == ".jhf" || IsMedians(ending);
+}
+
+std::string EndingOf(const std::string& path) {
+  return LowerCase(fs::path(path).extension().string());
+}
+
+/// Where the user's own scripts lie; empty when there is no home.
+std::string UserFolder() {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value != nullptr ? value : "");
+  };
+  if (const std::string data = variable("XDG_DATA_HOME"); !data.empty()) {
+    return data + "/moontrace/scripts";
+  }
+  const std::string home = variable("HOME");
+  return home.empty() ? home : home + "/.local/share/moontrace/scripts";
+}
+
+/// Appends what lies in a folder, by name; `is_ours` tells by path whether it is a script.
+template <typename Test>
+void AppendFolder(const std::string& folder, const std::string& prefix, const Test& is_ours,
+                  std::vector<ScriptEntry>& entries) {
+  std::vector<ScriptEntry> found;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (is_ours(*it)) found.push_back({prefix + it->path().stem().string(), it->path().string()});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const ScriptEntry& a, const ScriptEntry& b) { return a.path < b.path; });
+  for (ScriptEntry& entry : found) {
+    const auto same = [&](const ScriptEntry& other) { return other.name == entry.name; };
+    if (std::none_of(entries.begin(), entries.end(), same)) entries.push_back(std::move(entry));
+  }
+}
+
+Script LoadSvg(const std::string& path) {
+  const std::string toml_path = fs::path(path).replace_extension(".toml").string();
+  std::error_code error;
+  const std::string svg = ReadTextFile(path, kMaxSvgBytes);
+  if (!fs::exists(toml_path, error)) return ParseForeignFont(svg, path);
+  return ParseScript(svg, path, ReadTextFile(toml_path, std::size_t{1} << 20U), toml_path);
+}
+
+Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
+  if (IsKanjiVgFolder(path)) return LoadKanjiVg(path, needed);
+  if (IsHanziFolder(path)) return LoadHanziFolder(path, needed);
+  throw InputError(path + ": a folder without characters: give KanjiVG's or hanzi-writer-data's");
+}
+
+[[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {
+  std::vector<std::string> names;
+  names.reserve(entries.size());
+  for (const ScriptEntry& entry : entries) names.push_back(entry.name);
+  const std::string with_prefix = std::string(kHershey).append(name);
+  const bool is_hershey = std::find(names.begin(), names.end(), with_prefix) != names.end();
+  std::error_code error;
+  if (name.rfind(kHershey, 0) == 0 && !fs::is_directory(kHersheyFolder, error)) {
+    throw LackError("no Hershey fonts here: install hershey-fonts-data, or give a font's path");
+  }
+  const std::string nearest = is_hershey ? with_prefix : NearestWord(name, names);
+  if (nearest.empty()) {
+    throw InputError(fmt::format("unknown script '{}': give a font's path or see script list",
+                                 OneLine(name, 30)));
+  }
+  throw InputError(fmt::format("unknown script '{}'; did you mean '{}'?", OneLine(name, 25),
+                               OneLine(nearest, 25)));
+}
+
+}  // namespace
+
+std::vector<ScriptEntry> ListScripts() {
+  std::vector<ScriptEntry> entries;
+  AppendFolder(
+      ResourcePath("textures/scripts"), "",
+      [](const fs::directory_entry& entry) {
+        std::error_code error;
+        return entry.is_directory(error) || EndingOf(entry.path().string()) == ".svg";
+      },
+      entries);
+  AppendFolder(
+      UserFolder(), "",
+      [](const fs::directory_entry& entry) {
+        std::error_code error;
+        return entry.is_directory(error) || IsFile(EndingOf(entry.path().string()));
+      },
+      entries);
+  AppendFolder(
+      kHersheyFolder, std::string(kHershey),
+      [](const fs::directory_entry& entry) { return EndingOf(entry.path().string()) == ".jhf"; },
+      entries);
+  return entries;
+}
+
+Script LoadScriptFile(const std::string& path, std::string_view text) {
+  std::error_code error;
+  const auto needed = [text] {
+    return text.empty() ? std::set<char32_t>() : NeededCharacters(text);
+  };
+  const std::string ending = EndingOf(path);
+  if (fs::is_directory(path, error))
+    return LoadFolder(fs::path(path + "/").parent_path(), needed());
+  if (ending == ".jhf") {
+    return ParseHershey(ReadTextFile(path, kMaxHersheyBytes), fs::path(path).stem().string(), path);
+  }
+  if (IsMedians(ending)) return LoadHanziFile(path, needed());
+  return LoadSvg(path);
+}
+
+bool IsScriptPath(const std::string& name_or_path) {
+  return name_or_path.find('/') != std::string::npos || IsFile(EndingOf(name_or_path));
+}
+
+Script LoadScriptNamed(const std::string& name_or_path, std::string_view text) {
+  if (IsScriptPath(name_or_path)) return LoadScriptFile(name_or_path, text);
+  const std::vector<ScriptEntry> entries = ListScripts();
+  for (const ScriptEntry& entry : entries) {
+    if (entry.name == name_or_path) return LoadScriptFile(entry.path, text);
+  }
+  FailUnknown(name_or_path, entries);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,181 @@
+#include "textures/script/svg_font.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <pugixml.hpp>
+#include <set>
+#include <utility>
+
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
+#include "textures/script/svg_path.h"
+#include "textures/script/svg_shapes.h"
+#include "textures/script/svg_source.h"
+#include "textures/typeset/fold.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::size_t kMaxGlyphs = 10000;
+constexpr double kMaxEms = 100;
+constexpr double kTolerance = 0.001;  ///< [em]
+
+std::string Quoted(std::string_view text) { return fmt::format("'{}'", OneLine(text, 40)); }
+
+class FontReader {
+ public:
+  FontReader(std::string_view svg, const std::string& file_name, SvgFontKind kind)
+      : source_(svg, file_name), foreign_(kind == SvgFontKind::kForeign) {}
+
+  SvgFont Read() {
+    const pugi::xml_node font = FindFont();
+    em_ = EmOf(font);
+    out_.family = font.child("font-face").attribute("font-family").value();
+    if (out_.family.empty()) out_.family = font.attribute("id").value();
+    out_.metadata = source_.root().child("metadata").text().get();
+    limits_.tolerance = kTolerance * em_;
+    limits_.greatest = kMaxEms * em_;
+    for (const pugi::xml_node node : font.children("glyph")) {
+      if (out_.glyphs.size() == kMaxGlyphs) source_.Fail(node, "more than 10000 glyphs; use fewer");
+      ReadGlyph(font, node);
+    }
+    if (out_.glyphs.empty() && foreign_) {
+      source_.Fail(font, "a font in which nothing is drawn; give one with open paths");
+    }
+    if (out_.glyphs.empty()) source_.Fail(font, "a font without glyphs; draw one <glyph> at least");
+    return std::move(out_);
+  }
+
+ private:
+  pugi::xml_node FindFont() const {
+    const pugi::xml_node root = source_.root();
+    if (std::strcmp(root.name(), "svg") != 0) {
+      source_.Fail(root, "the document is <" + OneLine(root.name(), 24) +
+                             ">, not <svg>; give an SVG 1.1 font");
+    }
+    const pugi::xml_node font =
+        root.find_node([](pugi::xml_node node) { return std::strcmp(node.name(), "font") == 0; });
+    if (!font) {
+      source_.Fail(root, "an SVG without a <font>: a drawing, not a script; give an SVG 1.1 font");
+    }
+    return font;
+  }
+
+  double EmOf(pugi::xml_node font) const {
+    const pugi::xml_node face = font.child("font-face");
+    if (!face) source_.Fail(font, "a font without <font-face>; add one with units-per-em");
+    std::optional<double> em = source_.NumberOf(face, "cap-height");
+    if (foreign_ && em.value_or(0) == 0) em = source_.NumberOf(face, "ascent");
+    if (em.value_or(0) == 0) {
+      const std::optional<double> units = source_.NumberOf(face, "units-per-em");
+      if (units) em = units;
+    }
+    if (!em) source_.Fail(face, "neither cap-height nor units-per-em; give one of them");
+    if (!(*em >= 1e-3 && *em <= 1e6)) {
+      source_.Fail(face, "cap-height or units-per-em outside 0.001 to 1000000; use 1000");
+    }
+    return *em;
+  }
+
+  void ReadGlyph(pugi::xml_node font, pugi::xml_node node) {
+    const std::string characters = node.attribute("unicode").value();
+    Glyph glyph;
+    glyph.name = node.attribute("glyph-name").value();
+    if (glyph.name.empty()) glyph.name = characters;
+    if (glyph.name.empty()) {
+      if (foreign_) return;
+      source_.Fail(node, "a glyph without glyph-name or unicode; name it");
+    }
+    glyph.strokes = StrokesOf(node);
+    if (characters == " ") out_.space_advance = StepOf(font, node).value_or(0) / em_;
+    if (glyph.strokes.empty()) {
+      if (foreign_ || characters == " " || characters == "\u00a0") return;
+      source_.Fail(node, "glyph " + Quoted(glyph.name) + " has nothing drawn; draw or remove it");
+    }
+    if (foreign_ && StepOf(font, node).value_or(0) == 0) return;
+    Name(node, glyph);
+    glyph.advance = AdvanceOf(font, node, glyph.name);
+    if (!characters.empty()) Bind(node, characters, glyph.name);
+    out_.glyphs.push_back(std::move(glyph));
+  }
+
+  /// Makes sure that the name is the glyph's alone.
+  void Name(pugi::xml_node node, Glyph& glyph) {
+    if (names_.insert(glyph.name).second) return;
+    if (!foreign_) {
+      source_.Fail(node, "second glyph named " + Quoted(glyph.name) + "; rename or remove one");
+    }
+    std::size_t& count = copies_[glyph.name];
+    const std::string name = glyph.name;
+    do {
+      glyph.name = fmt::format("{}#{}", name, ++count + 1);
+    } while (!names_.insert(glyph.name).second);
+  }
+
+  std::optional<double> StepOf(pugi::xml_node font, pugi::xml_node node) const {
+    const std::optional<double> step = source_.NumberOf(node, "horiz-adv-x");
+    return step ? step : source_.NumberOf(font, "horiz-adv-x");
+  }
+
+  double AdvanceOf(pugi::xml_node font, pugi::xml_node node, const std::string& name) const {
+    const std::optional<double> advance = StepOf(font, node);
+    if (!advance) source_.Fail(node, "glyph " + Quoted(name) + " has no horiz-adv-x; give one");
+    if (!(*advance > 0 && *advance <= limits_.greatest)) {
+      source_.Fail(node, "horiz-adv-x of glyph " + Quoted(name) +
+                             " outside 0 to 100 em; give the step to the next letter");
+    }
+    return *advance / em_;
+  }
+
+  void Bind(pugi::xml_node node, const std::string& characters, const std::string& name) {
+    const std::u32string codes = ToCodePoints(characters);
+    const bool one = codes.size() == 1 && ToUtf8(codes[0]) == characters;
+    if (foreign_) {
+      if (one) out_.characters.emplace(codes[0], name);
+      if (!one) out_.groups.emplace(characters, name);
+      return;
+    }
+    if (!one) {
+      source_.Fail(node, node.attribute("unicode"), 0,
+                   "unicode is " + Quoted(characters) +
+                       "; give one character, and put groups of letters into the TOML file");
+    }
+    if (!out_.characters.emplace(codes[0], name).second) {
+      source_.Fail(node, node.attribute("unicode"), 0,
+                   "second glyph for " + Quoted(characters) + "; keep one");
+    }
+  }
+
+  std::vector<Stroke> StrokesOf(pugi::xml_node node) {
+    std::vector<Stroke> strokes = shapes_.Of(node);
+    for (Stroke& stroke : strokes) {
+      for (Piece& piece : stroke.pieces) piece = Placed(piece, 1 / em_, glm::dvec2(0.0, 0.0));
+    }
+    // Filled areas are not written, so a font may draw them first.
+    std::stable_partition(strokes.begin(), strokes.end(),
+                          [](const Stroke& stroke) { return stroke.kind != StrokeKind::kFill; });
+    return strokes;
+  }
+
+  SvgSource source_;
+  bool foreign_ = false;
+  double em_ = 1000;
+  PathLimits limits_;
+  SvgShapes shapes_{source_, limits_};
+  std::set<std::string> names_;
+  std::map<std::string, std::size_t> copies_;  ///< by name: how many have been renamed
+  SvgFont out_;
+};
+
+}  // namespace
+
+SvgFont ParseSvgFont(std::string_view svg, const std::string& file_name, SvgFontKind kind) {
+  return FontReader(svg, file_name, kind).Read();
+}
+
+}  // namespace moontrace

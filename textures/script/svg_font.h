@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "textures/script/script.h"
+
+namespace moontrace {
+
+/// Whose font it is. kOwn: one that has a TOML file beside it, written for Moontrace. kForeign: any
+/// SVG 1.1 font.
+enum class SvgFontKind { kOwn, kForeign };
+
+/// What a script takes from its SVG 1.1 font.
+struct SvgFont {
+  std::string family;                          ///< of the font-face, else the font's id
+  std::string metadata;                        ///< text of <metadata>: often author and licence
+  double space_advance = 0;                    ///< [em]; 0 = no glyph for the space
+  std::vector<Glyph> glyphs;                   ///< in the file's order, lengths in em
+  std::map<char32_t, std::string> characters;  ///< `unicode` attribute -> glyph name
+  std::map<std::string, std::string> groups;   ///< the same of several characters ("ffi")
+};
+
+/// Reads the first <font> of an SVG document; each <glyph> by `SvgShapes`, the `d` attribute first,
+/// filled areas last. Curves become arcs within 0.001 em. A glyph without glyph-name goes by its
+/// character; one for the space with nothing drawn is left out; <missing-glyph> is not read, since
+/// what a script has no sign for is told and left out.
+///
+/// One em is the font-face's cap-height. Where that is absent or 0, kOwn takes units-per-em (which
+/// our fonts set equal; fontforge drops the cap-height of a font without capitals), kForeign the
+/// ascent, else units-per-em.
+///
+/// Throws InputError (file:line:column, cause, cure): broken XML, not UTF-8, no font, no glyphs,
+/// more than 8 MB, 10 000 glyphs or 100 000 path commands, a coordinate beyond 100 em, a broken
+/// path, a cycle of <use>. kOwn also: a name or character twice, a glyph without a name, with
+/// nothing drawn or for a group of characters. kForeign leaves glyphs out that have no name or
+/// character, nothing drawn or no step to the next one (marks set over letters); of two for one
+/// character the first counts, as SVG 1.1 (section 20.4) says; a second name gets "#2" behind it.
+SvgFont ParseSvgFont(std::string_view svg, const std::string& file_name,
+                     SvgFontKind kind = SvgFontKind::kOwn);
+
+/// Greatest size of an SVG font file [bytes].
+constexpr std::size_t kMaxSvgBytes = std::size_t{8} << 20U;
+
+}  // namespace moontrace

@@ -1,0 +1,240 @@
+#include "textures/typeset/back_translate.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <unordered_map>
+
+#include "textures/typeset/braille_writer.h"
+#include "textures/typeset/fold.h"
+#include "textures/typeset/writer.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::size_t kMostDiffering = 1000;
+constexpr const char* kUnknown = "\uFFFD";
+
+// Reads the signs of one line.
+class Reader {
+ public:
+  virtual ~Reader() = default;
+  virtual std::string Read(const std::vector<Sign>& signs) const = 0;
+};
+
+// By the rules of a script, the other way round.
+class SignReader : public Reader {
+ public:
+  SignReader(const Script& script, double grade);
+  std::string Read(const std::vector<Sign>& signs) const override;
+
+ private:
+  struct Group {
+    std::vector<std::uint32_t> glyphs;
+    std::string print;
+    Contraction::Where where = Contraction::Where::kAnywhere;
+  };
+  const Group* Match(const std::vector<Sign>& signs, std::size_t at, bool letter_before) const;
+  bool IsLetterSign(const std::vector<Sign>& signs, std::size_t at) const;
+
+  std::unordered_map<std::uint32_t, char32_t> letters_, digits_;
+  std::set<std::uint32_t> starts_;  // glyphs that begin a group
+  std::vector<Group> groups_;       // in the order they are tried
+  std::uint32_t numeral_ = ~std::uint32_t{0};
+};
+
+SignReader::SignReader(const Script& script, double grade) {
+  const auto bind = [&script](auto& map, const std::string& name, char32_t c) {
+    const std::size_t glyph = script.Find(name);
+    if (glyph != Script::npos) map.emplace(static_cast<std::uint32_t>(glyph), c);
+  };
+  for (const auto& [c, name] : script.signs) {
+    bind(letters_, name, c);
+    const auto forms = script.forms.find(name);
+    if (forms == script.forms.end()) continue;
+    for (const auto& form : forms->second) bind(letters_, form.second, c);
+  }
+  for (const auto& [c, name] : script.digits) {
+    bind(digits_, name, c);
+    const auto forms = script.forms.find(name);
+    if (forms == script.forms.end()) continue;
+    for (const auto& form : forms->second) bind(digits_, form.second, c);
+  }
+  if (!script.digits.empty()) {
+    numeral_ = static_cast<std::uint32_t>(script.Find(script.numeral_sign));
+  }
+  for (const Contraction& contraction : script.contractions) {
+    if (contraction.grade > grade) continue;
+    Group group{{}, contraction.print, contraction.where};
+    for (const std::string& name : contraction.signs) {
+      group.glyphs.push_back(static_cast<std::uint32_t>(script.Find(name)));
+    }
+    starts_.insert(group.glyphs.front());
+    groups_.push_back(std::move(group));
+  }
+  const auto is_whole = [](const Group& group) {
+    return group.where == Contraction::Where::kWholeWord;
+  };
+  std::stable_sort(groups_.begin(), groups_.end(), [&](const Group& a, const Group& b) {
+    if (a.glyphs.size() != b.glyphs.size()) return a.glyphs.size() > b.glyphs.size();
+    return is_whole(a) && !is_whole(b);
+  });
+}
+
+bool SignReader::IsLetterSign(const std::vector<Sign>& signs, std::size_t at) const {
+  if (at >= signs.size() || signs[at].space) return false;
+  const auto letter = letters_.find(signs[at].glyph);
+  return letter != letters_.end() ? IsLetter(letter->second) : starts_.count(signs[at].glyph) > 0;
+}
+
+const SignReader::Group* SignReader::Match(const std::vector<Sign>& signs, std::size_t at,
+                                           bool letter_before) const {
+  for (const Group& group : groups_) {
+    const std::size_t end = at + group.glyphs.size();
+    if (end > signs.size()) continue;
+    bool same = true;
+    for (std::size_t i = at; i < end && same; ++i) {
+      same = !signs[i].space && signs[i].glyph == group.glyphs[i - at];
+    }
+    if (!same) continue;
+    const bool behind = IsLetterSign(signs, end);
+    switch (group.where) {
+      case Contraction::Where::kAnywhere:
+        return &group;
+      case Contraction::Where::kWholeWord:
+        if (!letter_before && !behind) return &group;
+        break;
+      case Contraction::Where::kPartOfWord:
+        if (letter_before || behind) return &group;
+        break;
+      case Contraction::Where::kWordEnd:
+        if (letter_before && !behind) return &group;
+        break;
+    }
+  }
+  return nullptr;
+}
+
+std::string SignReader::Read(const std::vector<Sign>& signs) const {
+  std::string text;
+  bool in_number = false, letter_before = false;
+  for (std::size_t at = 0; at < signs.size();) {
+    const std::uint32_t glyph = signs[at].glyph;
+    const auto digit = digits_.find(glyph);
+    if (signs[at].space || glyph == numeral_) {
+      if (signs[at].space) text += ' ';
+      in_number = !signs[at].space;
+      letter_before = false;
+      ++at;
+      continue;
+    }
+    if (in_number && digit != digits_.end()) {
+      text += ToUtf8(digit->second);
+      ++at;
+      continue;
+    }
+    in_number = false;
+    if (const Group* group = Match(signs, at, letter_before)) {
+      text += group->print;
+      letter_before = true;
+      at += group->glyphs.size();
+      continue;
+    }
+    const auto letter = letters_.find(glyph);
+    text += letter != letters_.end() ? ToUtf8(letter->second) : kUnknown;
+    letter_before = letter != letters_.end() && IsLetter(letter->second);
+    ++at;
+  }
+  return text;
+}
+
+// By liblouis.
+class CellReader : public Reader {
+ public:
+  CellReader(const Script& script, const TypeStyle& style)
+      : table_(BrailleTableOf(script, style.grade, style.table)), cells_(script.glyphs.size(), 0) {
+    for (char32_t dots = 1; dots < 256; ++dots) {
+      const auto sign = script.signs.find(0x2800 + dots);
+      const std::size_t glyph =
+          sign == script.signs.end() ? Script::npos : script.Find(sign->second);
+      if (glyph != Script::npos) cells_[glyph] = static_cast<std::uint8_t>(dots);
+    }
+  }
+  std::string Read(const std::vector<Sign>& signs) const override {
+    std::vector<std::uint8_t> cells;
+    cells.reserve(signs.size());
+    for (const Sign& sign : signs) cells.push_back(sign.space ? 0 : cells_[sign.glyph]);
+    return table_.ReadBack(cells);
+  }
+
+ private:
+  BrailleTable table_;
+  std::vector<std::uint8_t> cells_;  // of each glyph
+};
+
+// The characters that have signs, in order; blanks as spaces.
+std::string Wanted(const std::vector<FoldedChar>& line) {
+  std::string text;
+  for (const FoldedChar& c : line) {
+    if (c.kind == FoldedChar::Kind::kSpace) text += ' ';
+    if (c.kind == FoldedChar::Kind::kSign) text += ToUtf8(c.code);
+  }
+  return text;
+}
+
+std::vector<std::string> Words(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (end > at) words.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+void Compare(const std::string& read, const std::string& wanted, BackTranslation& result) {
+  const std::vector<std::string> have = Words(read), want = Words(wanted);
+  result.words += want.size();
+  for (std::size_t i = 0; i < std::max(have.size(), want.size()); ++i) {
+    const std::string was = i < want.size() ? want[i] : "";
+    const std::string became = i < have.size() ? have[i] : "";
+    if (was == became) continue;
+    ++result.differ_count;
+    if (result.differ.size() < kMostDiffering) result.differ.emplace_back(was, became);
+  }
+  const auto append = [](std::string& text, const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? " " : "") + words[i];
+    text += '\n';
+  };
+  append(result.text, have);
+  append(result.wanted, want);
+}
+
+}  // namespace
+
+BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style) {
+  const std::unique_ptr<Writer> writer = MakeWriter(script, style);
+  std::unique_ptr<Reader> reader;
+  if (script.braille_tables.empty()) {
+    reader = std::make_unique<SignReader>(script, style.grade);
+  } else {
+    reader = std::make_unique<CellReader>(script, style);
+  }
+  Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
+  BackTranslation result;
+  Typeset notes;  // SetText tells them one by one
+  std::vector<FoldedChar> line;
+  std::vector<Sign> signs;
+  for (std::size_t number = 1; folder.NextLine(line); ++number) {
+    signs.clear();
+    if (style.structure.read) TakeMarks(text, line);
+    writer->Write(text, number, line, signs, notes);
+    Compare(reader->Read(signs), Wanted(line), result);
+  }
+  result.left_out = notes.missing_count + notes.untaught_count;
+  result.replaced = notes.folded_count;
+  return result;
+}
+
+}  // namespace moontrace

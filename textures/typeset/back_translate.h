@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "textures/script/script.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+
+/// What signs say, and what was meant.
+struct BackTranslation {
+  std::string text;    ///< as read from the signs, UTF-8, line by line of the source
+  std::string wanted;  ///< the source text, folded to what the script can write, alike
+  /// Words of `wanted` that read otherwise, with what they read as: the first 1000; count of all.
+  std::vector<std::pair<std::string, std::string>> differ;
+  std::size_t differ_count = 0;
+  std::size_t words = 0;  ///< of `wanted`
+  /// Characters of the source that no sign stands for, and those written otherwise (é as e).
+  std::size_t left_out = 0, replaced = 0;
+};
+
+/// Writes a text in signs, reads the signs by the script's rules alone, and compares.
+///
+/// By a script's own rules: at each place the contraction of the grade with the most signs that may
+/// stand there is read before letters, one for a whole word before one for a part of it; digits
+/// follow the numeral sign until another sign. What Moon cannot tell apart is read in one way: a
+/// capital as a small letter, a letter a to j directly behind a number as a digit, at grade 2 the
+/// word "l" as "like". Braille is read by liblouis, capitals kept; its contractions have exceptions
+/// that back-translation need not know.
+///
+/// `wanted` is what the Folder makes of the text: small letters where the script has no others,
+/// without accents that it lacks, and without protect marks and characters that have no sign.
+/// Letters that are not among TypeStyle::only are in it, so that they differ. Linear in the text.
+/// Throws as SetText does, but for the page.
+BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style);
+
+}  // namespace moontrace

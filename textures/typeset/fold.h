@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "textures/script/script.h"
+
+namespace moontrace {
+
+/// Longest text [bytes] and most folded characters that are taken.
+constexpr std::size_t kMostText = std::size_t{16} << 20;
+
+/// How a character that the script has no form of is written all the same.
+enum class Replaced : std::uint8_t {
+  kFolded,          ///< by the script's table or Unicode's decomposition
+  kOtherScript,     ///< by the glyph of another script
+  kTransliterated,  ///< by letters that sound alike
+  kNamed            ///< by its name in brackets
+};
+
+/// One character of the text as the script can write it.
+struct FoldedChar {
+  enum class Kind : std::uint8_t {
+    kSign,     ///< `code` is in Script::signs or Script::digits
+    kSpace,    ///< a blank of any width
+    kNothing,  ///< has no mark in print either (a soft hyphen)
+    kMissing   ///< the script has no form; `code` is the character itself
+  };
+  char32_t code = 0;
+  std::uint32_t begin = 0;   ///< bytes of the text that it stands for; of a character that became
+  std::uint32_t end = 0;     ///< several the first has them, the others an empty range at the end
+  std::uint32_t column = 0;  ///< in code points, from 1
+  Kind kind = Kind::kMissing;
+  bool letter = false;   ///< of a word, for contractions
+  bool changed = false;  ///< not as in the text (a change of case does not count)
+  bool apart = false;    ///< raised, lowered, circled, of a fraction: not of the number beside it
+  Replaced replaced = Replaced::kFolded;  ///< where `changed`
+};
+
+/// Reads UTF-8 text line by line and folds it to what a script has: the script's own table first,
+/// then upper to lower case, then Unicode's compatibility decomposition without combining marks,
+/// then the script's transliterations, then its names in square brackets ("[euro sign]").
+/// A character of which a part has no sign is missing as a whole. A byte order mark is skipped;
+/// CR, CRLF, form feed and Unicode's own separators end a line. Linear in the text.
+class Folder {
+ public:
+  /// Keeps references to both. Throws InputError: text over kMostText, empty, not UTF-8 (byte
+  /// offset from 0, line and column from 1).
+  Folder(std::string_view text, const Script& script);
+
+  /// The same, where something other than the script's rules knows which characters have a form.
+  Folder(std::string_view text, const Script& script, std::function<bool(char32_t)> has_sign);
+
+  /// Puts the next line of the text into `line`; false at the end. Throws InputError when the
+  /// script's table makes the line longer than kMostText characters.
+  bool NextLine(std::vector<FoldedChar>& line);
+
+ private:
+  struct Form {
+    std::u32string text;
+    FoldedChar::Kind kind = FoldedChar::Kind::kMissing;
+    bool letter = false, changed = false, apart = false;
+    Replaced replaced = Replaced::kFolded;
+  };
+  char32_t Read(std::size_t at, std::size_t& next) const;
+  std::size_t ClusterEnd(std::size_t next, std::size_t& code_points) const;
+  const Form& FormOf(char32_t c);
+  Form Fold(char32_t c) const;
+  bool FoldByTable(char32_t c, Form& form) const;
+  bool FoldByUnicode(char32_t c, bool transliterate, Form& form) const;
+  bool WriteParts(const std::u32string& parts, bool transliterate, std::u32string& written) const;
+  bool Transliterate(char32_t c, std::u32string& text) const;
+  bool Name(char32_t c, Form& form) const;
+  bool AppendSign(char32_t c, std::u32string& text) const;
+  bool HasSign(char32_t c) const { return has_sign_(c); }
+  char32_t Composed(std::size_t begin, std::size_t end) const;
+  void Append(const Form& form, FoldedChar first, std::vector<FoldedChar>& line) const;
+
+  std::string_view text_;
+  const Script& script_;
+  std::function<bool(char32_t)> has_sign_;
+  std::size_t at_ = 0;
+  std::unordered_map<char32_t, Form> forms_;  // by character: each is worked out once
+};
+
+/// Whether a character is a letter of a word, or a mark on one.
+bool IsLetter(char32_t c);
+
+/// Code points of valid UTF-8, for the short texts of a script's tables; stops at invalid bytes.
+std::u32string ToCodePoints(std::string_view utf8);
+
+/// UTF-8 of one code point.
+std::string ToUtf8(char32_t c);
+
+/// Text to show in a message: as it is, but control, format, private and unassigned characters as
+/// "U+001B", and nothing behind the first 16 characters.
+std::string Shown(std::string_view utf8);
+
+}  // namespace moontrace

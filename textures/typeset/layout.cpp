@@ -1,0 +1,317 @@
+#include "textures/typeset/layout.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "textures/base/error.h"
+
+namespace moontrace {
+namespace {
+
+constexpr double kSlack = 1e-9;        // a line that fits but for rounding fits [m]
+constexpr double kGuideAdvance = 0.9;  // [em]; nothing follows a guide on its line
+
+constexpr double kMostIndent = 0.125;  // of a quotation, of the line
+
+double Mm(double metres) { return metres * 1000; }
+
+}  // namespace
+
+void AddGuides(Script& script, const TypeStyle& style) {
+  const double pitch = style.line_pitch / style.size;  // [em]
+  const double bulge = kGuideBulge * pitch;
+  const double radius = (pitch * pitch / 4 + bulge * bulge) / (2 * bulge);
+  const double half = std::asin(pitch / 2 / radius);
+  const auto add = [&script](const char* name, const Arc& arc) {
+    Glyph guide{name, kGuideAdvance, {{StrokeKind::kStroke, {arc}}}};
+    const std::size_t old = script.Find(name);
+    if (old == Script::npos) {
+      script.glyphs.push_back(std::move(guide));
+    } else {
+      script.glyphs[old] = std::move(guide);
+    }
+  };
+  const double middle = 0.5 - pitch / 2;
+  add("guide-right", {{bulge - radius, middle}, radius, half, -2 * half});
+  add("guide-left", {{radius - bulge, middle}, radius, std::acos(-1.0) - half, 2 * half});
+}
+
+Layout::Layout(const Script& script, const TypeStyle& style, const PageSpec& page)
+    : script_(script),
+      direction_(style.lines),
+      page_(page),
+      plain_(MeasureRows(script, style, 1)),
+      line_pitch_(style.line_pitch) {
+  const bool vertical = direction_ == LineDirection::kVertical;
+  line_length_ = (vertical ? page.height : page.width) - 2 * page.margin;
+  room_ = (vertical ? page.width : page.height) - 2 * page.margin;
+  CheckRoom();
+  if (style.structure.read) {
+    heading_ = MeasureRows(script, style, ScaleOf(LineKind::kHeading, style));
+  }
+  empty_rows_ = !style.paragraph_gap;
+  paragraph_gap_ = style.paragraph_gap.value_or(Alternates() ? 2 * plain_.space : line_pitch_);
+  if (Alternates()) {
+    guide_right_ = script.Find("guide-right");
+    guide_left_ = script.Find("guide-left");
+  }
+}
+
+// Whether the page holds a row of the kind that is set.
+void Layout::CheckRoom() const {
+  if (room_ - Row().size + kSlack >= 0) return;
+  throw InputError(
+      fmt::format("page: {:.4g} mm within its margins, a line needs {:.4g} mm: choose smaller "
+                  "letters",
+                  Mm(room_), Mm(Row().size)));
+}
+
+// Whether the row that is being set runs right to left.
+bool Layout::RunsBack() const {
+  if (direction_ == LineDirection::kRightToLeft) return true;
+  return Alternates() && (next_row_ - run_row_) % 2 == 0;
+}
+
+void Layout::EndParagraph() { paragraph_ended_ = true; }
+
+// How far a row of the last page lies from the margin.
+double Layout::Across(std::size_t row) const {
+  return static_cast<double>(row) * line_pitch_ + gaps_;
+}
+
+// What the step from the row before to this one is beyond the text's pitch.
+double Layout::Deviation() const {
+  const RowMetrics& before = RowsOf(kind_before_);
+  if (pages_.empty() || (&before == &plain_ && &Row() == &plain_)) return 0;
+  return before.size + std::max(before.gap, Row().gap) - line_pitch_;
+}
+
+// Begins a page, with the heading that would else stand alone at the foot of the last.
+void Layout::NextPage() {
+  const Heading moved = std::exchange(last_heading_, Heading{});
+  const std::size_t expected = pages_.empty() ? 0 : pages_.back().glyphs.size();
+  pages_.emplace_back();
+  TextPage& page = pages_.back();
+  page.glyphs.reserve(expected);
+  if (moved.glyph == Script::npos || moved.glyph == 0) {
+    next_row_ = run_row_ = 0;
+    gaps_ = 0;
+    return;
+  }
+  TextPage& before = pages_[pages_.size() - 2];
+  const double shift = static_cast<double>(moved.row) * line_pitch_ + moved.gaps;
+  const bool vertical = direction_ == LineDirection::kVertical;
+  const auto first = before.glyphs.begin() + static_cast<std::ptrdiff_t>(moved.glyph);
+  for (auto glyph = first; glyph != before.glyphs.end(); ++glyph) {
+    glyph->line -= moved.row;
+    glyph->origin_P += vertical ? glm::dvec2(shift, 0) : glm::dvec2(0, shift);
+    page.glyphs.push_back(*glyph);
+  }
+  before.glyphs.erase(first, before.glyphs.end());
+  before.lines = before.glyphs.back().line + 1;
+  page.lines = page.glyphs.empty() ? 0 : page.glyphs.back().line + 1;
+  next_row_ -= moved.row;
+  run_row_ -= std::min(run_row_, moved.row);
+  gaps_ -= moved.gaps;
+  last_heading_ = {0, 0, 0};
+}
+
+void Layout::StartRow() {
+  if (paragraph_ended_ && !pages_.empty() && !Alternates()) {
+    if (empty_rows_) {
+      ++next_row_;
+    } else {
+      gaps_ += paragraph_gap_;
+    }
+  }
+  paragraph_ended_ = false;
+  gaps_ += Deviation();
+  CheckRoom();
+  if (pages_.empty()) NextPage();
+  while (Across(next_row_) > room_ - Row().size + kSlack) NextPage();
+  if (kind_ != LineKind::kHeading) {
+    last_heading_ = {};
+  } else if (kind_before_ != LineKind::kHeading || last_heading_.glyph == Script::npos) {
+    last_heading_ = {pages_.back().glyphs.size(), next_row_, gaps_};
+  }
+  kind_before_ = kind_;
+  pages_.back().lines = ++next_row_;
+  pen_ = indent_;
+  row_empty_ = true;
+}
+
+// A chunk is what no line may end within: up to a space or behind a hyphen.
+std::size_t Layout::ChunkEnd(const std::vector<Sign>& signs, std::size_t at) const {
+  while (at < signs.size() && !signs[at].space) {
+    if (signs[at++].break_after) break;
+  }
+  return at;
+}
+
+bool Layout::Fits(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
+                  double pen) const {
+  for (; at < end; ++at) {
+    if (pen + Row().extent[signs[at].glyph] > line_length_ + kSlack) return false;
+    pen += Row().advance[signs[at].glyph];
+  }
+  return true;
+}
+
+// Where a glyph stands whose start is `pen` from the start of the current row.
+glm::dvec2 Layout::OriginOf(std::size_t glyph, double pen) const {
+  const double across = Across(next_row_ - 1), size = Row().size;
+  if (direction_ == LineDirection::kVertical) {
+    const double column = page_.width - page_.margin - size - across;
+    return {column + (size - Row().right[glyph]) / 2, page_.height - page_.margin - pen - size};
+  }
+  const double base = page_.height - page_.margin - size - across;
+  const double x =
+      RunsBack() ? page_.width - page_.margin - pen - Row().right[glyph] : page_.margin + pen;
+  return {x, base};
+}
+
+void Layout::Put(const Sign& sign) {
+  PlacedGlyph placed;
+  placed.glyph = sign.glyph;
+  placed.line = next_row_ - 1;
+  placed.origin_P = OriginOf(sign.glyph, pen_);
+  placed.source_begin = sign.begin;
+  placed.source_end = sign.end;
+  placed.word = words_ - 1;
+  placed.kind = kind_;
+  placed.link = sign.link;
+  const double lowest = placed.origin_P.y + Row().lowest[sign.glyph];
+  if (lowest < -kSlack) {
+    throw InputError(
+        fmt::format("the sign '{}' hangs {:.4g} mm below the sheet: choose a margin of "
+                    "{:.4g} mm or more",
+                    script_.glyphs[sign.glyph].name, -Mm(lowest), -Mm(Row().lowest[sign.glyph])));
+  }
+  pages_.back().glyphs.push_back(placed);
+  pen_ += Row().advance[sign.glyph];
+  row_empty_ = false;
+}
+
+void Layout::Place(const std::vector<Sign>& signs, std::size_t at) {
+  const Sign& sign = signs[at];
+  const std::size_t together = std::min(at + (sign.keep_next ? 2 : 1), signs.size());
+  if (!row_empty_ && !Fits(signs, at, together, pen_)) StartRow();
+  if (!Fits(signs, at, at + 1, pen_)) {
+    throw InputError(fmt::format(
+        "lines are {:.4g} mm {}, the letter '{}' needs {:.4g} mm: choose smaller letters",
+        Mm(line_length_), direction_ == LineDirection::kVertical ? "high" : "wide",
+        script_.glyphs[sign.glyph].name, Mm(Row().extent[sign.glyph])));
+  }
+  Put(sign);
+}
+
+void Layout::AddLine(const std::vector<Sign>& signs, LineKind kind) {
+  kind_ = kind;
+  const bool indented = kind == LineKind::kQuotation && !Alternates();
+  indent_ = indented ? std::min(plain_.size, kMostIndent * line_length_) : 0;
+  if (std::all_of(signs.begin(), signs.end(), [](const Sign& sign) { return sign.space; })) {
+    EndParagraph();
+  } else if (Alternates()) {
+    AddRunning(signs);
+  } else {
+    AddWrapped(signs);
+  }
+}
+
+void Layout::AddWrapped(const std::vector<Sign>& signs) {
+  StartRow();
+  bool new_word = true;
+  for (std::size_t at = 0; at < signs.size();) {
+    if (signs[at].space) {
+      pen_ += Row().space;
+      ++at;
+      new_word = true;
+      continue;
+    }
+    const std::size_t end = ChunkEnd(signs, at);
+    if (!Fits(signs, at, end, pen_)) {
+      if (!row_empty_) StartRow();
+      pen_ = indent_;  // spaces at the wrap, or an indent that leaves no room
+    }
+    if (new_word) ++words_;
+    new_word = false;
+    for (; at < end; ++at) Place(signs, at);
+  }
+}
+
+// From the strokes of a line's last sign to its guide: the usual gap, and behind a finished word
+// the space too.
+double Layout::ClosingGap(std::size_t glyph, bool finished) const {
+  return Row().advance[glyph] - Row().extent[glyph] + (finished ? Row().space : 0);
+}
+
+// Whether a sign fits on the row with its guide behind it.
+bool Layout::FitsBeforeGuide(const std::vector<Sign>& signs, std::size_t at) const {
+  const bool together = signs[at].keep_next && at + 1 < signs.size() && !signs[at + 1].space;
+  const double pen = pen_ + (together ? Row().advance[signs[at].glyph] : 0);
+  const std::size_t last = together ? at + 1 : at;
+  const bool finished = last + 1 == signs.size() || signs[last + 1].space;
+  const std::size_t glyph = signs[last].glyph;
+  return pen + Row().extent[glyph] + ClosingGap(glyph, finished) + Row().bulge <=
+         line_length_ + kSlack;
+}
+
+// Ends a running row behind the sign that was set last, with a guide to the next.
+void Layout::Wrap(const Sign& last) {
+  const bool finished = last.space;
+  const PlacedGlyph end = pages_.back().glyphs.back();
+  const double gap = ClosingGap(end.glyph, finished);
+  // What was added behind the last sign (its own gap, spaces) is not counted.
+  const glm::dvec2 origin = end.origin_P;
+  const double reached = RunsBack() ? page_.width - page_.margin - origin.x
+                                    : origin.x + Row().right[end.glyph] - page_.margin;
+  const double guide = reached + gap;  // from the row's start
+  const std::size_t glyph = RunsBack() ? guide_left_ : guide_right_;
+  PlacedGlyph placed = end;
+  placed.glyph = glyph;
+  placed.source_begin = placed.source_end;
+  placed.link = false;
+  placed.origin_P = {RunsBack() ? page_.width - page_.margin - guide : page_.margin + guide,
+                     origin.y};
+  if (glyph != Script::npos) pages_.back().glyphs.push_back(placed);
+  StartRow();
+  if (pages_.back().glyphs.empty()) {  // no line follows on that page
+    if (glyph != Script::npos) pages_[pages_.size() - 2].glyphs.pop_back();
+    return;
+  }
+  pen_ = line_length_ - guide + gap;
+}
+
+void Layout::AddRunning(const std::vector<Sign>& signs) {
+  const bool own_row = kind_ == LineKind::kHeading || kind_ != kind_before_;
+  if (own_row) run_row_ = next_row_;
+  if (pages_.empty() || own_row) StartRow();
+  if (!row_empty_) pen_ += paragraph_gap_;
+  paragraph_ended_ = false;
+  bool new_word = true;
+  const Sign* before = nullptr;
+  for (std::size_t at = 0; at < signs.size(); ++at) {
+    const Sign& sign = signs[at];
+    if (sign.space) {
+      if (!row_empty_) pen_ += Row().space;
+      new_word = true;
+    } else {
+      Sign end;
+      end.space = before == nullptr || before->space;
+      if (!row_empty_ && !FitsBeforeGuide(signs, at)) {
+        Wrap(end);
+        // A line too short to begin under its guide begins at the margin.
+        if (!Fits(signs, at, at + 1, pen_)) pen_ = 0;
+      }
+      if (new_word) ++words_;
+      new_word = false;
+      Place(signs, at);
+    }
+    before = &sign;
+  }
+}
+
+}  // namespace moontrace

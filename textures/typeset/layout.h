@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "textures/script/script.h"
+#include "textures/typeset/row_metrics.h"
+#include "textures/typeset/typeset.h"
+#include "textures/typeset/writer.h"
+
+namespace moontrace {
+
+/// Adds the guide lines of old Moon to a script, as the glyphs "guide-right" and "guide-left": arcs
+/// that lead from the middle of a line's end to the middle of the next, bulging by 0.3 of the line
+/// pitch. That they were flat parentheses is known, the proportion is ours. A second call replaces
+/// those of the first.
+void AddGuides(Script& script, const TypeStyle& style);
+
+/// Sets signs in lines, and lines on pages. Lengths along a line are counted from its start, so
+/// that only Place knows where lines run on the page.
+///
+/// Between rows of different sizes lies the larger of their gaps. A heading that nothing follows on
+/// its page goes to the next with what does, unless it begins the page. Rows of a quotation are
+/// indented by an em, where lines do not alternate.
+///
+/// Alternating lines follow old Moon: text runs on, a line of the text ends in a paragraph's space;
+/// a word is broken where the line ends, without a mark; a broken part stands close to the guide
+/// line, a finished word keeps its space; the next line begins under the guide's lower end. A
+/// heading and what follows it begin a row of their own, as if on a page's top.
+class Layout {
+ public:
+  /// Throws InputError when the page holds no line.
+  Layout(const Script& script, const TypeStyle& style, const PageSpec& page);
+
+  /// Sets one line of the text, wrapped into as many rows as it needs. Throws InputError when a
+  /// sign is wider than the page, or the page holds no row of a heading.
+  void AddLine(const std::vector<Sign>& signs, LineKind kind = LineKind::kPlain);
+  std::vector<TextPage> TakePages() { return std::move(pages_); }
+
+ private:
+  bool Alternates() const { return direction_ == LineDirection::kAlternate; }
+  bool RunsBack() const;
+  const RowMetrics& RowsOf(LineKind kind) const {
+    return kind == LineKind::kHeading ? heading_ : plain_;
+  }
+  const RowMetrics& Row() const { return RowsOf(kind_); }
+  double Across(std::size_t row) const;
+  void CheckRoom() const;
+  double Deviation() const;
+  void NextPage();
+  void StartRow();
+  void EndParagraph();
+  void Wrap(const Sign& last);
+  void AddRunning(const std::vector<Sign>& signs);
+  void AddWrapped(const std::vector<Sign>& signs);
+  std::size_t ChunkEnd(const std::vector<Sign>& signs, std::size_t at) const;
+  bool Fits(const std::vector<Sign>& signs, std::size_t at, std::size_t end, double pen) const;
+  bool FitsBeforeGuide(const std::vector<Sign>& signs, std::size_t at) const;
+  double ClosingGap(std::size_t glyph, bool finished) const;
+  void Place(const std::vector<Sign>& signs, std::size_t at);
+  void Put(const Sign& sign);
+  glm::dvec2 OriginOf(std::size_t glyph, double pen) const;
+
+  const Script& script_;
+  LineDirection direction_;
+  PageSpec page_;
+  RowMetrics plain_, heading_;
+  double line_length_ = 0, line_pitch_ = 0, room_ = 0;  // [m]
+  double paragraph_gap_ = 0;                            // [m]
+  bool empty_rows_ = true;                              // between paragraphs, in place of the gap
+  std::size_t guide_right_ = Script::npos, guide_left_ = Script::npos;
+
+  std::vector<TextPage> pages_;
+  std::size_t next_row_ = 0;      // on the last page
+  double gaps_ = 0;               // on the last page beyond rows of the text's pitch [m]
+  bool paragraph_ended_ = false;  // a blank line stands before the next
+  LineKind kind_ = LineKind::kPlain, kind_before_ = LineKind::kPlain;  // of this row, the last one
+  double indent_ = 0, pen_ = 0;                                        // from the row's start [m]
+  bool row_empty_ = true;
+  std::size_t words_ = 0;
+  std::size_t run_row_ = 0;  // the row at which alternating lines began to run
+
+  // Where the heading begins that ends the last page so far: its first glyph, row and gaps.
+  struct Heading {
+    std::size_t glyph = Script::npos, row = 0;
+    double gaps = 0;  // [m]
+  };
+  Heading last_heading_;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,247 @@
+#include "textures/typeset/letter_links.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace moontrace {
+
+namespace {
+
+constexpr int kRingRays = 12, kDotRays = 8;
+constexpr double kTurn = 6.283185307179586476925;
+constexpr double kLeastTurn = 0.6, kWidestTurn = 1.25;  // radius of the sharpest turn [w]
+constexpr double kReachTurn = 0.45;                     // of the room above and below a line
+constexpr double kRoomAside = 1;                        // beyond both letters along the line [em]
+constexpr double kOpenOwn = 2;      // own length of a link at a stroke's end [w]
+constexpr double kOpenLevel = 0.5;  // of it as deep as the letters [w]
+constexpr double kRingLevel = 2;    // until a tangent has parted from the ring's groove [w]
+
+double Mean(double a, double b) { return 0.5 * (a + b); }
+
+bool IsRing(const Stroke& stroke, double width) {
+  const Piece &first = stroke.pieces.front(), &last = stroke.pieces.back();
+  return glm::distance(EndOf(last), StartOf(first)) < 1e-2 * width &&
+         glm::dot(TangentAt(last, Length(last)), TangentAt(first, 0)) > 0.94;
+}
+
+}  // namespace
+
+LetterLinks::LetterLinks(const Script& script, const TypeStyle& style, LineKind kind)
+    : script_(script), style_(LineStyle(kind, style, script)), kind_(kind) {
+  half_ = style_.width / 2;
+  gap_ = style_.links.gap.value_or(style_.width / 4);
+  const double between = Mean(style_.line_pitch, -style_.size);
+  reach_ = std::max(between - half_ - gap_ / 2, 0.0);
+  if (style.rules.lines) reach_ = std::min(reach_, std::max(RuleGap(style) - gap_, 0.0));
+  // turns as wide as the space between lines lets them be
+  radius_ = std::clamp(kReachTurn * reach_, kLeastTurn * style_.width, kWidestTurn * style_.width);
+}
+
+const LinkedLetter& LetterLinks::LetterOf(std::size_t glyph) {
+  const auto [at, is_new] = letters_.try_emplace(glyph);
+  if (is_new) at->second = MakeLetter(script_.glyphs.at(glyph));
+  return at->second;
+}
+
+std::vector<Piece> LetterLinks::Between(std::size_t a, std::size_t b, glm::dvec2 offset,
+                                        const std::vector<LinkWall>& others,
+                                        const std::vector<Ray>& crossed,
+                                        std::optional<glm::dvec2> arrived, LinkShape& shape) {
+  const LinkedLetter &first = LetterOf(a), &second = LetterOf(b);
+  if (first.parts.empty() || second.parts.empty()) return {};
+  LinkEnds from = EndsOf(first.parts.back(), true, arrived ? arrived : first.reaches_last);
+  LinkEnds to = EndsOf(second.parts.front(), false, second.leaves_first);
+  for (Ray& ray : to.end.rays) ray.point += offset;
+  from.end.walls = first.walls;
+  for (const LinkWall& wall : second.walls) {
+    to.end.walls.push_back({Placed(wall.piece, 1, offset), wall.half});
+  }
+  shape.from_level = from.level;
+  shape.to_level = to.level;
+  return Find(from.end, to.end, first.box, Moved(second.box, offset), others, crossed, false);
+}
+
+bool LetterLinks::IsNear(const std::vector<Piece>& spine, std::size_t glyph, glm::dvec2 at) {
+  Box box;
+  for (const Piece& piece : spine) Include(box, BoundsOf(piece));
+  const LinkedLetter& letter = LetterOf(glyph);
+  if (letter.walls.empty() || !Overlap(Grown(box, 3 * half_ + gap_), Moved(letter.box, at))) {
+    return false;
+  }
+  for (const LinkWall& wall : WallsAt(glyph, at)) {
+    if (LeastGap(spine, half_, wall, 0, 0, gap_ / 4 + half_ / 8) < gap_) return true;
+  }
+  return false;
+}
+
+std::vector<LinkWall> LetterLinks::WallsAt(std::size_t glyph, glm::dvec2 at) {
+  std::vector<LinkWall> walls;
+  for (const LinkWall& wall : LetterOf(glyph).walls) {
+    walls.push_back({Placed(wall.piece, 1, at), wall.half});
+  }
+  return walls;
+}
+
+LinkEnds LetterLinks::EndsOf(const Stroke& stroke, bool leaving,
+                             std::optional<glm::dvec2> straight) const {
+  LinkEnds ends{{{}, {}, kOpenOwn * style_.width}, OpenLevel()};
+  if (stroke.kind == StrokeKind::kDot) {
+    const glm::dvec2 middle = CenterOf(stroke);
+    for (int i = 0; i < kDotRays; ++i) {
+      const double angle = kTurn * i / kDotRays;
+      const glm::dvec2 way(std::cos(angle), std::sin(angle));
+      if (!straight || glm::dot(way, *straight) > 0.49) ends.end.rays.push_back({middle, way});
+    }
+    ends.level += DotRadius(stroke);
+  } else if (IsRing(stroke, style_.width)) {
+    double length = 0;
+    for (const Piece& piece : stroke.pieces) length += Length(piece);
+    for (int i = 0; i < kRingRays; ++i)
+      ends.end.rays.push_back(RayAt(stroke, length * i / kRingRays));
+    ends.end.own = kRingLinkOwn * style_.width;
+    ends.level = kRingLevel * style_.width;
+  } else if (leaving) {
+    const Piece& last = stroke.pieces.back();
+    ends.end.rays = {{EndOf(last), TangentAt(last, Length(last))}};
+  } else {
+    ends.end.rays = {{StartOf(stroke.pieces.front()), TangentAt(stroke.pieces.front(), 0)}};
+  }
+  return ends;
+}
+
+Ray LetterLinks::RayAt(const Stroke& stroke, double s) {
+  for (const Piece& piece : stroke.pieces) {
+    const double length = Length(piece);
+    if (s < length) return {PointAt(piece, s), TangentAt(piece, s)};
+    s -= length;
+  }
+  return {StartOf(stroke.pieces.front()), TangentAt(stroke.pieces.front(), 0)};
+}
+
+glm::dvec2 LetterLinks::CenterOf(const Stroke& dot) {
+  Box box;
+  for (const Piece& piece : dot.pieces) Include(box, BoundsOf(piece));
+  return 0.5 * (box.min + box.max);
+}
+
+double LetterLinks::DotRadius(const Stroke& dot) const {
+  Box box;
+  for (const Piece& piece : dot.pieces) Include(box, BoundsOf(piece));
+  return std::max(0.5 * (box.max.x - box.min.x), half_);
+}
+
+std::vector<LinkWall> LetterLinks::WallsOf(const Stroke& stroke) const {
+  if (stroke.kind == StrokeKind::kDot) {
+    const glm::dvec2 middle = CenterOf(stroke);
+    return {{Line{middle, middle}, DotRadius(stroke)}};
+  }
+  std::vector<LinkWall> walls;
+  const double half = stroke.kind == StrokeKind::kStroke ? half_ : 0;
+  for (const Piece& piece : stroke.pieces) walls.push_back({piece, half});
+  return walls;
+}
+
+bool LetterLinks::Touch(const Stroke& a, const std::vector<LinkWall>& walls) const {
+  for (const LinkWall& own : WallsOf(a)) {
+    const double length = Length(own.piece);
+    const int count = 1 + static_cast<int>(length / (half_ / 2));
+    for (int i = 0; i <= count; ++i) {
+      const glm::dvec2 p = PointAt(own.piece, length * i / count);
+      for (const LinkWall& wall : walls) {
+        if (DistanceTo(wall.piece, p) < half_) return true;
+      }
+    }
+  }
+  return false;
+}
+
+LinkedLetter LetterLinks::MakeLetter(const Glyph& glyph) {
+  LinkedLetter letter;
+  for (const Stroke& stroke : glyph.strokes) {
+    if (stroke.pieces.empty()) continue;
+    Stroke placed{stroke.kind, {}};
+    for (const Piece& piece : stroke.pieces) {
+      if (Length(piece) > 0) placed.pieces.push_back(Placed(piece, style_.size, {0, 0}));
+    }
+    if (placed.pieces.empty()) continue;
+    for (const LinkWall& wall : WallsOf(placed)) {
+      letter.walls.push_back(wall);
+      Include(letter.box, BoundsOf(wall.piece));
+    }
+    if (stroke.kind != StrokeKind::kFill) letter.parts.push_back(std::move(placed));
+  }
+  std::vector<LinkWall> joined;
+  for (std::size_t i = 0; i < letter.parts.size(); ++i) {
+    const Stroke& part = letter.parts[i];
+    if (i > 0 && !Touch(part, joined)) AddInner(letter.parts[i - 1], part, letter);
+    for (const LinkWall& wall : WallsOf(part)) joined.push_back(wall);
+  }
+  return letter;
+}
+
+void LetterLinks::AddInner(const Stroke& a, const Stroke& b, LinkedLetter& letter) const {
+  const std::optional<glm::dvec2> arrived = letter.reaches_last;
+  letter.reaches_last.reset();
+  LinkEnds from = EndsOf(a, true, arrived), to = EndsOf(b, false, std::nullopt);
+  from.end.walls = letter.walls;
+  std::vector<Piece> spine = Find(from.end, to.end, letter.box, letter.box, {}, {}, true);
+  if (spine.empty()) {
+    ++letter.missing;
+    return;
+  }
+  for (const Piece& piece : spine) {
+    letter.walls.push_back({piece, half_});
+    Include(letter.box, BoundsOf(piece));
+  }
+  if (&a == &letter.parts.front()) letter.leaves_first = TangentAt(spine.front(), 0);
+  letter.reaches_last = TangentAt(spine.back(), Length(spine.back()));
+  letter.inner.push_back(std::move(spine));
+}
+
+std::vector<Ray> LetterLinks::Ways(const Box& a, const Box& b) const {
+  const double aside = 2 * half_ + 1.2 * gap_;
+  const auto along = [aside](double a0, double a1, double b0, double b1) {
+    std::vector<double> all = {std::min(a0, b0) - aside, Mean(a0, a1), Mean(b0, b1),
+                               std::max(a1, b1) + aside};
+    if (a1 < b0) all.push_back(Mean(a1, b0));
+    if (b1 < a0) all.push_back(Mean(b1, a0));
+    return all;
+  };
+  std::vector<double> ys = along(a.min.y, a.max.y, b.min.y, b.max.y);
+  // a second way below and above, farther out, beyond a link that runs there already
+  ys.push_back(std::min(a.min.y, b.min.y) - aside - 2 * half_ - gap_);
+  ys.push_back(std::max(a.max.y, b.max.y) + aside + 2 * half_ + gap_);
+  std::vector<Ray> ways;
+  for (const double x : along(a.min.x, a.max.x, b.min.x, b.max.x)) {
+    for (const double y : ys) {
+      for (const glm::dvec2 way :
+           {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
+        ways.push_back({{x, y}, way});
+      }
+    }
+  }
+  return ways;
+}
+
+std::vector<Piece> LetterLinks::Find(const LinkEnd& from, const LinkEnd& to, const Box& a,
+                                     const Box& b, const std::vector<LinkWall>& others,
+                                     const std::vector<Ray>& crossed, bool one_letter) const {
+  LinkTask task{from, to, one_letter, others, crossed, half_, gap_, radius_, {}, Ways(a, b)};
+  task.room = a;
+  Include(task.room, b);
+  const double em = style_.size, beyond = kRoomAside * em;
+  if (style_.lines == LineDirection::kVertical) {
+    const double middle = Mean(a.min.x, a.max.x);
+    task.room = {{middle - em / 2 - reach_, task.room.min.y - beyond},
+                 {middle + em / 2 + reach_, task.room.max.y + beyond}};
+  } else {
+    task.room = {{task.room.min.x - beyond, -reach_}, {task.room.max.x + beyond, em + reach_}};
+  }
+  return FindLink(task);
+}
+
+double LetterLinks::OpenLevel() const { return kOpenLevel * style_.width; }
+
+}  // namespace moontrace

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "textures/typeset/groove_links.h"
+#include "textures/typeset/link.h"
+
+namespace moontrace {
+
+/// A glyph made ready for linking, in its own frame [m].
+struct LinkedLetter {
+  std::vector<Stroke> parts;    ///< strokes and dots in writing order
+  std::vector<LinkWall> walls;  ///< with its inner links
+  Box box;                      ///< of the centre lines
+  std::vector<std::vector<Piece>> inner;
+  /// Directions of inner links where they leave the first part and reach the last; of dots only.
+  std::optional<glm::dvec2> leaves_first, reaches_last;
+  std::size_t missing = 0;
+};
+
+/// Own length of a link at a ring, which it leaves along a tangent [w].
+inline constexpr double kRingLinkOwn = 3.5;
+
+/// One end of a link and what it asks of it.
+struct LinkEnds {
+  LinkEnd end;
+  double level = 0;  ///< as deep as the letters from this end [m]
+};
+
+/// Finds links for the letters of lines of one kind: within a letter, and from one to the next.
+class LetterLinks {
+ public:
+  LetterLinks(const Script& script, const TypeStyle& style, LineKind kind);
+
+  LineKind kind() const { return kind_; }
+
+  /// Made once for each glyph. Throws std::out_of_range for one that the script has not.
+  const LinkedLetter& LetterOf(std::size_t glyph);
+
+  /// The centre line from a glyph's last stroke to the first of the next, which stands at `offset`;
+  /// empty if none keeps the gap to both and to `others`, or crosses `crossed` too flatly.
+  /// `arrived`: the direction by which the last link reached a letter that is one dot. Sets the
+  /// levels of `shape`.
+  std::vector<Piece> Between(std::size_t a, std::size_t b, glm::dvec2 offset,
+                             const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
+                             std::optional<glm::dvec2> arrived, LinkShape& shape);
+
+  /// Whether a glyph that stands at `at` is nearer to a link than the gap.
+  bool IsNear(const std::vector<Piece>& spine, std::size_t glyph, glm::dvec2 at);
+
+  /// What links keep away from, of a glyph at `at`.
+  std::vector<LinkWall> WallsAt(std::size_t glyph, glm::dvec2 at);
+
+  /// Length as deep as the letters at the end of a link from an open stroke [m].
+  double OpenLevel() const;
+  const TypeStyle& style() const { return style_; }  ///< of lines of this kind
+
+ private:
+  /// `straight`: the direction in which another link passes this end. A dot is left within 60
+  /// degrees of it, since a tip that turned back would find the groove that it came by.
+  LinkEnds EndsOf(const Stroke& stroke, bool leaving, std::optional<glm::dvec2> straight) const;
+
+  static Ray RayAt(const Stroke& stroke, double s);
+
+  static glm::dvec2 CenterOf(const Stroke& dot);
+  double DotRadius(const Stroke& dot) const;
+
+  std::vector<LinkWall> WallsOf(const Stroke& stroke) const;
+
+  /// Whether a tip gets from one to the other without a link: their grooves run into each other.
+  bool Touch(const Stroke& a, const std::vector<LinkWall>& walls) const;
+
+  LinkedLetter MakeLetter(const Glyph& glyph);
+
+  void AddInner(const Stroke& a, const Stroke& b, LinkedLetter& letter) const;
+
+  /// Places below, above, beside, between and in the letters, and four directions through each.
+  std::vector<Ray> Ways(const Box& a, const Box& b) const;
+
+  std::vector<Piece> Find(const LinkEnd& from, const LinkEnd& to, const Box& a, const Box& b,
+                          const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
+                          bool one_letter) const;
+
+  const Script& script_;
+  TypeStyle style_;
+  LineKind kind_;
+  double half_ = 0, gap_ = 0;  // [m]
+  double radius_ = 0;          // of the sharpest turn [m]
+  double reach_ = 0;           // above the top line and below the base line [m]
+  std::map<std::size_t, LinkedLetter> letters_;
+};
+
+}  // namespace moontrace

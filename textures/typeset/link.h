@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "textures/field/element.h"
+#include "textures/typeset/arc_line_arc.h"
+
+namespace moontrace {
+
+/// What a link keeps clear of: a stroke's centre line with half its groove's width (of an outline,
+/// zero).
+struct LinkWall {
+  Piece piece;
+  double half = 0;  ///< [m]
+};
+
+/// Where a link can begin or end: at an open stroke's end there is one ray; a ring is left and
+/// entered anywhere, in its direction of travel; a dot is left and entered in any direction.
+struct LinkEnd {
+  std::vector<Ray> rays;
+  std::vector<LinkWall> walls;  ///< of the letter that it belongs to
+  double own = 0;  ///< length of the link's first (last) part, near to its own letter [m]
+};
+
+/// Everything that decides a link, in one frame. Lengths in metres.
+struct LinkTask {
+  LinkEnd from, to;
+  bool one_letter = false;       ///< both ends are of one letter: `from`'s walls are its
+  std::vector<LinkWall> others;  ///< of further letters
+  std::vector<Ray> crossed;      ///< points of another link: it may be crossed, not run along
+  double half = 0;               ///< of the link's width [m]
+  double gap = 0;                ///< from rim to rim, at least [m]
+  double radius = 0;             ///< of the sharpest turn [m]
+  Box room;                      ///< that the link's centre line keeps to
+  std::vector<Ray> ways;         ///< it may pass through these: below, above, between the letters
+};
+
+/// The shortest way found from one of `from`'s rays to one of `to`'s, of lines and arcs without a
+/// corner, that stays `gap` clear of every wall, rim to rim, and of itself. Only walls that stand
+/// nearer than that to the point where it begins or ends are not counted, and only over the link's
+/// first or last `own` length: a stroke's end lies within its own groove. Nearer than its width to
+/// a point of `crossed` it stands at 40 degrees or more to that link, its first `own` length aside:
+/// a tip would else take the wrong one of two grooves that run into each other. Ways are chains of
+/// ArcLineArc with turns of one, two and four `radius`, direct or through some of `ways`, searched
+/// shortest first (Dijkstra, with the straight distance as bound). Empty where none is found; then
+/// there is no link. A pure function.
+std::vector<Piece> FindLink(const LinkTask& task);
+
+/// Least distance of a path from a wall, rim to rim, path points nearer than `skip_begin` to the
+/// path's start and `skip_end` to its end along the way left out; sampled every `step` [m].
+double LeastGap(const std::vector<Piece>& path, double half, const LinkWall& wall,
+                double skip_begin, double skip_end, double step);
+
+}  // namespace moontrace

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "textures/field/element.h"
+#include "textures/field/texture.h"
+#include "textures/script/script.h"
+
+namespace moontrace {
+
+struct TextPage;
+struct TypeStyle;
+
+/// Raised line rules and a raised margin (the paper, section 6: to deter wandering off text lines).
+/// Lengths of zero are a tenth of the letters' size, heights a quarter of the width.
+struct RuleStyle {
+  bool lines = false;        ///< a ridge on either side of each line of text
+  bool margin = false;       ///< a ridge round the text area
+  double width = 0;          ///< of a rule, rim to rim [m]
+  double height = 0;         ///< of a rule [m]
+  double margin_width = 0;   ///< of the margin's ridge [m]
+  double margin_height = 0;  ///< of the margin's ridge [m]
+};
+
+/// Cross-sections of a style's ridges: rounded by a fifth of their width.
+Profile RuleProfile(const TypeStyle& style);
+Profile MarginProfile(const TypeStyle& style);
+/// Least distance between the rim of a ridge and that of a stroke: a tenth of the size; with groove
+/// links, which need a way there, most of the space between lines [m].
+double RuleGap(const TypeStyle& style);
+
+/// Throws InputError when a width or height is not finite, below zero, or steeper than 5.
+void CheckRules(const TypeStyle& style);
+
+/// The sideways force that turns back a tip pressing on a ridge with `press` [N], without friction:
+/// press times the greatest slope. The potential law pushes with N (-grad h, 1), so that a tip at
+/// rest on the flank, N = press, needs press * h' along the page; see surface.h.
+double TurningForce(const Profile& ridge, double press);
+
+/// The middles of a page's ridges, in P.
+struct RaisedLines {
+  std::vector<Line> rules;
+  std::vector<Piece> margin;  ///< a rectangle with round corners, counter-clockwise
+};
+/// Rules stand beside the strokes of all lines of one size at one distance, as long as the text
+/// area, cut where a guide line passes. Throws InputError when the line pitch or the sheet's margin
+/// leaves no room.
+RaisedLines RaisedLinesOf(const TextPage& page, const Script& script, const TypeStyle& style);
+
+/// Adds them to the page's tree, as layers of ridges.
+void AddRules(const TextPage& page, const Script& script, const TypeStyle& style, Texture& texture);
+
+}  // namespace moontrace

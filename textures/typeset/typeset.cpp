@@ -1,0 +1,136 @@
+#include "textures/typeset/typeset.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <memory>
+
+#include "textures/base/error.h"
+#include "textures/typeset/fold.h"
+#include "textures/typeset/layout.h"
+#include "textures/typeset/writer.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::size_t kMostSigns = std::size_t{16} << 20;
+constexpr double kCustomMargin = 0.01;  // [m]
+constexpr double kLargestPage = 5;      // [m]; commands take less, a geom may be as large
+
+double Mm(double metres) { return metres * 1000; }
+
+bool ReadNumber(std::string_view text, double& value) {
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  return read.ec == std::errc() && read.ptr == text.data() + text.size();
+}
+
+// Written so that a NaN fails.
+void CheckSides(const PageSpec& page) {
+  if (!(std::min(page.width, page.height) > 0 &&
+        std::max(page.width, page.height) <= kLargestPage)) {
+    throw InputError(fmt::format("page {:.6g} x {:.6g} mm: give sides above 0, at most {:.0f} mm",
+                                 Mm(page.width), Mm(page.height), Mm(kLargestPage)));
+  }
+}
+
+void CheckPage(const PageSpec& page) {
+  CheckSides(page);
+  if (!(page.margin >= 0 && std::min(page.width, page.height) > 2 * page.margin)) {
+    throw InputError(
+        fmt::format("page {:.6g} x {:.6g} mm, margins {:.6g} mm: give sides above twice that, or "
+                    "smaller margins",
+                    Mm(page.width), Mm(page.height), Mm(page.margin)));
+  }
+}
+
+// Marks the signs of links and counts what a line is.
+void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& signs,
+                   StructureCounts& counts) {
+  for (Sign& sign : signs) {
+    const auto behind =
+        std::upper_bound(marks.links.begin(), marks.links.end(), sign.begin,
+                         [](std::uint32_t at, const ByteRange& link) { return at < link.begin; });
+    sign.link = behind != marks.links.begin() && sign.begin < std::prev(behind)->end;
+  }
+  counts.links += marks.links.size();
+  if (marks.kind == LineKind::kHeading) ++counts.headings;
+  if (marks.kind == LineKind::kQuotation && before != marks.kind) ++counts.quotations;
+}
+
+}  // namespace
+
+PageSpec FindPage(const std::string& name) {
+  if (name == "a4") return {"a4", 0.210, 0.297, 0.015};
+  if (name == "a5") return {"a5", 0.148, 0.210, 0.015};
+  if (name == "workspace") return {"workspace", 0.160, 0.120, 0.010};
+  const std::size_t times = name.find('x');
+  double width_mm = 0, height_mm = 0;
+  if (times == std::string::npos ||
+      !ReadNumber(std::string_view(name).substr(0, times), width_mm) ||
+      !ReadNumber(std::string_view(name).substr(times + 1), height_mm)) {
+    throw InputError(
+        fmt::format("unknown page '{}': choose a4, a5, workspace, or a size in mm "
+                    "like 120x90",
+                    Shown(name)));
+  }
+  PageSpec page{"custom", width_mm / 1000, height_mm / 1000, kCustomMargin};
+  CheckSides(page);
+  return page;
+}
+
+Typeset SetText(std::string_view text, const Script& script, const TypeStyle& style,
+                const PageSpec& page) {
+  CheckStyle(style, script);
+  CheckPage(page);
+  const Box sheet_P{{0, 0}, {page.width, page.height}};
+  CheckRules(style);
+  CheckSheetTexture(style, sheet_P);
+  const std::unique_ptr<Writer> writer = MakeWriter(script, style);
+  Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
+  Layout layout(script, style, page);
+
+  Typeset result;
+  result.style = style;
+  result.page = page;
+  std::vector<FoldedChar> line;
+  std::vector<Sign> signs;
+  std::size_t count = 0;
+  LineKind before = LineKind::kPlain;
+  for (std::size_t number = 1; folder.NextLine(line); ++number) {
+    signs.clear();
+    LineMarks marks;
+    if (style.structure.read) marks = TakeMarks(text, line);
+    writer->Write(text, number, line, signs, result);
+    TakeStructure(marks, before, signs, result.structure);
+    before = marks.kind;
+    count += signs.size();
+    if (count > kMostSigns) {
+      throw InputError(
+          fmt::format("the text makes more than {} million signs: split it", kMostSigns >> 20));
+    }
+    layout.AddLine(signs, marks.kind);
+  }
+  result.pages = layout.TakePages();
+  for (TextPage& one : result.pages) {
+    one.sheet_P = sheet_P;
+    one.text_area_P = Grown(sheet_P, -page.margin);
+  }
+  if (!result.pages.empty()) return result;
+  if (result.untaught_count > 0) {
+    const Replacement& first = result.untaught.front();
+    throw InputError(
+        fmt::format("nothing left to set: '{}' (line {}, column {}) and the rest are not taught",
+                    first.was, first.line, first.column));
+  }
+  if (result.missing_count == 0) {
+    throw InputError("the text is empty or blank: give at least one letter");
+  }
+  const Replacement& first = result.missing.front();
+  throw InputError(
+      fmt::format("nothing left to set: script {} has no sign for '{}' (line {}, column {})",
+                  script.name, first.was, first.line, first.column));
+}
+
+}  // namespace moontrace

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "textures/script/script.h"
+#include "textures/typeset/fold.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+
+/// One sign to set, or a space.
+struct Sign {
+  std::uint32_t glyph = 0;  ///< index into Script::glyphs; unused for a space
+  std::uint32_t begin = 0;  ///< bytes of the text that it stands for
+  std::uint32_t end = 0;
+  bool space = false;
+  bool break_after = false;  ///< a hyphen within a word: the line may end behind it
+  bool keep_next = false;    ///< a numeral sign: stays on the line of its first digit
+  bool link = false;         ///< of a link's words
+};
+
+/// Turns folded text into signs: by a script's own rules (signs.h) or by liblouis
+/// (braille_writer.h).
+class Writer {
+ public:
+  virtual ~Writer() = default;
+
+  /// Whether the character has a form as it is.
+  virtual bool Has(char32_t c) const = 0;
+
+  /// Appends the signs of one line of the text. `typeset` takes note of what was folded, is missing
+  /// or doubtful; `line_number` from 1.
+  virtual void Write(std::string_view text, std::size_t line_number,
+                     const std::vector<FoldedChar>& line, std::vector<Sign>& signs,
+                     Typeset& typeset) const = 0;
+};
+
+/// The writer that a script asks for. Keeps a reference to it. Throws InputError: an unknown grade,
+/// table or form of h, LackError: a Braille script without liblouis.
+std::unique_ptr<Writer> MakeWriter(const Script& script, const TypeStyle& style);
+
+/// Fails with InputError unless the script knows the grade.
+void CheckGrade(const Script& script, double grade);
+
+/// Notes what one character of the text became; keeps the first 1000 and counts all.
+void Note(std::vector<Replacement>& list, std::size_t& count, std::string_view text,
+          std::size_t line_number, const FoldedChar& c, std::string became);
+
+/// What the character at `at` in the line was written as; empty for one without a mark.
+std::string Became(const std::vector<FoldedChar>& line, std::size_t at);
+
+}  // namespace moontrace
