@@ -34,7 +34,13 @@ function(moontrace_room room)
     target_link_libraries(moontrace_${room} INTERFACE ${ARG_PUBLIC})
   endif()
   add_library(moontrace::${room} ALIAS moontrace_${room})
+  moontrace_allow(moontrace_${room} ${folder})
+endfunction()
+
+# moontrace_allow(<target> <folder>): notes what the sources of a folder may include.
+function(moontrace_allow target folder)
+  string(REGEX REPLACE "/$" "" folder ${folder})
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
   set_property(GLOBAL APPEND PROPERTY moontrace_rooms
-    "${room}|${folder}|$<TARGET_PROPERTY:moontrace_${room},INTERFACE_LINK_LIBRARIES>|$<TARGET_PROPERTY:moontrace_${room},LINK_LIBRARIES>")
+    "${target}|${folder}|$<TARGET_PROPERTY:${target},LINK_LIBRARIES>|$<TARGET_PROPERTY:${target},INTERFACE_LINK_LIBRARIES>")
 endfunction()

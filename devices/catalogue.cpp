@@ -18,6 +18,7 @@
 #include "devices/hid/raw_device.h"
 #include "devices/hid/wooden_haptics_device.h"
 #include "devices/plugin/plugin_device.h"
+#include "textures/base/resources.h"
 
 namespace moontrace {
 namespace {
@@ -196,5 +197,7 @@ std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::stri
   if (found == all.end()) RefuseName(request.name, all);
   return Open(*found, request);
 }
+
+std::string ProfilesFolder() { return ResourcePath("devices/profiles"); }
 
 }  // namespace moontrace

@@ -43,4 +43,7 @@ struct DeviceRequest {
 /// that are there, nearest first.
 std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::string& profiles);
 
+/// The folder of device profiles that comes with the program.
+std::string ProfilesFolder();
+
 }  // namespace moontrace

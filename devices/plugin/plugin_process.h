@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "devices/plugin/file_descriptor.h"
 #include "devices/plugin/wire/plugin_wire.h"
+#include "textures/base/file_descriptor.h"
 
 namespace moontrace {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "devices/plugin/file_descriptor.h"
+#include "textures/base/file_descriptor.h"
 
 namespace moontrace {
 

@@ -8,6 +8,7 @@
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

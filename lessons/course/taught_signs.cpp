@@ -5,6 +5,7 @@
 
 #include "textures/base/text_file.h"
 #include "textures/typeset/fold.h"
+#include "textures/typeset/make_writer.h"
 #include "textures/typeset/typeset.h"
 #include "textures/typeset/writer.h"
 

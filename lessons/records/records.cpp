@@ -15,7 +15,7 @@
 #include "lessons/records/trial_json.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
-#include "textures/base/utf8_check.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 

@@ -11,10 +11,9 @@
 
 #include "lessons/records/trial_fields.h"
 #include "textures/base/error.h"
-#include "textures/base/hidden_character.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
-#include "textures/base/utf8_check.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 

@@ -18,7 +18,7 @@ std::string Named(const Course& course, const std::vector<std::string>& items) {
   return Joined(names, ", ");
 }
 
-std::string DidYouMean(std::string_view nearest) {
+std::string PerhapsMeant(std::string_view nearest) {
   return nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
 }
 
@@ -56,7 +56,7 @@ std::string InOneLine(std::string_view text) {
 std::string NotACourseAction(std::string_view given, std::string_view nearest) {
   if (given.empty()) return "course: say what to do: check or show";
   return fmt::format("course: unknown action '{}'{}: give check or show", OneLine(given, 40),
-                     DidYouMean(nearest));
+                     PerhapsMeant(nearest));
 }
 
 std::string NoCourseNamed() {
@@ -68,7 +68,7 @@ std::string DeviceOnlyForCheck() { return "course show: --device is not for this
 std::string UnknownProfile(std::string_view given, std::string_view nearest) {
   return fmt::format(
       "--device: no profile '{}'{}", OneLine(given, 40),
-      nearest.empty() ? "; moontrace devices lists what there is" : DidYouMean(nearest));
+      nearest.empty() ? "; moontrace devices lists what there is" : PerhapsMeant(nearest));
 }
 
 std::string CourseSound(std::string_view name, std::size_t lessons, std::size_t items,

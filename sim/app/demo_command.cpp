@@ -14,6 +14,7 @@
 #include "sim/trial/trial.h"
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 

@@ -186,8 +186,6 @@ int Test(const std::string& name, const DevicesOptions& options, Console& consol
 
 }  // namespace
 
-std::string ProfilesFolder() { return ResourcePath("devices/profiles"); }
-
 void AddOptions(CLI::App& app, DevicesOptions& options) {
   AddWords(app, options.words, say::help::kDevicesWords);
   AddFlag(app, "--udev", options.udev, say::help::kUdev);

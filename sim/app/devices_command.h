@@ -16,7 +16,4 @@ struct DevicesOptions {
 void AddOptions(CLI::App& app, DevicesOptions& options);
 int Run(const DevicesOptions& options, Console& console);
 
-/// The folder of device profiles that comes with the program.
-std::string ProfilesFolder();
-
 }  // namespace moontrace

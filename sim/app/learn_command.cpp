@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "lessons/course/course.h"
-#include "sim/app/messages.h"
 #include "sim/audio/sound_messages.h"
 #include "sim/learn/learn_device.h"
 #include "sim/learn/learn_drive.h"
@@ -29,6 +28,7 @@
 #include "sim/session/loop_messages.h"
 #include "sim/session/view_messages.h"
 #include "sim/setup/help.h"
+#include "sim/setup/setup_messages.h"
 #include "textures/base/error.h"
 
 namespace moontrace {

@@ -2,35 +2,13 @@
 
 #include <fmt/core.h>
 
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/writing_messages.h"
 #include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 #include "textures/typeset/character_name.h"
 
 namespace moontrace::say {
-
-namespace {
-
-std::string_view Relief(const TypeStyle& style) {
-  return style.relief == Relief::kEngraved ? "groove" : "ridge";
-}
-
-std::string Quoted(std::string_view text) { return fmt::format("\"{}\"", OneLine(text)); }
-
-std::string DidYouMean(std::string_view nearest) {
-  return nearest.empty() ? std::string() : fmt::format("did you mean {}? ", nearest);
-}
-
-std::string Where(const Replacement& replacement) {
-  return fmt::format("line {}, character {}", replacement.line, replacement.column);
-}
-
-/// In words what cannot be seen or heard, else as it is.
-std::string Was(const Replacement& replacement) {
-  return replacement.name.empty() ? Quoted(replacement.was) : replacement.name;
-}
-
-}  // namespace
 
 std::string UnknownCommand(std::string_view given, std::string_view nearest) {
   return fmt::format("unknown command {}: {}\"moontrace --help\" lists the commands", Quoted(given),
@@ -54,57 +32,11 @@ std::string ValueMissing(std::string_view option) {
   return fmt::format("{} lacks its value: write it after the option", option);
 }
 
-std::string ValueEmpty(std::string_view option) {
-  return fmt::format("{} is empty: write its value", option);
-}
-
-std::string NotANumber(std::string_view option, std::string_view given) {
-  return fmt::format("{} is {}, which is no number: write one like 12 or 0.5", option,
-                     Quoted(given));
-}
-
-std::string NotAWholeNumber(std::string_view option, std::string_view given) {
-  return fmt::format("{} is {}: write a whole number from 0 up", option, Quoted(given));
-}
-
-std::string OutOfRange(std::string_view option, std::string_view given, double low, double high) {
-  return fmt::format("{} is {}: write a number from {} to {}", option, OneLine(given), Plain(low),
-                     Plain(high));
-}
-
-std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices) {
-  return fmt::format("{} is {}: choose {}", option, Quoted(given), choices);
-}
-
-std::string NotAPage(std::string_view given) {
-  return fmt::format("--page is {}: write a4, a5, workspace or width x height like 120x80",
-                     Quoted(given));
-}
-
-std::string NotAPicture(std::string_view option, std::string_view given) {
-  return fmt::format("{} needs an ending .svg, .png or .pdf: {}", option, OneLine(given, 200));
-}
-
 std::string NotAPng(std::string_view option, std::string_view given) {
   return fmt::format("{} needs an ending .png here: {}", option, OneLine(given, 200));
 }
 
-std::string NeedsOther(std::string_view option, std::string_view other) {
-  return fmt::format("{} needs {} beside it", option, other);
-}
-
-std::string NoText(std::string_view command) {
-  return fmt::format("no text: write moontrace {} \"some text\", or --file FILE, or - for input",
-                     command);
-}
-
-std::string TwoTexts() { return "two texts: give either a text or --file, not both"; }
-
 std::string NoFolder() { return "no folder: write moontrace replay FOLDER"; }
-
-std::string CannotReadInput() {
-  return "standard input: cannot be read or holds more than 16 MB; name a smaller file";
-}
 
 std::string CannotWriteOutput() {
   return "standard output: cannot be written; check its disk and whoever reads it";
@@ -120,20 +52,6 @@ std::string Version(std::string_view program, std::string_view mujoco) {
   return fmt::format("moontrace {}, MuJoCo {}", program, mujoco);
 }
 
-std::string StillWorking(double done) {
-  return fmt::format("Still working: {} percent done.", static_cast<int>(std::floor(100 * done)));
-}
-
-std::string TooLong(std::size_t letters, std::size_t limit) {
-  return fmt::format("the text has {} signs, a trace takes at most {}: give a shorter text",
-                     letters, limit);
-}
-
-std::string TooManyPictures(std::size_t pages, std::size_t limit) {
-  return fmt::format("--picture would write {} files, at most {}: give a shorter text", pages,
-                     limit);
-}
-
 std::string PageOutcome(const Typeset& set, std::size_t signs, std::size_t lines) {
   return fmt::format("{}, {}, {}.", Counted(set.pages.size(), "page", "pages"),
                      Counted(lines, "line", "lines"), Counted(signs, "sign", "signs"));
@@ -141,7 +59,7 @@ std::string PageOutcome(const Typeset& set, std::size_t signs, std::size_t lines
 
 std::string LetterShape(const TypeStyle& style) {
   return fmt::format("Letters: {} mm high, {} {} mm wide, {} mm {}.",
-                     Short(kMillimetres * style.size, 2), Relief(style),
+                     Short(kMillimetres * style.size, 2), ReliefWord(style),
                      Short(kMillimetres * style.width, 2), Short(kMillimetres * style.depth, 2),
                      style.relief == Relief::kEngraved ? "deep" : "high");
 }
@@ -162,32 +80,6 @@ std::string LinesLeftOut(std::size_t count) {
   return fmt::format("And {}; --json lists all.", Counted(count, "more line", "more lines"));
 }
 
-std::string Folded(const Replacement& replacement) {
-  if (replacement.became.empty()) {
-    return fmt::format("Left out: {}, {}.", Was(replacement), Where(replacement));
-  }
-  const std::string name = CharacterName(replacement.became);
-  return WrittenBy(replacement, Was(replacement), name.empty() ? Quoted(replacement.became) : name,
-                   Where(replacement));
-}
-
-std::string Missing(const Replacement& replacement) {
-  return fmt::format("Left out: {}, no sign for it, {}.", Was(replacement), Where(replacement));
-}
-
-std::string Untaught(const Replacement& replacement) {
-  return NotTaught(Was(replacement), Where(replacement));
-}
-
-std::string Doubtful(const Replacement& replacement) {
-  return fmt::format("Doubtful: {} directly after a number reads as {}, {}.", Was(replacement),
-                     replacement.became, Where(replacement));
-}
-
-std::string MoreReplacements(std::size_t count) {
-  return fmt::format("And {} more of this kind; --json lists the first 1000.", count);
-}
-
 std::string PictureIn() { return "Picture:"; }
 std::string RecordIn() { return "Record:"; }
 
@@ -198,7 +90,7 @@ std::string TraceOutcome(const TrialResult& all, std::size_t letters, bool blank
 
 std::string MeanError(const TraceMetrics& total, const TypeStyle& style) {
   return fmt::format("Mean error: {} mm; the {} is {} mm wide.",
-                     Short(kMillimetres * total.mean_error, 3), Relief(style),
+                     Short(kMillimetres * total.mean_error, 3), ReliefWord(style),
                      Short(kMillimetres * style.width, 2));
 }
 
@@ -207,7 +99,7 @@ std::string WorstError(const TraceMetrics& total) {
 }
 
 std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style) {
-  return fmt::format("Left the {}: {}.", Relief(style), Times(total.excursions));
+  return fmt::format("Left the {}: {}.", ReliefWord(style), Times(total.excursions));
 }
 
 std::string Force(const TraceMetrics& total) {
@@ -263,38 +155,6 @@ std::string Faults(const TrialResult& all) {
       all.faults, all.ticks);
 }
 
-std::string PagePictureTitle(std::string_view script, std::size_t page, std::size_t pages) {
-  if (pages == 1) return fmt::format("A page in {}", script);
-  return fmt::format("Page {} of {} in {}", page + 1, pages, script);
-}
-
-std::string PagePictureWords(std::size_t signs, std::size_t lines, const TypeStyle& style) {
-  return fmt::format("{} in {}, {} mm high, {} {} mm wide.", Counted(signs, "sign", "signs"),
-                     Counted(lines, "line", "lines"), Short(kMillimetres * style.size, 2),
-                     Relief(style), Short(kMillimetres * style.width, 2));
-}
-
-std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank) {
-  return fmt::format("{} traced, letters {} mm high{}", script, Short(kMillimetres * style.size, 2),
-                     blank ? ", on a blank page" : "");
-}
-
-std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
-  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(text));
-  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(text),
-                     Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
-                     Times(total.excursions));
-}
-
-std::string TracePictureLegend(const TypeStyle& style, bool blank, bool rings) {
-  const std::string_view relief = Relief(style);
-  const std::string ground = blank ? fmt::format("Dashed grey: where each {} would be.", relief)
-                                   : fmt::format("Grey band: the {}, {} mm wide.", relief,
-                                                 Short(kMillimetres * style.width, 2));
-  return fmt::format("{} Blue line: the tip of the stylus.{}", ground,
-                     rings ? " Orange rings: where it left." : "");
-}
-
 std::string NoPoint() { return "no point: write moontrace probe X Y Z TEXT, X Y Z in mm"; }
 
 std::string ProbeOutcome(double depth, double force) {
@@ -342,11 +202,6 @@ std::string OtherField(std::string_view folder) {
   return fmt::format(
       "{}: the page built again is not the one recorded; restore the script's files of then",
       folder);
-}
-
-std::string BadParameters(std::string_view folder, std::string_view cause) {
-  return fmt::format("{}/trial.json: parameters cannot be used ({}); record the trial again",
-                     folder, OneLine(cause));
 }
 
 std::string BenchBegins() { return "Measuring: this takes about a quarter of a minute."; }

@@ -21,27 +21,13 @@ std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest);
 std::string SpareArgument(std::string_view given, std::string_view command);
 std::string ValueMissing(std::string_view option);
-std::string ValueEmpty(std::string_view option);
-std::string NotANumber(std::string_view option, std::string_view given);
-std::string NotAWholeNumber(std::string_view option, std::string_view given);
-std::string OutOfRange(std::string_view option, std::string_view given, double low, double high);
-std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices);
-std::string NotAPage(std::string_view given);
-std::string NotAPicture(std::string_view option, std::string_view given);
 std::string NotAPng(std::string_view option, std::string_view given);
-std::string NeedsOther(std::string_view option, std::string_view other);
-std::string NoText(std::string_view command);
-std::string TwoTexts();
 std::string NoFolder();
-std::string CannotReadInput();
 std::string CannotWriteOutput();
 std::string Stopped();
 std::string Failed(std::string_view cause);
 std::string NoMemory();
 std::string Version(std::string_view program, std::string_view mujoco);
-std::string StillWorking(double done);
-std::string TooLong(std::size_t letters, std::size_t limit);
-std::string TooManyPictures(std::size_t pages, std::size_t limit);
 
 // What a page holds.
 std::string PageOutcome(const Typeset& set, std::size_t signs, std::size_t lines);
@@ -49,11 +35,6 @@ std::string LetterShape(const TypeStyle& style);
 std::string Paper(const PageSpec& page);
 std::string PageLine(std::size_t page, std::size_t pages, std::size_t line, std::string_view signs);
 std::string LinesLeftOut(std::size_t count);
-std::string Folded(const Replacement& replacement);
-std::string Missing(const Replacement& replacement);
-std::string Untaught(const Replacement& replacement);
-std::string Doubtful(const Replacement& replacement);
-std::string MoreReplacements(std::size_t count);
 std::string PictureIn();
 std::string RecordIn();
 
@@ -77,14 +58,6 @@ std::string BenchBegins();
 std::string BenchLine(const BenchRow& row);
 std::string BenchOutcome(std::size_t bars, std::size_t missed);
 
-// In pictures: title, description and legend.
-std::string PagePictureTitle(std::string_view script, std::size_t page, std::size_t pages);
-std::string PagePictureWords(std::size_t signs, std::size_t lines, const TypeStyle& style);
-std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank);
-std::string TracePictureWords(std::string_view text, const TraceMetrics& total);
-/// `rings`: there are some.
-std::string TracePictureLegend(const TypeStyle& style, bool blank, bool rings);
-
 // A probe.
 std::string NoPoint();
 std::string ProbeOutcome(double depth, double force);
@@ -97,7 +70,6 @@ std::string ReplayDiffers(std::size_t tick, std::size_t ticks, std::string_view 
 std::string NamedValue(std::string_view name, std::string_view value);
 std::string Altered(std::string_view altered, const ReplayResult& replay);
 std::string OtherField(std::string_view folder);
-std::string BadParameters(std::string_view folder, std::string_view cause);
 
 // The demo.
 std::string DemoWelcome(std::string_view word);

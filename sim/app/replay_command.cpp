@@ -7,12 +7,14 @@
 #include "sim/session/view_messages.h"
 #include "sim/session/view_trial.h"
 #include "sim/setup/help.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/trial_parameters.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/record.h"
 #include "sim/trial/trial.h"
 #include "textures/base/error.h"
 #include "textures/script/fallback.h"
+#include "textures/script/script_library.h"
 #include "textures/typeset/layout.h"
 
 namespace moontrace {
@@ -28,7 +30,8 @@ struct Rebuilt {
 Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder, bool view) {
   const bool alone = parameters.fallback_script.empty();
   Script script = FindScript(parameters.script, alone ? parameters.text : "");
-  if (!parameters.fallback_script.empty()) Borrow(script, parameters.fallback_script);
+  if (!parameters.fallback_script.empty())
+    Borrow(script, FindScript(parameters.fallback_script), parameters.fallback_script);
   script = Reshaped(script, parameters.style.form);
   if (parameters.style.lines == LineDirection::kAlternate) AddGuides(script, parameters.style);
   const Typeset set = SetText(parameters.text, script, parameters.style, parameters.paper);

@@ -163,18 +163,6 @@ std::string TableRow(std::size_t row, std::string_view names) {
   return fmt::format("Row {}: {}", row + 1, names);
 }
 
-std::string TableTitle(const Script& script) {
-  return fmt::format("The signs of {}", OneLine(script.title, 60));
-}
-
-std::string TableWords(const Script& script, std::size_t shown) {
-  return fmt::format(
-      "{} of {}, in rows of eight, each with its name below. A ring marks where a stroke starts. "
-      "By {}; licence {}.",
-      Counted(shown, "sign", "signs"), OneLine(script.title, 60), OneLine(script.author, 120),
-      OneLine(script.licence, 80));
-}
-
 std::string NotAnSvgPath(std::string_view path) {
   return fmt::format("--to is '{}'; give a path that ends in .svg", OneLine(path, 60));
 }

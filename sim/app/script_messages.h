@@ -7,7 +7,7 @@
 #include "textures/script/script.h"
 #include "textures/script/script_check.h"
 
-/// The sentences of `moontrace script` and of its pictures.
+/// The sentences of `moontrace script`.
 namespace moontrace::say {
 
 std::string NotAScriptAction(std::string_view given);
@@ -29,8 +29,6 @@ std::string MoreFindings(std::size_t count);
 std::string Converted(std::size_t glyphs, std::size_t joined);
 std::string TableOutcome(std::size_t shown, std::size_t glyphs);
 std::string TableRow(std::size_t row, std::string_view names);
-std::string TableTitle(const Script& script);
-std::string TableWords(const Script& script, std::size_t shown);
 std::string NotAnSvgPath(std::string_view path);
 
 namespace help {

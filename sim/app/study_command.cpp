@@ -22,6 +22,7 @@
 #include "textures/base/output_file.h"
 #include "textures/base/resources.h"
 #include "textures/script/script.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 

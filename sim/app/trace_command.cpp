@@ -16,6 +16,7 @@
 #include "sim/session/view_messages.h"
 #include "sim/session/view_trial.h"
 #include "sim/setup/help.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/text_setup.h"
 #include "sim/setup/text_trial.h"
 #include "sim/setup/trial_parameters.h"

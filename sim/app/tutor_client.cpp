@@ -31,7 +31,7 @@ constexpr int kAtOnce = 20;                                 // lines read before
 constexpr int kPatience = 50;                               // [ms] until Ctrl-C is looked for
 constexpr std::chrono::seconds kLastAnswer{5};
 
-OwnedFd Connected(const std::string& learner_given) {
+FileDescriptor Connected(const std::string& learner_given) {
   const std::string folder = TutorFolder();
   std::string learner = learner_given;
   if (learner.empty()) {
@@ -41,13 +41,12 @@ OwnedFd Connected(const std::string& learner_given) {
     learner = live.front();
   }
   const std::string path = folder + "/" + TutorSocketName(learner);
-  OwnedFd fd = ConnectTo(path);
+  FileDescriptor fd = ConnectTo(path);
   const int error = errno;
-  if (!fd.valid() && (error == ENOENT || error == ECONNREFUSED)) {
+  if (!fd && (error == ENOENT || error == ECONNREFUSED)) {
     throw LackError(say::NoLessonRuns(learner));
   }
-  if (!fd.valid())
-    throw LackError(say::LessonRefused(path, std::generic_category().message(error)));
+  if (!fd) throw LackError(say::LessonRefused(path, std::generic_category().message(error)));
   if (!PeerIsOwner(fd.get())) throw LackError(say::LessonRefused(path, "it is another user's"));
   return fd;
 }
@@ -55,7 +54,7 @@ OwnedFd Connected(const std::string& learner_given) {
 /// A conversation with a lesson.
 class Talk {
  public:
-  Talk(OwnedFd fd, bool json, Console& console)
+  Talk(FileDescriptor fd, bool json, Console& console)
       : fd_(std::move(fd)), json_(json), console_(console), lines_(console.in()) {}
 
   void Run() {
@@ -130,7 +129,7 @@ class Talk {
     console_.Result(line);
   }
 
-  OwnedFd fd_;
+  FileDescriptor fd_;
   bool json_;
   Console& console_;
   LineReader lines_;

@@ -54,7 +54,7 @@ bool Ssip::Fail(Fault fault) {
 
 bool Ssip::Connect(const std::string& path) {
   fd_ = ConnectTo(path);
-  return fd_.valid() || Fail(Fault::kNotThere);
+  return fd_ || Fail(Fault::kNotThere);
 }
 
 bool Ssip::Greet(const SpeechOptions& options) {
@@ -102,7 +102,7 @@ bool Ssip::Cancel() {
 }
 
 void Ssip::Leave() {
-  if (fd_.valid()) Send("QUIT\r\n");
+  if (fd_) Send("QUIT\r\n");
 }
 
 bool Ssip::Do(const std::string& command) { return Send(command + "\r\n") && Answered(); }
@@ -122,7 +122,7 @@ bool Ssip::SendText(std::string_view text) { return Send(SsipText(text)) && Answ
 bool Ssip::Send(std::string_view bytes) {
   const Clock::time_point until = Clock::now() + kPatience;
   while (!bytes.empty()) {
-    if (!fd_.valid()) return Fail(Fault::kGone);
+    if (!fd_) return Fail(Fault::kGone);
     const ssize_t sent = send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent > 0) bytes.remove_prefix(static_cast<std::size_t>(sent));
     if (sent > 0 || (sent < 0 && errno == EINTR)) continue;
@@ -154,7 +154,7 @@ bool Ssip::Answered() {
 
 /// Bytes from the service; false if none came until then, or none will.
 bool Ssip::Fetch(Clock::time_point& until) {
-  while (fd_.valid()) {
+  while (fd_) {
     pollfd polled{fd_.get(), POLLIN, 0};
     if (hurry_()) until = std::min(until, Clock::now() + kHurriedPatience);
     const bool waits = Clock::now() < until;

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "sim/audio/speech.h"
-#include "sim/tutor/tutor_socket.h"
 #include "sim/wording/line_buffer.h"
+#include "textures/base/file_descriptor.h"
 
 namespace moontrace {
 
@@ -54,7 +54,7 @@ class Ssip {
   bool Fail(Fault fault);
 
   Hurry hurry_;
-  OwnedFd fd_;
+  FileDescriptor fd_;
   LineBuffer in_{4000};
   Fault fault_ = Fault::kNone;
   std::string refusal_;

@@ -5,6 +5,9 @@
 #include <random>
 #include <string>
 
+#include "textures/script/script_library.h"
+#include "textures/typeset/glyph_group.h"
+
 namespace moontrace {
 
 namespace {

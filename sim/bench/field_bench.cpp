@@ -3,6 +3,7 @@
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
+#include "textures/typeset/glyph_group.h"
 
 namespace moontrace {
 

@@ -12,7 +12,6 @@
 #include "sim/scene/mujoco_compat.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_push.h"
-#include "sim/setup/guide_options.h"
 #include "sim/trial/plan.h"
 #include "sim/trial/trial.h"
 
@@ -147,7 +146,7 @@ void AddTick(const BenchPage& page, const TextureField& field, BenchRows& rows) 
   const std::vector<IntendedStroke> strokes = IntendedStrokes(sheet, page.script, page.style);
   const Plan plan = MakeOraclePlan(strokes, PlanOptions{}, scene.X_WP());
   const auto stylus = MakeSimulatedStylus(hand, plan.path_W, 1e-3, 1);
-  ScenePush push(PlanOf(GuidanceOf({GuidanceMode::kBead, 6}), strokes), 1e-3);
+  ScenePush push(PlanOf(GuidanceAt(GuidanceMode::kBead, 6), strokes), 1e-3);
   Safety safety(stylus->Limits(), 1e-3);
   const auto ticks = static_cast<std::size_t>(std::min(plan.duration * 1e3, 100000.0));
   std::vector<double> times;

@@ -3,7 +3,6 @@
 #include <glm/glm.hpp>
 
 #include "devices/catalogue.h"
-#include "sim/app/devices_command.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
 

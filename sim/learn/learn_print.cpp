@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/messages.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/picture/moon_marks.h"
 #include "sim/picture/picture_file.h"
+#include "sim/picture/picture_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 

@@ -11,6 +11,7 @@
 #include "lessons/guide/guidance_table.h"
 #include "sim/learner/simulated_learner.h"
 #include "sim/trial/trial.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

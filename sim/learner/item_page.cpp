@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "textures/typeset/glyph_group.h"
+
 namespace moontrace {
 namespace {
 

@@ -10,6 +10,7 @@
 #include "sim/learner/size_threshold.h"
 #include "sim/trial/trial.h"
 #include "textures/base/error.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -5,15 +5,16 @@
 #include <string>
 #include <utility>
 
-#include "sim/app/messages.h"
 #include "sim/picture/link_marks.h"
 #include "sim/picture/moon_marks.h"
+#include "sim/picture/picture_messages.h"
 #include "sim/picture/print_marks.h"
 #include "sim/picture/sheet_marks.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/sheet_messages.h"
 #include "sim/setup/structure_messages.h"
 #include "textures/typeset/structure_patches.h"
+#include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 

@@ -5,6 +5,8 @@
 
 #include "sim/picture/cairo_writer.h"
 #include "sim/picture/svg_writer.h"
+#include "sim/setup/options.h"
+#include "sim/setup/setup_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
 #include "textures/base/text_file.h"
@@ -62,6 +64,17 @@ std::string PicturePath(const std::string& path, std::size_t page, std::size_t p
   const std::string name =
       whole.stem().string() + "-" + std::to_string(page + 1) + whole.extension().string();
   return (whole.parent_path() / name).string();
+}
+
+void AddPicture(CLI::App& app, std::string& path, const std::string& description) {
+  AddValue(
+      app, "--picture", "FILE",
+      [&path](const std::string& given) {
+        if (given.empty()) throw UsageError(say::ValueEmpty("--picture"));
+        if (!HasPictureEnding(given)) throw UsageError(say::NotAPicture("--picture", given));
+        path = given;
+      },
+      description);
 }
 
 }  // namespace moontrace

@@ -5,6 +5,7 @@
 
 #include "sim/picture/drawing.h"
 #include "sim/picture/raster.h"
+#include "sim/setup/cli_app.h"
 
 namespace moontrace {
 
@@ -26,5 +27,8 @@ void WritePicture(const std::string& path, const Raster& raster);
 /// The picture's path for page `page` (from 0) of `pages`: F.svg as it is for a single page, else
 /// F-1.svg, F-2.svg ...
 std::string PicturePath(const std::string& path, std::size_t page, std::size_t pages);
+
+/// `--picture`; a path without an ending of pictures is a UsageError.
+void AddPicture(CLI::App& app, std::string& path, const std::string& description);
 
 }  // namespace moontrace

@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "sim/app/script_messages.h"
+#include "sim/picture/picture_messages.h"
 #include "sim/picture/moon_marks.h"
+#include "sim/picture/picture_messages.h"
 #include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/typeset.h"
 

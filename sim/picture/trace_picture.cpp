@@ -7,9 +7,9 @@
 #include <utility>
 #include <variant>
 
-#include "sim/app/messages.h"
 #include "sim/picture/link_marks.h"
 #include "sim/picture/moon_marks.h"
+#include "sim/picture/picture_messages.h"
 #include "sim/picture/sheet_marks.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/sheet_messages.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "textures/typeset/link_style.h"
+#include "textures/typeset/style.h"
 
 namespace moontrace {
 

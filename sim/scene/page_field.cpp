@@ -1,5 +1,7 @@
 #include "sim/scene/page_field.h"
 
+#include "textures/typeset/glyph_group.h"
+
 namespace moontrace {
 
 TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "sim/app/messages.h"
 #include "sim/setup/guide_messages.h"
 #include "sim/setup/options.h"
+#include "sim/setup/setup_messages.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -27,16 +27,9 @@ void AddOptions(CLI::App& app, GuideOptions& options) {
 
 TrialGuidance GuidanceOf(const GuideOptions& options) {
   if (options.help && !options.mode) throw UsageError(say::NeedsOther("--help-level", "--guide"));
-  TrialGuidance guidance;
-  guidance.mode = options.mode.value_or(GuidanceMode::kOff);
-  if (guidance.mode == GuidanceMode::kOff) return guidance;
-  guidance.help = options.help.value_or(kUsualHelp);
-  guidance.gains = GuidanceTable::Shipped().GainsOf(guidance.mode, guidance.help);
-  return guidance;
-}
-
-GuidancePlan PlanOf(const TrialGuidance& guidance, const std::vector<IntendedStroke>& strokes) {
-  return {guidance.mode, guidance.gains, MakeGuidancePath(strokes)};
+  const GuidanceMode mode = options.mode.value_or(GuidanceMode::kOff);
+  if (mode == GuidanceMode::kOff) return {};
+  return GuidanceAt(mode, options.help.value_or(kUsualHelp));
 }
 
 }  // namespace moontrace

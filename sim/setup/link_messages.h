@@ -5,7 +5,7 @@
 #include <string>
 
 #include "textures/typeset/groove_links.h"
-#include "textures/typeset/link_style.h"
+#include "textures/typeset/style.h"
 
 /// Sentences about groove links and about tracing without lifting.
 namespace moontrace::say {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "sim/app/messages.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/options.h"
+#include "sim/setup/setup_messages.h"
 #include "textures/base/error.h"
 
 namespace moontrace {

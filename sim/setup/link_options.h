@@ -4,7 +4,7 @@
 
 #include "sim/scene/label.h"
 #include "sim/setup/cli_app.h"
-#include "textures/typeset/link_style.h"
+#include "textures/typeset/style.h"
 
 namespace moontrace {
 

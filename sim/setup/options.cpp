@@ -8,16 +8,16 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/app/messages.h"
-#include "sim/picture/picture_file.h"
 #include "sim/setup/help.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/structure_messages.h"
 #include "sim/setup/writing_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/text_pipe.h"
-#include "textures/base/utf8_check.h"
+#include "textures/base/utf8.h"
 #include "textures/script/fallback.h"
+#include "textures/script/script_library.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/taught.h"
 
@@ -160,17 +160,6 @@ void AddPath(CLI::App& app, const std::string& name, const std::string& type, st
       description);
 }
 
-void AddPicture(CLI::App& app, std::string& path, const std::string& description) {
-  AddValue(
-      app, "--picture", "FILE",
-      [&path](const std::string& given) {
-        if (given.empty()) throw UsageError(say::ValueEmpty("--picture"));
-        if (!HasPictureEnding(given)) throw UsageError(say::NotAPicture("--picture", given));
-        path = given;
-      },
-      description);
-}
-
 void AddOptions(CLI::App& app, OutputOptions& options) {
   AddFlag(app, "--json", options.json, help::kJson);
   AddFlag(app, "--quiet", options.quiet, help::kQuiet);
@@ -290,7 +279,8 @@ Script ScriptOf(const StyleOptions& options, const Label* label, std::string_vie
       options.script || label == nullptr ? options.script : label->script;
   // One to fall back on may write what this one lacks, so then it is read whole.
   Script script = FindScript(named.value_or("moon"), options.fallback_script ? "" : text);
-  if (options.fallback_script) Borrow(script, *options.fallback_script);
+  if (options.fallback_script)
+    Borrow(script, FindScript(*options.fallback_script), *options.fallback_script);
   return script;
 }
 

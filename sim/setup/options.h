@@ -95,9 +95,6 @@ void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all = nullptr);
 void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
              const std::string& description);
 
-/// `--picture`; a path without an ending of pictures is a UsageError.
-void AddPicture(CLI::App& app, std::string& path, const std::string& description);
-
 /// Reads a finite number from `low` to `high`. Throws UsageError.
 double ReadNumber(const std::string& option, const std::string& given, double low, double high);
 

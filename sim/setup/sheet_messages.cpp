@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/wording/words.h"
+#include "textures/typeset/rules.h"
 
 namespace moontrace::say {
 

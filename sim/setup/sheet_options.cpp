@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "sim/app/messages.h"
 #include "sim/scene/label.h"
 #include "sim/setup/options.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/sheet_messages.h"
 #include "textures/typeset/sheet_texture.h"
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "sim/app/messages.h"
 #include "sim/scene/scene.h"
 #include "sim/setup/model_messages.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"

@@ -4,10 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "sim/app/messages.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
 #include "textures/script/script_library.h"
+#include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 

@@ -5,8 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/app/messages.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/sheet_messages.h"
+#include "textures/typeset/rules.h"
 
 namespace moontrace {
 

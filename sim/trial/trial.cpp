@@ -169,6 +169,18 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
 
 HandModel ShippedHand() { return LoadHand(ResourcePath("devices/hand.toml")); }
 
+TrialGuidance GuidanceAt(GuidanceMode mode, double help) {
+  TrialGuidance guidance;
+  guidance.mode = mode;
+  guidance.help = help;
+  guidance.gains = GuidanceTable::Shipped().GainsOf(mode, help);
+  return guidance;
+}
+
+GuidancePlan PlanOf(const TrialGuidance& guidance, const std::vector<IntendedStroke>& strokes) {
+  return {guidance.mode, guidance.gains, MakeGuidancePath(strokes)};
+}
+
 TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   const TextureField field = PageField(*setup.page, *setup.script, setup.style, setup.blank);
   Scene scene = Scene::Load(setup.model_path, setup.scene);

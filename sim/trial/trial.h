@@ -12,11 +12,11 @@
 
 #include "devices/core/device.h"
 #include "devices/hand/hand.h"
+#include "lessons/guide/guidance.h"
 #include "lessons/measure/scoring.h"
 #include "sim/scene/page_field.h"
 #include "sim/scene/scene_options.h"
 #include "sim/scene/tick_watch.h"
-#include "sim/setup/guide_options.h"
 #include "sim/trial/plan.h"
 #include "sim/wording/console.h"
 #include "textures/field/field.h"
@@ -24,6 +24,21 @@
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
+
+/// A push as a trial is told of it: what people asked for, and what it comes to. With `mode` off or
+/// help 0 there is none.
+struct TrialGuidance {
+  GuidanceMode mode = GuidanceMode::kOff;
+  double help = 0;      ///< 0-10, for people and records
+  GuidanceGains gains;  ///< that decide
+  bool on() const { return mode != GuidanceMode::kOff && help > 0; }
+};
+
+/// A push of that kind and strength, from the shipped table.
+TrialGuidance GuidanceAt(GuidanceMode mode, double help);
+
+/// Along the strokes of a page, in writing order.
+GuidancePlan PlanOf(const TrialGuidance& guidance, const std::vector<IntendedStroke>& strokes);
 
 /// Everything that decides one simulated trial: one page, traced once. Same setup, same bytes.
 struct TrialSetup {

@@ -42,7 +42,7 @@ enum class Part { kStay, kLeft, kDropped };
 
 struct TutorServer::State {
   struct Tutor {
-    OwnedFd fd;
+    FileDescriptor fd;
     std::size_t number = 0;
     LineBuffer in{kLongestLine};
     std::string out;
@@ -61,8 +61,7 @@ struct TutorServer::State {
         socket((RequireTutorFolder(folder), folder + "/" + TutorSocketName(learner))),
         wake(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
         greeting(greeting_in) {
-    if (!wake.valid())
-      throw LackError(say::CannotOpenSocket(socket.path(), "no descriptor is left"));
+    if (!wake) throw LackError(say::CannotOpenSocket(socket.path(), "no descriptor is left"));
   }
 
   void Wake() const {
@@ -95,7 +94,7 @@ struct TutorServer::State {
 
   std::string folder;
   TutorSocket socket;
-  OwnedFd wake;
+  FileDescriptor wake;
   std::string greeting;
 
   mutable std::mutex mutex;  ///< never held while anything can wait
@@ -175,8 +174,8 @@ void TutorServer::State::TakeLetters() {
 }
 
 void TutorServer::State::LetIn() {
-  OwnedFd fd(accept4(socket.fd(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
-  if (!fd.valid()) {
+  FileDescriptor fd(accept4(socket.fd(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+  if (!fd) {
     resting = errno != EAGAIN && errno != EINTR && errno != ECONNABORTED;
     return;
   }
@@ -231,7 +230,7 @@ void TutorServer::State::Deliver(Tutor& tutor) {
 }
 
 Part TutorServer::State::Send(Tutor& tutor) const {
-  if (!tutor.fd.valid()) return tutor.in.empty() ? Part::kLeft : Part::kStay;
+  if (!tutor.fd) return tutor.in.empty() ? Part::kLeft : Part::kStay;
   while (!tutor.out.empty()) {
     const ssize_t sent = send(tutor.fd.get(), tutor.out.data(), tutor.out.size(), MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;

@@ -33,17 +33,6 @@ std::string Cause(int error) { return std::generic_category().message(error); }
   throw LackError(say::CannotOpenSocket(path, Cause(error)));
 }
 
-bool AddressOf(const std::string& path, sockaddr_un& address) {
-  address = {};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) {
-    errno = ENAMETOOLONG;
-    return false;
-  }
-  std::memcpy(address.sun_path, path.data(), path.size());
-  return true;
-}
-
 bool IsPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
          c == '_' || c == '.';
@@ -67,9 +56,9 @@ struct flock WholeFile() {
 
 /// Whether a live program holds the lock; asked without taking it.
 bool IsLocked(const std::string& path) {
-  const OwnedFd file(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
+  const FileDescriptor file(open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
   struct flock lock = WholeFile();
-  return file.valid() && fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  return file && fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
 int HexDigit(char c) {
@@ -79,12 +68,12 @@ int HexDigit(char c) {
 
 /// The file that says whose the socket is, locked; invalid if another holds it. A file that was
 /// removed between opening and locking is no lock.
-OwnedFd Lock(const std::string& path) {
+FileDescriptor Lock(const std::string& path) {
   while (true) {
-    OwnedFd file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
-    if (!file.valid()) FailToOpen(path, errno);
+    FileDescriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
+    if (!file) FailToOpen(path, errno);
     struct flock lock = WholeFile();
-    if (fcntl(file.get(), F_OFD_SETLK, &lock) != 0) return OwnedFd();
+    if (fcntl(file.get(), F_OFD_SETLK, &lock) != 0) return FileDescriptor();
     struct stat mine {};
     struct stat there {};
     if (fstat(file.get(), &mine) == 0 && stat(path.c_str(), &there) == 0 &&
@@ -95,20 +84,6 @@ OwnedFd Lock(const std::string& path) {
 }
 
 }  // namespace
-
-OwnedFd& OwnedFd::operator=(OwnedFd&& other) noexcept {
-  if (this != &other) {
-    Close();
-    fd_ = other.Release();
-  }
-  return *this;
-}
-
-int OwnedFd::Release() { return std::exchange(fd_, -1); }
-
-void OwnedFd::Close() {
-  if (fd_ >= 0) close(std::exchange(fd_, -1));
-}
 
 std::string TutorFolder() {
   const char* runtime = std::getenv("XDG_RUNTIME_DIR");
@@ -163,17 +138,17 @@ bool PeerIsOwner(int fd) noexcept {
 
 TutorSocket::TutorSocket(const std::string& path) : path_(path), lock_path_(path + ".lock") {
   sockaddr_un address{};
-  if (!AddressOf(path_, address)) FailToOpen(path_, errno);
+  if (!LocalAddress(path_, address)) FailToOpen(path_, errno);
   lock_ = Lock(lock_path_);
-  if (!lock_.valid()) throw LackError(say::SocketTaken(path_));
+  if (!lock_) throw LackError(say::SocketTaken(path_));
   struct stat found {};
   if (lstat(path_.c_str(), &found) == 0) {
     if (!S_ISSOCK(found.st_mode)) throw LackError(say::SocketIsNoSocket(path_));
-    if (ConnectTo(path_).valid()) throw LackError(say::SocketTaken(path_));
+    if (ConnectTo(path_)) throw LackError(say::SocketTaken(path_));
     if (unlink(path_.c_str()) != 0) FailToOpen(path_, errno);
   }
-  OwnedFd made(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (!made.valid()) FailToOpen(path_, errno);
+  FileDescriptor made(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!made) FailToOpen(path_, errno);
   // the folder keeps others out until the mode is right
   if (bind(made.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     FailToOpen(path_, errno);
@@ -187,22 +162,9 @@ TutorSocket::TutorSocket(const std::string& path) : path_(path), lock_path_(path
 }
 
 TutorSocket::~TutorSocket() {
-  if (!listening_.valid()) return;
+  if (!listening_) return;
   unlink(path_.c_str());
   unlink(lock_path_.c_str());  // while it is locked
-}
-
-OwnedFd ConnectTo(const std::string& path) {
-  sockaddr_un address{};
-  if (!AddressOf(path, address)) return OwnedFd();
-  OwnedFd made(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (!made.valid()) return made;
-  if (connect(made.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    const int error = errno;
-    made.Close();
-    errno = error;
-  }
-  return made;
 }
 
 std::vector<std::string> LearnersWithTutorSockets(const std::string& folder) {

@@ -6,23 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "textures/base/file_descriptor.h"
+
 namespace moontrace {
-
-/// A file descriptor that is closed with its owner.
-class OwnedFd {
- public:
-  explicit OwnedFd(int fd = -1) : fd_(fd) {}
-  ~OwnedFd() { Close(); }
-  OwnedFd(OwnedFd&& other) noexcept : fd_(other.Release()) {}
-  OwnedFd& operator=(OwnedFd&& other) noexcept;
-  int get() const { return fd_; }
-  bool valid() const { return fd_ >= 0; }
-  int Release();
-  void Close();
-
- private:
-  int fd_;
-};
 
 /// Where tutors' sockets are: `$XDG_RUNTIME_DIR/moontrace`, without that `/tmp/moontrace-UID`.
 std::string TutorFolder();
@@ -55,11 +41,8 @@ class TutorSocket {
 
  private:
   std::string path_, lock_path_;
-  OwnedFd lock_, listening_;
+  FileDescriptor lock_, listening_;
 };
-
-/// Connects to a socket; not valid, and errno tells why, if nobody listens. Sockets do not block.
-OwnedFd ConnectTo(const std::string& path);
 
 /// Learners whose lessons can be spoken to now, sorted. Throws as RequireTutorFolder, but a folder
 /// that is not there holds none.

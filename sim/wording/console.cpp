@@ -1,11 +1,13 @@
 #include "sim/wording/console.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <istream>
 #include <ostream>
 
-#include "sim/app/messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -15,6 +17,10 @@ namespace {
 /// [s]
 double Now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string StillWorking(double done) {
+  return fmt::format("Still working: {} percent done.", static_cast<int>(std::floor(100 * done)));
 }
 
 }  // namespace
@@ -72,7 +78,7 @@ void Console::Json(std::string_view text) { out_ << text << '\n'; }
 void Console::Alive(double done) {
   if (Now() - last_spoke_ < 30) return;
   out_.flush();
-  Remark(say::StillWorking(done));
+  Remark(StillWorking(done));
   err_.flush();
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "textures/base/text_file.h"
+
 namespace moontrace::say {
 
 std::string Counted(std::size_t count, std::string_view one, std::string_view many) {
@@ -42,6 +44,12 @@ std::string Plain(double value) {
 
 std::string Percent(double share) {
   return Short(std::floor(1000 * share + 1e-9) / 10, 1) + " percent";
+}
+
+std::string Quoted(std::string_view text) { return fmt::format("\"{}\"", OneLine(text)); }
+
+std::string DidYouMean(std::string_view nearest) {
+  return nearest.empty() ? std::string() : fmt::format("did you mean {}? ", nearest);
 }
 
 }  // namespace moontrace::say

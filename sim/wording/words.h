@@ -22,4 +22,9 @@ std::string Plain(double value);
 /// Never rounded up to a whole: 99.96 percent is not "100".
 std::string Percent(double share);
 
+/// On one line, in double quotes.
+std::string Quoted(std::string_view text);
+/// "did you mean NEAREST? ", or nothing if there is none.
+std::string DidYouMean(std::string_view nearest);
+
 }  // namespace moontrace::say

@@ -32,7 +32,7 @@ class FakeSsip {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
-    listening_ = OwnedFd(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    listening_ = FileDescriptor(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
     const int bound =
         bind(listening_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
     if (bound == 0 && listen(listening_.get(), 4) == 0) thread_ = std::thread([this] { Serve(); });
@@ -123,7 +123,7 @@ class FakeSsip {
   }
 
   Manner manner_;
-  OwnedFd listening_;
+  FileDescriptor listening_;
   std::atomic<int> client_{-1};
   LineBuffer in_{10000};
   bool in_text_ = false;

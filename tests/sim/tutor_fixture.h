@@ -22,7 +22,7 @@ namespace moontrace {
 class RawTutor {
  public:
   explicit RawTutor(const std::string& path) : fd_(ConnectTo(path)) {}
-  bool connected() const { return fd_.valid(); }
+  bool connected() const { return fd_.get() >= 0; }
   void Send(const std::string& bytes) {
     std::size_t sent = 0;
     while (sent < bytes.size() && Wait(POLLOUT)) {
@@ -50,7 +50,7 @@ class RawTutor {
     pollfd polled{fd_.get(), events, 0};
     return poll(&polled, 1, 10000) > 0;
   }
-  OwnedFd fd_;
+  FileDescriptor fd_;
   LineBuffer in_{std::size_t{1} << 20U};
 };
 

@@ -6,6 +6,7 @@
 
 #include "sim/view/panel.h"
 #include "sim/view/view_page.h"
+#include "textures/script/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

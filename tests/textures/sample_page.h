@@ -3,6 +3,8 @@
 #include <string>
 
 #include "textures/script/script.h"
+#include "textures/script/script_library.h"
+#include "textures/typeset/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

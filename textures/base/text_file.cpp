@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "textures/base/hidden_character.h"
+#include "textures/base/error.h"
 #include "textures/base/text_pipe.h"
-#include "textures/base/utf8_check.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 
@@ -43,6 +43,17 @@ std::string LowerCase(std::string_view text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return lower;
+}
+
+void RequireUtf8(std::string_view bytes, const std::string& file_name) {
+  const std::optional<std::size_t> bad = FirstBadUtf8(bytes);
+  if (!bad) return;
+  const std::string_view mark = bytes.substr(0, 2);
+  const bool wide = mark == "\xFF\xFE" || mark == "\xFE\xFF";
+  const TextPlace place = PlaceOf(bytes, *bad);
+  throw InputError(file_name + ":" + std::to_string(place.line) + ":" +
+                   std::to_string(place.column) + ": " +
+                   (wide ? "this is UTF-16" : "this is not UTF-8") + "; save it as UTF-8");
 }
 
 std::string ReadTextFile(const std::string& path, std::size_t max_bytes) {

@@ -25,6 +25,10 @@ std::size_t CountCharacters(std::string_view utf8) noexcept;
 /// Letters A to Z made small, for words and endings that may be written either way.
 std::string LowerCase(std::string_view text);
 
+/// Throws InputError (file:line:column, the encoding where its mark tells it, cure) unless the
+/// bytes are UTF-8.
+void RequireUtf8(std::string_view bytes, const std::string& file_name);
+
 /// Reads a whole file. Throws InputError (path, cause, cure): missing, a folder, unreadable, more
 /// than `max_bytes`.
 std::string ReadTextFile(const std::string& path, std::size_t max_bytes);

@@ -5,7 +5,7 @@
 
 #include "textures/base/error.h"
 #include "textures/base/toml_reader.h"
-#include "textures/typeset/fold.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 

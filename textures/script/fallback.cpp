@@ -10,7 +10,7 @@
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
-#include "textures/typeset/fold.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {
@@ -49,8 +49,7 @@ void ReadShippedFallbacks(Script& script) {
   ReadFallbacks(ReadTextFile(path, kMostBytes), path, script);
 }
 
-void Borrow(Script& script, const std::string& name_or_path) {
-  const Script other = FindScript(name_or_path);
+void Borrow(Script& script, const Script& other, const std::string& name_or_path) {
   std::set<std::string> names;
   for (const Glyph& glyph : script.glyphs) names.insert(glyph.name);
   std::map<std::string, std::string> taken;  // that script's glyph -> its name here

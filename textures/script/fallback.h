@@ -19,8 +19,8 @@ void ReadFallbacks(std::string_view toml, const std::string& file_name, Script& 
 void ReadShippedFallbacks(Script& script);
 
 /// Takes the glyphs of every character that `script` cannot write as it is, in either case, from
-/// another script. A glyph's name that is taken already gets that script's name in front. Throws as
-/// FindScript does, and InputError for a script that lends nothing.
-void Borrow(Script& script, const std::string& name_or_path);
+/// another script, which was found by `name_or_path`. A glyph's name that is taken already gets
+/// that script's name in front. Throws InputError for a script that lends nothing.
+void Borrow(Script& script, const Script& other, const std::string& name_or_path);
 
 }  // namespace moontrace

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "textures/base/error.h"
-#include "textures/base/utf8_check.h"
-#include "textures/typeset/fold.h"
+#include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

@@ -71,18 +71,4 @@ struct Script {
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
 
-/// Loads `<stem>.svg` and, if it is there, `<stem>.toml`; or any other file or folder that
-/// script_library.h names. Throws InputError (file:line:column, cause, cure).
-Script LoadScript(const std::string& path);
-
-/// Loads by name ("moon") from the installed or source `textures/scripts` folder, the user's own or
-/// Debian's Hershey fonts, or by path (script_library.h). `text`, if not empty, is what will be
-/// set: scripts of thousands of characters are read only as far as it needs. Unknown name:
-/// InputError naming the known ones.
-Script FindScript(const std::string& name_or_path, std::string_view text = {});
-
-/// Reads from memory, for tests and fuzzing; `svg_name` and `toml_name` stand in messages.
-Script ParseScript(std::string_view svg, const std::string& svg_name, std::string_view toml,
-                   const std::string& toml_name);
-
 }  // namespace moontrace

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "textures/typeset/fold.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

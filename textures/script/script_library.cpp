@@ -12,12 +12,15 @@
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
+#include "textures/script/fallback.h"
 #include "textures/script/foreign_font.h"
 #include "textures/script/hanzi.h"
 #include "textures/script/hershey.h"
 #include "textures/script/kanjivg.h"
 #include "textures/script/needed_characters.h"
+#include "textures/script/script_rules.h"
 #include "textures/script/svg_font.h"
+#include "textures/script/svg_source.h"
 
 namespace moontrace {
 
@@ -154,6 +157,25 @@ Script LoadScriptNamed(const std::string& name_or_path, std::string_view text) {
     if (entry.name == name_or_path) return LoadScriptFile(entry.path, text);
   }
   FailUnknown(name_or_path, entries);
+}
+
+Script ParseScript(std::string_view svg, const std::string& svg_name, std::string_view toml,
+                   const std::string& toml_name) {
+  Script script;
+  script.name = fs::path(svg_name).stem().string();
+  SvgFont font = ParseSvgFont(svg, svg_name);
+  script.glyphs = std::move(font.glyphs);
+  script.signs = std::move(font.characters);
+  ReadRules(toml, toml_name, script);
+  return script;
+}
+
+Script LoadScript(const std::string& path) { return LoadScriptFile(path, ""); }
+
+Script FindScript(const std::string& name_or_path, std::string_view text) {
+  Script script = LoadScriptNamed(name_or_path, text);
+  ReadShippedFallbacks(script);
+  return script;
 }
 
 }  // namespace moontrace

@@ -7,7 +7,7 @@
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
-#include "textures/typeset/fold.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

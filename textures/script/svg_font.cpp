@@ -13,10 +13,10 @@
 
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
 #include "textures/script/svg_path.h"
 #include "textures/script/svg_shapes.h"
 #include "textures/script/svg_source.h"
-#include "textures/typeset/fold.h"
 
 namespace moontrace {
 namespace {

@@ -41,7 +41,4 @@ struct SvgFont {
 SvgFont ParseSvgFont(std::string_view svg, const std::string& file_name,
                      SvgFontKind kind = SvgFontKind::kOwn);
 
-/// Greatest size of an SVG font file [bytes].
-constexpr std::size_t kMaxSvgBytes = std::size_t{8} << 20U;
-
 }  // namespace moontrace

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "textures/typeset/fold.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

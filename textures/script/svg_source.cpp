@@ -4,8 +4,7 @@
 
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
-#include "textures/base/utf8_check.h"
-#include "textures/script/svg_font.h"
+#include "textures/base/utf8.h"
 #include "textures/script/svg_path.h"
 
 namespace moontrace {

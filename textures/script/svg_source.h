@@ -8,6 +8,9 @@
 
 namespace moontrace {
 
+/// Greatest size of an SVG font file [bytes].
+constexpr std::size_t kMaxSvgBytes = std::size_t{8} << 20U;
+
 /// An SVG document, parsed in place, so that every value can be traced to its byte in the file. For
 /// the readers of SVG only. External entities are not read.
 class SvgSource {

@@ -6,8 +6,10 @@
 #include <set>
 #include <unordered_map>
 
+#include "textures/base/utf8.h"
 #include "textures/typeset/braille_writer.h"
 #include "textures/typeset/fold.h"
+#include "textures/typeset/make_writer.h"
 #include "textures/typeset/writer.h"
 
 namespace moontrace {

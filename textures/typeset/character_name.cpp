@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <utf8proc.h>
 
+#include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
 
 namespace moontrace {

@@ -6,26 +6,12 @@
 #include <array>
 
 #include "textures/base/error.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-// Bytes of the code point at the front, and the code point; 0 where the bytes are not UTF-8.
-std::size_t Decode(std::string_view utf8, char32_t& c) {
-  const auto* bytes = reinterpret_cast<const utf8proc_uint8_t*>(utf8.data());
-  if (utf8.empty()) return 0;
-  if (bytes[0] < 0x80) {
-    c = bytes[0];
-    return 1;
-  }
-  utf8proc_int32_t code = 0;
-  const auto length = utf8proc_iterate(bytes, static_cast<utf8proc_ssize_t>(utf8.size()), &code);
-  if (length <= 0) return 0;
-  c = static_cast<char32_t>(code);
-  return static_cast<std::size_t>(length);
-}
 
 utf8proc_category_t Category(char32_t c) {
   return utf8proc_category(static_cast<utf8proc_int32_t>(c));
@@ -353,41 +339,6 @@ bool Folder::Name(char32_t c, Form& form) const {
   form.changed = true;
   form.replaced = Replaced::kNamed;
   return true;
-}
-
-bool IsLetter(char32_t c) {
-  const auto category = Category(c);
-  return (category >= UTF8PROC_CATEGORY_LU && category <= UTF8PROC_CATEGORY_LO) || IsMark(c);
-}
-
-std::u32string ToCodePoints(std::string_view utf8) {
-  std::u32string result;
-  char32_t c = 0;
-  for (std::size_t length = 0; (length = Decode(utf8, c)) > 0; utf8.remove_prefix(length)) {
-    result += c;
-  }
-  return result;
-}
-
-std::string ToUtf8(char32_t c) {
-  std::array<utf8proc_uint8_t, 4> bytes{};
-  const auto length = utf8proc_encode_char(static_cast<utf8proc_int32_t>(c), bytes.data());
-  return std::string(reinterpret_cast<const char*>(bytes.data()),
-                     static_cast<std::size_t>(length > 0 ? length : 0));
-}
-
-std::string Shown(std::string_view utf8) {
-  std::string result;
-  char32_t c = 0;
-  std::size_t count = 0;
-  for (std::size_t length = 0; (length = Decode(utf8, c)) > 0; utf8.remove_prefix(length)) {
-    if (++count > 16) return result + "...";
-    const auto category = Category(c);
-    const bool hidden = category == UTF8PROC_CATEGORY_CN || category >= UTF8PROC_CATEGORY_ZL;
-    result += hidden ? fmt::format("U+{:04X}", static_cast<unsigned>(c))
-                     : std::string(utf8.substr(0, length));
-  }
-  return result;
 }
 
 }  // namespace moontrace

@@ -87,17 +87,4 @@ class Folder {
   std::unordered_map<char32_t, Form> forms_;  // by character: each is worked out once
 };
 
-/// Whether a character is a letter of a word, or a mark on one.
-bool IsLetter(char32_t c);
-
-/// Code points of valid UTF-8, for the short texts of a script's tables; stops at invalid bytes.
-std::u32string ToCodePoints(std::string_view utf8);
-
-/// UTF-8 of one code point.
-std::string ToUtf8(char32_t c);
-
-/// Text to show in a message: as it is, but control, format, private and unassigned characters as
-/// "U+001B", and nothing behind the first 16 characters.
-std::string Shown(std::string_view utf8);
-
 }  // namespace moontrace

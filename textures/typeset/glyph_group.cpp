@@ -1,3 +1,5 @@
+#include "textures/typeset/glyph_group.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,7 +10,8 @@
 
 #include "textures/typeset/groove_links.h"
 #include "textures/typeset/structure_patches.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/rules.h"
+#include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "textures/field/texture.h"
 #include "textures/script/script.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/text_page.h"
 
 namespace moontrace {
 

@@ -5,7 +5,7 @@
 
 #include "textures/script/script.h"
 #include "textures/typeset/row_metrics.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/text_page.h"
 #include "textures/typeset/writer.h"
 
 namespace moontrace {

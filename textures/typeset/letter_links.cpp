@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "textures/typeset/rules.h"
+
 namespace moontrace {
 
 namespace {

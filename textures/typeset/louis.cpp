@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "textures/base/nearest_word.h"
+#include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
 #endif
 

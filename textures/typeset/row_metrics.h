@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "textures/script/script.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/text_page.h"
 
 namespace moontrace {
 

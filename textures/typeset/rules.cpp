@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "textures/base/error.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/text_page.h"
 
 namespace moontrace {
 

@@ -5,22 +5,9 @@
 #include "textures/field/element.h"
 #include "textures/field/texture.h"
 #include "textures/script/script.h"
+#include "textures/typeset/text_page.h"
 
 namespace moontrace {
-
-struct TextPage;
-struct TypeStyle;
-
-/// Raised line rules and a raised margin (the paper, section 6: to deter wandering off text lines).
-/// Lengths of zero are a tenth of the letters' size, heights a quarter of the width.
-struct RuleStyle {
-  bool lines = false;        ///< a ridge on either side of each line of text
-  bool margin = false;       ///< a ridge round the text area
-  double width = 0;          ///< of a rule, rim to rim [m]
-  double height = 0;         ///< of a rule [m]
-  double margin_width = 0;   ///< of the margin's ridge [m]
-  double margin_height = 0;  ///< of the margin's ridge [m]
-};
 
 /// Cross-sections of a style's ridges: rounded by a fifth of their width.
 Profile RuleProfile(const TypeStyle& style);

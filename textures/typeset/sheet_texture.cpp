@@ -7,7 +7,7 @@
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/field/pgm.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/text_page.h"
 
 namespace moontrace {
 

@@ -6,17 +6,9 @@
 
 #include "textures/field/paper.h"
 #include "textures/field/texture.h"
+#include "textures/typeset/text_page.h"
 
 namespace moontrace {
-
-struct TextPage;
-struct TypeStyle;
-
-/// The rough texture of a whole sheet, if it has one.
-struct SheetTexture {
-  std::optional<PaperTexture> paper;
-  std::string file;  ///< the PGM that its array is from; empty if it is none
-};
 
 /// Whether a word names a sheet's texture: "none", "sine", "grid", "noise", or a path that ends in
 /// .pgm.

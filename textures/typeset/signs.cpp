@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "textures/base/error.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

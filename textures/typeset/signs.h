@@ -8,7 +8,7 @@
 
 #include "textures/script/script.h"
 #include "textures/typeset/fold.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/text_page.h"
 #include "textures/typeset/writer.h"
 
 namespace moontrace {

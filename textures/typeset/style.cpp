@@ -1,10 +1,11 @@
+#include "textures/typeset/style.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "textures/base/error.h"
-#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

@@ -5,6 +5,7 @@
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
 
 namespace moontrace {

@@ -8,9 +8,13 @@
 #include <memory>
 
 #include "textures/base/error.h"
+#include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/layout.h"
+#include "textures/typeset/make_writer.h"
 #include "textures/typeset/writer.h"
+#include "textures/typeset/rules.h"
+#include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 namespace {

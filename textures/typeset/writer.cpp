@@ -3,9 +3,8 @@
 #include <fmt/core.h>
 
 #include "textures/base/error.h"
-#include "textures/typeset/braille_writer.h"
+#include "textures/base/utf8.h"
 #include "textures/typeset/character_name.h"
-#include "textures/typeset/signs.h"
 
 namespace moontrace {
 namespace {
@@ -14,26 +13,6 @@ namespace {
 constexpr std::size_t kMostReplacements = 1000;
 
 }  // namespace
-
-std::unique_ptr<Writer> MakeWriter(const Script& script, const TypeStyle& style) {
-  if (!script.braille_tables.empty()) {
-    if (!style.h_form.empty()) {
-      throw InputError(fmt::format("script {} has one form of h only, no '{}': leave the form out",
-                                   script.name, Shown(style.h_form)));
-    }
-    if (!style.only.empty()) {
-      throw InputError(fmt::format(
-          "script {} has no letters of its own to choose from: leave the taught signs out",
-          script.name));
-    }
-    return std::make_unique<BrailleWriter>(script, style.grade, style.table);
-  }
-  if (!style.table.empty()) {
-    throw InputError(fmt::format("script {} uses no Braille table: leave out table '{}'",
-                                 script.name, Shown(style.table)));
-  }
-  return std::make_unique<SignWriter>(script, style.grade, style.h_form, style.only);
-}
 
 void CheckGrade(const Script& script, double grade) {
   std::string known;

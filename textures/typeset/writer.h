@@ -8,7 +8,7 @@
 
 #include "textures/script/script.h"
 #include "textures/typeset/fold.h"
-#include "textures/typeset/typeset.h"
+#include "textures/typeset/text_page.h"
 
 namespace moontrace {
 
@@ -38,10 +38,6 @@ class Writer {
                      const std::vector<FoldedChar>& line, std::vector<Sign>& signs,
                      Typeset& typeset) const = 0;
 };
-
-/// The writer that a script asks for. Keeps a reference to it. Throws InputError: an unknown grade,
-/// table or form of h, LackError: a Braille script without liblouis.
-std::unique_ptr<Writer> MakeWriter(const Script& script, const TypeStyle& style);
 
 /// Fails with InputError unless the script knows the grade.
 void CheckGrade(const Script& script, double grade);

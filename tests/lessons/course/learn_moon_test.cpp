@@ -11,6 +11,7 @@
 #include "lessons/course/lesson_order.h"
 #include "lessons/course/taught_signs.h"
 #include "textures/script/script.h"
+#include "textures/script/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -1,4 +1,5 @@
 #include "sim/app/messages.h"
+#include "sim/setup/setup_messages.h"
 
 #include <gtest/gtest.h>
 

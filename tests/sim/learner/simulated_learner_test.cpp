@@ -10,6 +10,7 @@
 #include "lessons/guide/guidance_table.h"
 #include "sim/learner/exploration.h"
 #include "sim/trial/trial.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

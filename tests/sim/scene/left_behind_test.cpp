@@ -10,6 +10,8 @@
 
 #include "sim/scene/bound.h"
 #include "sim/scene/scene.h"
+#include "textures/script/script_library.h"
+#include "textures/typeset/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

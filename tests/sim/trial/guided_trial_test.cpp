@@ -5,6 +5,7 @@
 
 #include "sim/setup/guide_options.h"
 #include "sim/trial/trial.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -1,4 +1,5 @@
 #include "sim/trial/line_walk.h"
+#include "textures/script/script_library.h"
 
 #include <gtest/gtest.h>
 

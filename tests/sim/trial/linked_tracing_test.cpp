@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "sim/trial/trial.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "textures/base/text_file.h"
-#include "textures/base/utf8_check.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "tests/sim/tutor_fixture.h"
 #include "textures/base/error.h"
-#include "textures/base/utf8_check.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

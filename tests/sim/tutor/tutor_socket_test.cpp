@@ -108,7 +108,7 @@ TEST_F(TutorSocketFile, OfALiveProgramIsRefusedInOneLine) {
       "the tutor socket is already taken: another lesson of this learner runs; end it, or use "
       "another --learner: " +
           path);
-  EXPECT_TRUE(ConnectTo(path).valid());  // and the first one is none the worse
+  EXPECT_TRUE(ConnectTo(path));  // and the first one is none the worse
   const TutorSocket other(folder() + "/tutor-bob.sock");
   EXPECT_EQ(LearnersWithTutorSockets(folder()), (std::vector<std::string>{"ada", "bob"}));
 }
@@ -117,7 +117,7 @@ TEST_F(TutorSocketFile, OfADeadProgramIsTakenOver) {
   RequireTutorFolder(folder());
   const std::string path = folder() + "/tutor-ada.sock";
   {  // bound and never removed, with a lock file that nobody holds
-    const OwnedFd dead(socket(AF_UNIX, SOCK_STREAM, 0));
+    const FileDescriptor dead(socket(AF_UNIX, SOCK_STREAM, 0));
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
@@ -125,9 +125,9 @@ TEST_F(TutorSocketFile, OfADeadProgramIsTakenOver) {
     std::ofstream(path + ".lock") << "";
   }
   EXPECT_TRUE(LearnersWithTutorSockets(folder()).empty());
-  EXPECT_FALSE(ConnectTo(path).valid());
+  EXPECT_FALSE(ConnectTo(path));
   const TutorSocket socket(path);
-  EXPECT_TRUE(ConnectTo(path).valid());
+  EXPECT_TRUE(ConnectTo(path));
 }
 
 TEST_F(TutorSocketFile, DoesNotRemoveWhatIsNoSocket) {

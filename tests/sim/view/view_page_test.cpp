@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "textures/script/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -1,4 +1,4 @@
-#include "textures/base/hidden_character.h"
+#include "textures/base/utf8.h"
 
 #include <gtest/gtest.h>
 

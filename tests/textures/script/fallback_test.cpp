@@ -8,6 +8,7 @@
 
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
+#include "textures/script/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -117,7 +118,8 @@ class BorrowedScript : public ::testing::Test {
 
 TEST_F(BorrowedScript, LendsOnlyWhatIsLacking) {
   Script script = SmallScript();
-  Borrow(script, (folder_ / "greek.svg").string());
+  const std::string greek = (folder_ / "greek.svg").string();
+  Borrow(script, FindScript(greek), greek);
   const Typeset set = Set("a\u03B1\u20ACB", script);
   EXPECT_EQ(Names(set, script), "a greek.a euro b");  // B is b here: the script has no case
   ASSERT_EQ(set.folded_count, 2U);
@@ -130,7 +132,7 @@ TEST_F(BorrowedScript, LendsOnlyWhatIsLacking) {
 
 TEST_F(BorrowedScript, ThatLendsNothingIsRefused) {
   Script script = FindScript("moon");
-  EXPECT_THROW(Borrow(script, "moon"), InputError);
+  EXPECT_THROW(Borrow(script, FindScript("moon"), "moon"), InputError);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "textures/base/text_file.h"
 #include "textures/script/script.h"
 #include "textures/script/script_check.h"
+#include "textures/script/script_library.h"
 #include "textures/script/svg_font_writer.h"
 
 namespace moontrace {

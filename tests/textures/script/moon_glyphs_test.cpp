@@ -15,6 +15,7 @@
 #include "tests/source_path.h"
 #include "textures/base/resources.h"
 #include "textures/script/script.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

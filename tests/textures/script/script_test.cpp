@@ -10,6 +10,7 @@
 
 #include "tests/source_path.h"
 #include "textures/base/error.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -8,6 +8,7 @@
 #include "textures/field/element.h"
 #include "textures/script/script.h"
 #include "textures/script/script_check.h"
+#include "textures/script/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -13,6 +13,7 @@
 #include "textures/script/foreign_font.h"
 #include "textures/script/hershey.h"
 #include "textures/script/kanjivg.h"
+#include "textures/script/script_library.h"
 
 namespace moontrace {
 namespace {

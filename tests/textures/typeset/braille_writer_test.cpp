@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "textures/base/error.h"
+#include "textures/script/script_library.h"
+#include "textures/typeset/glyph_group.h"
+#include "textures/typeset/make_writer.h"
 
 namespace moontrace {
 namespace {

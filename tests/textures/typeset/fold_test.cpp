@@ -4,6 +4,7 @@
 
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {

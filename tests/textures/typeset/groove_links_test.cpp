@@ -10,6 +10,8 @@
 
 #include "tests/textures/sample_page.h"
 #include "textures/field/field.h"
+#include "textures/script/script_library.h"
+#include "textures/typeset/glyph_group.h"
 #include "textures/typeset/link.h"
 
 namespace moontrace {

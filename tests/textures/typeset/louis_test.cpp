@@ -13,6 +13,7 @@
 
 #include "tests/source_path.h"
 #include "textures/base/error.h"
+#include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
 
 namespace moontrace {

@@ -7,6 +7,8 @@
 #include "tests/textures/gradient_walk.h"
 #include "textures/field/field.h"
 #include "textures/script/script.h"
+#include "textures/script/script_library.h"
+#include "textures/typeset/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -13,6 +13,8 @@
 #include "tests/textures/sample_page.h"
 #include "textures/base/error.h"
 #include "textures/field/field.h"
+#include "textures/script/script_library.h"
+#include "textures/typeset/glyph_group.h"
 #include "textures/typeset/groove_links.h"
 #include "textures/typeset/layout.h"
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <sys/un.h>
 #include <unistd.h>
 
+#include <string>
 #include <utility>
 
 namespace moontrace {
@@ -15,8 +17,9 @@ class FileDescriptor {
     std::swap(fd_, other.fd_);
     return *this;
   }
-  ~FileDescriptor() {
-    if (fd_ >= 0) close(fd_);
+  ~FileDescriptor() { Close(); }
+  void Close() noexcept {
+    if (fd_ >= 0) close(std::exchange(fd_, -1));
   }
 
   int get() const noexcept { return fd_; }
@@ -25,5 +28,11 @@ class FileDescriptor {
  private:
   int fd_;
 };
+
+/// The address of a local socket. False, and errno tells why, for a path that is too long.
+bool LocalAddress(const std::string& path, sockaddr_un& address);
+
+/// Connects to a local socket; none, and errno tells why, if nobody listens. Does not block.
+FileDescriptor ConnectTo(const std::string& path);
 
 }  // namespace moontrace

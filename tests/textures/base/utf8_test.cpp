@@ -1,4 +1,4 @@
-#include "textures/base/utf8_check.h"
+#include "textures/base/utf8.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "textures/typeset/text_page.h"
+
+namespace moontrace::say {
+
+/// What is wrong with an option, a text or what a page was made of. Plain lines: the outcome first,
+/// numbers and paths last.
+
+std::string ValueEmpty(std::string_view option);
+std::string NotANumber(std::string_view option, std::string_view given);
+std::string NotAWholeNumber(std::string_view option, std::string_view given);
+std::string OutOfRange(std::string_view option, std::string_view given, double low, double high);
+std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices);
+std::string NotAPage(std::string_view given);
+std::string NotAPicture(std::string_view option, std::string_view given);
+std::string NeedsOther(std::string_view option, std::string_view other);
+std::string NoText(std::string_view command);
+std::string TwoTexts();
+std::string CannotReadInput();
+
+std::string TooLong(std::size_t letters, std::size_t limit);
+std::string Folded(const Replacement& replacement);
+std::string Missing(const Replacement& replacement);
+std::string Untaught(const Replacement& replacement);
+std::string Doubtful(const Replacement& replacement);
+std::string MoreReplacements(std::size_t count);
+std::string BadParameters(std::string_view folder, std::string_view cause);
+
+/// "groove" or "ridge".
+std::string_view ReliefWord(const TypeStyle& style);
+
+}  // namespace moontrace::say

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "textures/script/script.h"
+#include "textures/typeset/writer.h"
+
+namespace moontrace {
+
+/// The writer that a script asks for. Keeps a reference to it. Throws InputError: an unknown grade,
+/// table or form of h, LackError: a Braille script without liblouis.
+std::unique_ptr<Writer> MakeWriter(const Script& script, const TypeStyle& style);
+
+}  // namespace moontrace
