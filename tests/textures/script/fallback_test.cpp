@@ -118,14 +118,14 @@ class BorrowedScript : public ::testing::Test {
 
 TEST_F(BorrowedScript, LendsOnlyWhatIsLacking) {
   Script script = SmallScript();
-  const std::string greek = (folder_ / "greek.svg").string();
-  Borrow(script, FindScript(greek), greek);
+  const std::string path = (folder_ / "greek.svg").string();
+  Borrow(script, FindScript(path), path);
   const Typeset set = Set("a\u03B1\u20ACB", script);
   EXPECT_EQ(Names(set, script), "a greek.a euro b");  // B is b here: the script has no case
   ASSERT_EQ(set.folded_count, 2U);
   EXPECT_EQ(set.folded[0].how, Replaced::kOtherScript);
   EXPECT_EQ(set.folded[0].was, "\u03B1");
-  const Script greek = LoadScript((folder_ / "greek.svg").string());
+  const Script greek = LoadScript(path);
   EXPECT_EQ(script.glyphs[script.Find("greek.a")].strokes[0].pieces,
             greek.glyphs[greek.Find("a")].strokes[0].pieces);
 }
