@@ -15,6 +15,7 @@
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
 #include "textures/script/script_library.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

@@ -21,6 +21,7 @@
 #include "sim/setup/writing_messages.h"
 #include "textures/base/error.h"
 #include "textures/typeset/back_translate.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

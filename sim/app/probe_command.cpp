@@ -9,6 +9,7 @@
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/trial.h"
 #include "textures/base/error.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

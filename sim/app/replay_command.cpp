@@ -16,6 +16,7 @@
 #include "textures/script/fallback.h"
 #include "textures/script/script_library.h"
 #include "textures/typeset/layout.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

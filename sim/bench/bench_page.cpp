@@ -7,6 +7,7 @@
 
 #include "textures/script/script_library.h"
 #include "textures/typeset/glyph_group.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

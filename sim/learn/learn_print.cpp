@@ -9,6 +9,7 @@
 #include "sim/picture/picture_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

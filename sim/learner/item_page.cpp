@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "textures/typeset/glyph_group.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

@@ -13,6 +13,7 @@
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

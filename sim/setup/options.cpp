@@ -20,6 +20,7 @@
 #include "textures/script/script_library.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/taught.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

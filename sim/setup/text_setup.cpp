@@ -10,6 +10,7 @@
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 

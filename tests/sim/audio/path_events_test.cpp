@@ -6,6 +6,7 @@
 
 #include "sim/audio/sound_messages.h"
 #include "textures/script/script_library.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

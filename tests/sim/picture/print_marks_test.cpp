@@ -12,6 +12,7 @@
 #include "textures/script/script_library.h"
 #include "textures/typeset/reshape.h"
 #include "textures/typeset/rules.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

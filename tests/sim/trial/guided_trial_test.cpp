@@ -6,6 +6,7 @@
 #include "sim/setup/guide_options.h"
 #include "sim/trial/trial.h"
 #include "textures/script/script_library.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "sim/trial/trial.h"
 #include "textures/script/script_library.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

@@ -7,6 +7,7 @@
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
 #include "textures/typeset/taught.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {

@@ -17,6 +17,7 @@
 #include "textures/typeset/glyph_group.h"
 #include "textures/typeset/groove_links.h"
 #include "textures/typeset/layout.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {
