@@ -5,7 +5,7 @@
 
 #include "devices/core/device.h"
 #include "devices/core/profile.h"
-#include "devices/plugin/wire/moontrace_device.h"
+#include "devices/moontrace_device.h"
 
 namespace moontrace {
 

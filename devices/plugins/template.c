@@ -1,5 +1,5 @@
 /* A plug-in for Moontrace: a template. Follow the numbered steps; what each function must do is in
-   devices/plugin/wire/moontrace_device.h.
+   devices/moontrace_device.h.
 
    1. Copy this file, and moontrace_device.h beside it.
    2. Fill in describe(): what your device is and can do. Measure or take the maker's figures; write

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 #include "devices/core/smallest_letter.h"
 #include "lessons/course/course_reader.h"
 #include "sim/app/course_messages.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 #include "devices/core/smallest_letter.h"
 #include "devices/hid/hid_port.h"
 #include "devices/hid/udev_rule.h"

@@ -2,7 +2,7 @@
 
 #include <glm/glm.hpp>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
 

@@ -13,8 +13,8 @@
 #include "sim/setup/link_messages.h"
 #include "sim/setup/sheet_messages.h"
 #include "sim/setup/structure_messages.h"
-#include "textures/typeset/structure_patches.h"
 #include "textures/typeset/sheet_texture.h"
+#include "textures/typeset/structure_patches.h"
 
 namespace moontrace {
 

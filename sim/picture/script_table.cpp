@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "sim/picture/picture_messages.h"
 #include "sim/picture/moon_marks.h"
 #include "sim/picture/picture_messages.h"
 #include "textures/base/text_file.h"

@@ -1,6 +1,6 @@
 #include "sim/session/device_choice.h"
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 #include "sim/loop/pacing.h"
 #include "sim/session/device_opening.h"
 #include "sim/session/loop_messages.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 
 namespace moontrace {
 

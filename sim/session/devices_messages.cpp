@@ -52,7 +52,7 @@ std::string NoHidapi() {
 std::string WithoutDevice() {
   return "Without one, a simulated stylus does the work: demo, trace and loop; page and probe need "
          "none. An arm with a driver of its own can be used as --device plugin:PATH; "
-         "devices/plugin/wire/moontrace_device.h tells how.";
+         "devices/moontrace_device.h tells how.";
 }
 
 std::string DeviceLine(const DeviceEntry& entry) {

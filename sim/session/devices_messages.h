@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 
 /// Sentences of `moontrace devices` and `moontrace devices test`; see messages.h.
 namespace moontrace::say {

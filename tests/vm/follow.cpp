@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 #include <thread>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "textures/typeset/groove_links.h"
-#include "textures/typeset/structure_patches.h"
 #include "textures/typeset/rules.h"
 #include "textures/typeset/sheet_texture.h"
+#include "textures/typeset/structure_patches.h"
 
 namespace moontrace {
 namespace {

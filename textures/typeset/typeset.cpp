@@ -12,9 +12,9 @@
 #include "textures/typeset/fold.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/make_writer.h"
-#include "textures/typeset/writer.h"
 #include "textures/typeset/rules.h"
 #include "textures/typeset/sheet_texture.h"
+#include "textures/typeset/writer.h"
 
 namespace moontrace {
 namespace {

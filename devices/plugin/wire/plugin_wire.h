@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "devices/plugin/wire/moontrace_device.h"
+#include "devices/moontrace_device.h"
 #include "devices/plugin/wire/shared_value.h"
 
 /// What the program and the helper process of a plug-in share: one file in memory of two pages, of

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 #include "tests/source_path.h"
 
 namespace moontrace {

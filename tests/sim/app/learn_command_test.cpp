@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 #include "lessons/records/records.h"
 #include "sim/app/devices_command.h"
 #include "tests/devices/fake_hid.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 #include "sim/bench/device_rig.h"
 #include "sim/bench/stability.h"
 #include "tests/source_path.h"

@@ -1,4 +1,4 @@
-#include "devices/catalogue.h"
+#include "devices/catalogue/catalogue.h"
 
 #include <gtest/gtest.h>
 
