@@ -38,10 +38,10 @@ start() {  # start [ARGUMENT...]: runs the launcher without a terminal
 new_tree() {
   rm -rf "$work/tools" "$work/tree"
   tree=$work/tree
-  mkdir -p "$work/tools" "$tree"/{.cmake,textures,devices,lessons,sim/app,tests}
+  mkdir -p "$work/tools" "$tree"/{.cmake,textures/field,devices,lessons,sim,tests}
   cp "$source/moontrace" "$tree/"
   cp "$source"/tests/{run.sh,flaky.txt} "$tree/tests/"
-  touch "$tree"/{CMakeLists.txt,CMakePresets.json,sim/app/main.cpp,textures/field/field.cpp}
+  touch "$tree"/{CMakeLists.txt,CMakePresets.json,sim/main.cpp,textures/field/field.cpp}
   find "$tree" -exec touch -d '1 hour ago' {} +
   local command
   for command in bash env cat cp mv rm mkdir find grep tail sed tr wc fold sleep flock nproc head chmod; do
@@ -99,7 +99,7 @@ start
 expect 'a new test does not rebuild the program' not called cmake
 
 age
-touch "$tree/broken" "$tree/sim/app/main.cpp"
+touch "$tree/broken" "$tree/sim/main.cpp"
 start
 expect 'a failed build ends with 1' code_is 1
 expect 'a failed build shows the last lines' said 'error: broken'
