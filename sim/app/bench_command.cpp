@@ -1,4 +1,4 @@
-#include "sim/app/bench_command.h"
+#include "sim/app/commands.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>

@@ -11,28 +11,11 @@
 #include <ostream>
 
 #include "devices/core/device_error.h"
-#include "sim/app/bench_command.h"
-#include "sim/app/course_command.h"
+#include "sim/app/commands.h"
 #include "sim/app/course_messages.h"
-#include "sim/app/demo_command.h"
-#include "sim/app/devices_command.h"
-#include "sim/app/gallery_command.h"
-#include "sim/app/learn_command.h"
-#include "sim/app/loop_command.h"
 #include "sim/app/messages.h"
-#include "sim/app/page_command.h"
-#include "sim/app/probe_command.h"
-#include "sim/app/records_command.h"
-#include "sim/app/replay_command.h"
-#include "sim/app/report_command.h"
-#include "sim/app/script_command.h"
 #include "sim/app/script_messages.h"
-#include "sim/app/sounds_command.h"
-#include "sim/app/study_command.h"
 #include "sim/app/study_messages.h"
-#include "sim/app/trace_command.h"
-#include "sim/app/tutor_client.h"
-#include "sim/app/view_command.h"
 #include "sim/audio/sound_messages.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/report/records_messages.h"
@@ -98,6 +81,10 @@ bool AsksForHelp(const Args& args) {
     if (arg == "--help" || arg == "-h") return true;
   }
   return false;
+}
+
+int Run(const GalleryOptions& options, Console& console) {
+  return RunGallery(options, RunCli, console);
 }
 
 /// Reads one command's options and runs it.

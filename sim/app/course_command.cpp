@@ -1,4 +1,4 @@
-#include "sim/app/course_command.h"
+#include "sim/app/commands.h"
 
 #include <algorithm>
 #include <filesystem>

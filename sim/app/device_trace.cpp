@@ -1,4 +1,4 @@
-#include "sim/app/device_trace.h"
+#include "sim/app/commands.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "sim/app/gallery_command.h"
+#include "sim/app/commands.h"
 
 #include <fmt/core.h>
 
@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "sim/app/cli.h"
-#include "sim/app/gallery_messages.h"
 #include "sim/app/messages.h"
 #include "sim/report/gallery_page.h"
 #include "sim/setup/help.h"
@@ -182,7 +180,7 @@ class Additions {
 /// Runs the exhibit's command. Where the machine lacks something its line stands in place of a
 /// picture; any other failure ends the work.
 GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const fs::path& folder,
-                    Additions& additions, Console& console) {
+                    const CommandLine& run, Additions& additions, Console& console) {
   const std::string file = FileName(exhibit.title, number);
   GalleryPicture shown{exhibit.title, Typed(exhibit, file), file, ""};
   const std::string path = (folder / file).string();
@@ -192,7 +190,7 @@ GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const fs::path& 
   std::istringstream in;
   std::ostringstream out, err;
   Console inner(in, out, err, console.stop());
-  const int code = RunCli(args, inner);
+  const int code = run(args, inner);
   console.CheckStop();
   std::string refusal = err.str();
   if (!refusal.empty() && refusal.back() == '\n') refusal.pop_back();
@@ -222,7 +220,7 @@ void AddOptions(CLI::App& app, GalleryOptions& options) {
   AddOptions(app, options.output);
 }
 
-int Run(const GalleryOptions& options, Console& console) {
+int RunGallery(const GalleryOptions& options, const CommandLine& run, Console& console) {
   const fs::path folder = fs::absolute(options.folder / fs::path()).lexically_normal();
   const std::string page = (folder / "index.html").string();
   Additions additions;
@@ -234,7 +232,7 @@ int Run(const GalleryOptions& options, Console& console) {
   std::vector<Exhibit> exhibits = Scripts();
   for (Exhibit& exhibit : Options()) exhibits.push_back(std::move(exhibit));
   for (const Exhibit& exhibit : exhibits) {
-    pictures.push_back(Show(exhibit, pictures.size() + 1, folder, additions, console));
+    pictures.push_back(Show(exhibit, pictures.size() + 1, folder, run, additions, console));
     if (pictures.back().picture.empty()) {
       ++missing;
       console.Remark(say::ExhibitMissing(exhibit.title, pictures.back().words));

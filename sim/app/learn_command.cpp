@@ -1,4 +1,4 @@
-#include "sim/app/learn_command.h"
+#include "sim/app/commands.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "sim/app/loop_command.h"
+#include "sim/app/commands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "sim/session/loop_drive.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_session.h"
+#include "sim/session/view_feed.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/metrics_json.h"

@@ -83,4 +83,9 @@ std::string DemoPictures();
 std::string DemoNext();
 std::string DemoBelowBar(double size);
 
+// The gallery.
+std::string GalleryOutcome(std::size_t drawn, std::size_t missing);
+std::string ExhibitMissing(std::string_view title, std::string_view why);
+std::string ExhibitFailed(std::string_view title, std::string_view why);
+
 }  // namespace moontrace::say

@@ -1,4 +1,4 @@
-#include "sim/app/records_command.h"
+#include "sim/app/commands.h"
 
 #include <unistd.h>
 
@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "lessons/records/records.h"
 #include "lessons/records/trial_json.h"
 #include "sim/app/messages.h"
 #include "sim/learn/learn_messages.h"

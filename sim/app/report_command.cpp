@@ -1,4 +1,4 @@
-#include "sim/app/report_command.h"
+#include "sim/app/commands.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,7 +8,6 @@
 #include "lessons/records/records.h"
 #include "lessons/records/report_facts.h"
 #include "lessons/records/trial_csv.h"
-#include "sim/app/records_command.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/report/records_messages.h"
 #include "sim/report/report_messages.h"

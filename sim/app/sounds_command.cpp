@@ -1,4 +1,4 @@
-#include "sim/app/sounds_command.h"
+#include "sim/app/commands.h"
 
 #include <chrono>
 #include <cmath>

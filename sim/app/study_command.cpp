@@ -1,4 +1,4 @@
-#include "sim/app/study_command.h"
+#include "sim/app/commands.h"
 
 #include <fmt/core.h>
 

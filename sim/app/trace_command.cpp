@@ -1,4 +1,4 @@
-#include "sim/app/trace_command.h"
+#include "sim/app/commands.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "devices/hand/simulated_stylus.h"
-#include "sim/app/device_trace.h"
 #include "sim/app/messages.h"
 #include "sim/app/trace_report.h"
 #include "sim/picture/picture_file.h"

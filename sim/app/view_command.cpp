@@ -1,10 +1,11 @@
-#include "sim/app/view_command.h"
+#include "sim/app/commands.h"
 
 #include <nlohmann/json.hpp>
 
 #include "sim/app/messages.h"
 #include "sim/picture/picture_file.h"
 #include "sim/session/loop_messages.h"
+#include "sim/session/view_feed.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
 #include "sim/session/view_trial.h"

@@ -1,4 +1,4 @@
-#include "sim/app/gallery_command.h"
+#include "sim/app/commands.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "sim/app/gallery_messages.h"
+#include "sim/app/messages.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {

@@ -1,4 +1,4 @@
-#include "sim/app/learn_command.h"
+#include "sim/app/commands.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 
 #include "devices/catalogue/catalogue.h"
 #include "lessons/records/records.h"
-#include "sim/app/devices_command.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/sim/learn_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "sim/app/replay_command.h"
+#include "sim/app/commands.h"
 
 #include <gtest/gtest.h>
 

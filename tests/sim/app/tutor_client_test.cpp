@@ -1,4 +1,4 @@
-#include "sim/app/tutor_client.h"
+#include "sim/app/commands.h"
 
 #include <atomic>
 #include <chrono>
