@@ -16,7 +16,6 @@
 #include <utility>
 
 #include "sim/audio/speech_messages.h"
-#include "sim/audio/ssip.h"
 
 extern char** environ;
 

@@ -1,27 +1,13 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "sim/audio/ssip.h"
+
 namespace moontrace {
-
-/// How urgent a sentence is, with the meanings of SSIP (speech-dispatcher's protocol).
-enum class Priority : std::uint8_t {
-  kImportant,     ///< never interrupted: the safety stop, lost force; keep it short
-  kMessage,       ///< waits its turn: the result of a trial, what a tutor says
-  kText,          ///< replaces older text: a letter's name, help, what lies there, answers
-  kNotification,  ///< dropped if anything else speaks: what is under the tip while it moves
-  kProgress,      ///< only the last one is said whole: long work
-};
-
-struct SpeechOptions {
-  std::string user = "learner";  ///< in the name under which the service knows us
-  int rate = 0;                  ///< -100 to 100
-  std::string language;          ///< "en"; empty: the service's own
-};
 
 /// Speech through speech-dispatcher. Every call returns at once: a thread of its own talks to the
 /// service, from a queue that never grows past 64 sentences. A service that is not there, dies or

@@ -1,16 +1,31 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
 #include <string_view>
 
-#include "sim/audio/speech.h"
 #include "sim/wording/line_buffer.h"
 #include "textures/base/file_descriptor.h"
 
 namespace moontrace {
+
+/// How urgent a sentence is, with the meanings of SSIP.
+enum class Priority : std::uint8_t {
+  kImportant,     ///< never interrupted: the safety stop, lost force; keep it short
+  kMessage,       ///< waits its turn: the result of a trial, what a tutor says
+  kText,          ///< replaces older text: a letter's name, help, what lies there, answers
+  kNotification,  ///< dropped if anything else speaks: what is under the tip while it moves
+  kProgress,      ///< only the last one is said whole: long work
+};
+
+struct SpeechOptions {
+  std::string user = "learner";  ///< in the name under which the service knows us
+  int rate = 0;                  ///< -100 to 100
+  std::string language;          ///< "en"; empty: the service's own
+};
 
 /// A connection to speech-dispatcher in its protocol, SSIP 1 (the package's info page): lines with
 /// CR LF, answers with a three-digit code, of which 2xx is good and 7xx an event.

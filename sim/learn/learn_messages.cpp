@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "sim/learn/learn_way.h"
 #include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 
@@ -221,6 +222,8 @@ std::string KeyConflicts(const std::vector<std::string>& conflicts) {
 
 std::string NoLeading() { return "Nothing leads your hand here; the way is:"; }
 
+namespace {
+
 std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of) {
   static constexpr const char* kHeights[] = {"bottom", "middle", "top"};
   static constexpr const char* kSides[] = {"left", "middle", "right"};
@@ -244,6 +247,17 @@ std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of
     }
   }
   return fmt::format("{}, to {}.", line, place(way.to));
+}
+
+}  // namespace
+
+std::vector<std::string> WayInWords(const std::vector<IntendedStroke>& strokes) {
+  std::vector<std::string> lines;
+  const std::vector<StrokeWay> ways = WaysOf(strokes);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    lines.push_back(WayOfStroke(ways[i], i + 1, ways.size()));
+  }
+  return lines;
 }
 
 }  // namespace moontrace::say

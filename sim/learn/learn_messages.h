@@ -8,7 +8,7 @@
 
 #include "lessons/course/course.h"
 #include "lessons/machine/lesson_machine.h"
-#include "sim/learn/learn_way.h"
+#include "lessons/measure/intended_strokes.h"
 #include "sim/learn/learn_words.h"
 
 /// Sentences of `moontrace learn`; see messages.h.
@@ -135,6 +135,7 @@ std::string KeyConflicts(const std::vector<std::string>& conflicts);
 
 // Where nothing can lead the hand.
 std::string NoLeading();
-std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of);
+/// How each stroke runs, a line a stroke.
+std::vector<std::string> WayInWords(const std::vector<IntendedStroke>& strokes);
 
 }  // namespace moontrace::say

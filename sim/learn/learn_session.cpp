@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sim/learn/learn_messages.h"
-#include "sim/learn/learn_way.h"
 #include "sim/session/loop_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
@@ -134,7 +133,7 @@ void LearnSession::Do(Await await) {
 /// Where nothing can lead the hand, words do.
 void LearnSession::TellWay() {
   teller_.Say(Priority::kText, say::NoLeading());
-  for (const std::string& line : WayInWords(stage_.trace().strokes())) {
+  for (const std::string& line : say::WayInWords(stage_.trace().strokes())) {
     teller_.Say(Priority::kText, line);
   }
 }

@@ -4,8 +4,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "sim/learn/learn_messages.h"
-
 namespace moontrace {
 
 namespace {
@@ -58,15 +56,6 @@ std::vector<StrokeWay> WaysOf(const std::vector<IntendedStroke>& strokes) {
     ways.push_back(std::move(way));
   }
   return ways;
-}
-
-std::vector<std::string> WayInWords(const std::vector<IntendedStroke>& strokes) {
-  std::vector<std::string> lines;
-  const std::vector<StrokeWay> ways = WaysOf(strokes);
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    lines.push_back(say::WayOfStroke(ways[i], i + 1, ways.size()));
-  }
-  return lines;
 }
 
 }  // namespace moontrace

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <string>
 #include <vector>
 
 #include "lessons/measure/intended_strokes.h"
@@ -33,8 +31,5 @@ struct StrokeWay {
 /// Ways of a page's strokes, in writing order; places are within the box of all of them. Pieces
 /// that go on in the same manner are one.
 std::vector<StrokeWay> WaysOf(const std::vector<IntendedStroke>& strokes);
-
-/// The same, a line a stroke.
-std::vector<std::string> WayInWords(const std::vector<IntendedStroke>& strokes);
 
 }  // namespace moontrace

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/view/viewer.h"
+#include "sim/view/view_words.h"
 #include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 

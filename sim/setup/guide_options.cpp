@@ -3,9 +3,8 @@
 #include <string>
 
 #include "sim/setup/guide_messages.h"
-#include "sim/setup/options.h"
 #include "sim/setup/setup_messages.h"
-#include "textures/base/error.h"
+#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "sim/scene/label.h"
 #include "sim/scene/scene_options.h"
@@ -72,31 +70,8 @@ void AddOptions(CLI::App& app, LayoutOptions& options);
 void AddOptions(CLI::App& app, Surface& surface);
 /// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`.
 void AddOptions(CLI::App& app, FeelOptions& options);
-
-/// Commands add their options through these, as CLI11 takes long to compile.
-
-/// An option with one value, read by `read`; the last one given counts.
-void AddValue(CLI::App& app, const std::string& name, const std::string& type,
-              const std::function<void(const std::string&)>& read, const std::string& description);
-void AddFlag(CLI::App& app, const std::string& name, bool& flag, const std::string& description);
-/// A flag that may take a value, as in `--keys=FILE`; "true" without one.
-void AddFlag(CLI::App& app, const std::string& name, std::string& value,
-             const std::string& description);
-/// All arguments without a name.
-void AddWords(CLI::App& app, std::vector<std::string>& words, const std::string& description);
-/// Gives an option that was added before another description.
-void Redescribe(CLI::App& app, const std::string& name, const std::string& description);
-/// A number option in the user's unit, times `scale`, from `low` to `high` in the user's unit.
-void AddNumber(CLI::App& app, const std::string& name, std::optional<double>& value, double low,
-               double high, double scale, const std::string& description);
-/// `given_at_all`, unless null, becomes true if it was.
+/// `--seed`. `given_at_all`, unless null, becomes true if it was.
 void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all = nullptr);
-/// A file or folder. An empty one is a UsageError: it would read as not given.
-void AddPath(CLI::App& app, const std::string& name, const std::string& type, std::string& path,
-             const std::string& description);
-
-/// Reads a finite number from `low` to `high`. Throws UsageError.
-double ReadNumber(const std::string& option, const std::string& given, double low, double high);
 
 /// The text of a command, at most 16 MB. Throws UsageError (none, two) and InputError.
 std::string ReadText(const TextOptions& options, const std::string& command, Console& console);

@@ -3,9 +3,9 @@
 #include <numbers>
 
 #include "sim/scene/label.h"
-#include "sim/setup/options.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/sheet_messages.h"
+#include "sim/wording/console.h"
 #include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {

@@ -13,7 +13,7 @@ std::string PageWordsHelp() {
   return fmt::format(
       "Behind size, depth, width, spacing, pitch and tilt stands a number, as in size 20 mm, depth "
       "50 %, tilt 10 degrees; behind form {}; behind paper {}.",
-      kForms, kPapers);
+      kFormChoices, kPaperChoices);
 }
 
 std::string PageBecomes(const PageCommand& command) {

@@ -8,9 +8,6 @@
 /// Sentences about a page that is changed while it is felt; see messages.h.
 namespace moontrace::say {
 
-inline constexpr const char* kForms = "crescent, arc, pocket or reverse-n";
-inline constexpr const char* kPapers = "smooth, sine, grid or noise";
-
 /// What the words want behind them.
 std::string PageWordsHelp();
 /// The page as it is from now on: "depth 50 % of the usual", without capital and stop.

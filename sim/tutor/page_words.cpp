@@ -4,7 +4,6 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/tutor/page_messages.h"
 #include "sim/tutor/word_line.h"
 #include "sim/tutor/word_messages.h"
 #include "textures/base/text_file.h"
@@ -60,7 +59,7 @@ std::variant<PageCommand, std::string> ReadPaper(std::string_view word, std::str
   command.paper = PaperKindOf(name);
   // an array's heights are in a file, which a word cannot bring
   if (command.paper && *command.paper != PaperKind::kSampled) return command;
-  return say::WordCannotBe(word, given, say::kPapers);
+  return say::WordCannotBe(word, given, kPaperChoices);
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ std::variant<PageCommand, std::string> ReadPageCommand(PageWord word, std::strin
     return command;
   }
   const bool is_form = word == PageWord::kForm;
-  if (behind.empty()) return say::WordWants(name, is_form ? say::kForms : say::kPapers);
+  if (behind.empty()) return say::WordWants(name, is_form ? kFormChoices : kPaperChoices);
   if (!is_form) return ReadPaper(name, behind);
   command.h_form = FormNamed(behind);
   return command;

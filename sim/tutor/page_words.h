@@ -26,6 +26,10 @@ enum class PageWord : std::uint8_t {
   kPaper,     ///< paper; none: smooth
 };
 
+/// What may stand behind "form" and "paper", for people.
+inline constexpr const char* kFormChoices = "crescent, arc, pocket or reverse-n";
+inline constexpr const char* kPaperChoices = "smooth, sine, grid or noise";
+
 /// One change, read.
 struct PageCommand {
   PageWord word = PageWord::kSize;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/view/view_painter.h"
-#include "sim/view/viewer.h"
+#include "sim/view/viewer_options.h"
 #include "sim/view/window_event.h"
 
 namespace moontrace {

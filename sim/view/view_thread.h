@@ -4,7 +4,7 @@
 
 #include "sim/view/view_mailbox.h"
 #include "sim/view/view_painter.h"
-#include "sim/view/viewer.h"
+#include "sim/view/viewer_options.h"
 
 namespace moontrace {
 

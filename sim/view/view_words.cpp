@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/view/viewer.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {

@@ -29,4 +29,7 @@ enum class ViewWord {
 /// "zoom in" and so on; spaces around and capitals do not count. None: no word of the view.
 std::optional<ViewWord> ViewWordOf(std::string_view line);
 
+/// All words, for help.
+const std::vector<std::string>& ViewWords();
+
 }  // namespace moontrace

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,37 +9,9 @@
 #include "sim/view/panel.h"
 #include "sim/view/view_moment.h"
 #include "sim/view/view_page.h"
+#include "sim/view/viewer_options.h"
 
 namespace moontrace {
-
-/// What the mouse or pen in the window means for a stylus.
-struct PointerAim {
-  glm::dvec2 p_P{0, 0};  ///< [m]
-  double press = 0;      ///< [N], 0: lifted
-  bool over_page = false;
-};
-
-/// Where the viewer draws.
-struct ViewerOptions {
-  /// Empty: into a window. Else into this folder, without a display: frame-00001.png and so on,
-  /// `frames_per_second` of them, until `most_frames`.
-  std::string frames;
-  double frames_per_second = 30;
-  std::size_t most_frames = 18000;
-  std::string title = "Moontrace";
-  int width = 1280, height = 720;  ///< of the picture, or of the window when it opens [pixels]
-  bool high_contrast = false, large_text = false;
-  /// Is told of every move of mouse or pen over the page, by the viewer's thread; none: the mouse
-  /// only looks.
-  std::function<void(const PointerAim&)> pointer = {};
-};
-
-/// How the viewer kept up.
-struct ViewerReport {
-  std::size_t frames = 0;
-  double median_frame_ms = 0, slowest_frame_ms = 0;  ///< drawing one frame
-  double median_change_ms = 0;  ///< from a change of view or page until it is shown whole
-};
 
 /// The view of the page, the hand on it and the tutor's panel, drawn by a thread of its own that
 /// does all of OpenGL and of the window. Nothing here ever waits for it, and it never touches the
@@ -88,9 +58,6 @@ class Viewer {
   struct State;
   std::shared_ptr<State> state_;  // the thread's too: it outlives a viewer whose display hangs
 };
-
-/// Words that Obey takes, for help.
-const std::vector<std::string>& ViewWords();
 
 /// One picture of a page, without a display: what a viewer of this size shows, with panel and
 /// values where given, without plots where there are no moments. Throws LackError as Viewer.

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "sim/learn/learn_messages.h"
+
 namespace moontrace {
 namespace {
 
@@ -15,20 +17,21 @@ IntendedStroke Stroke(std::vector<Piece> pieces) {
 }
 
 TEST(LearnWay, TellsAnLAsDownThenRight) {
-  const auto lines = WayInWords({Stroke({Line{{0, 1}, {0, 0}}, Line{{0, 0}, {1, 0}}})});
+  const auto lines = say::WayInWords({Stroke({Line{{0, 1}, {0, 0}}, Line{{0, 0}, {1, 0}}})});
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0], "One stroke: from top left, down, right, to bottom right.");
 }
 
 TEST(LearnWay, TellsRingsBendsAndDots) {
   const IntendedStroke ring = Stroke({Arc{{0, 0}, 1, std::numbers::pi / 2, -2 * std::numbers::pi}});
-  EXPECT_EQ(WayInWords({ring})[0], "One stroke: from top middle, a ring clockwise, to top middle.");
+  EXPECT_EQ(say::WayInWords({ring})[0],
+            "One stroke: from top middle, a ring clockwise, to top middle.");
   const IntendedStroke bow = Stroke({Arc{{0, 0}, 1, std::numbers::pi, std::numbers::pi}});
-  EXPECT_EQ(WayInWords({bow})[0],
+  EXPECT_EQ(say::WayInWords({bow})[0],
             "One stroke: from top left, a bend anticlockwise right, to top right.");
   IntendedStroke dot = Stroke({Line{{-1, -1}, {-1, -1}}});
   dot.kind = StrokeKind::kDot;
-  EXPECT_EQ(WayInWords({ring, dot})[1], "Stroke 2 of 2: a dot, bottom left.");
+  EXPECT_EQ(say::WayInWords({ring, dot})[1], "Stroke 2 of 2: a dot, bottom left.");
 }
 
 TEST(LearnWay, PiecesThatGoOnInTheSameMannerAreOne) {

@@ -7,7 +7,6 @@
 
 #include "sim/view/view_messages.h"
 #include "sim/view/view_text.h"
-#include "sim/view/viewer.h"
 
 namespace moontrace {
 namespace {

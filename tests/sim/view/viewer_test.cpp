@@ -1,4 +1,5 @@
 #include "sim/view/viewer.h"
+#include "sim/view/view_words.h"
 
 #include <gtest/gtest.h>
 
