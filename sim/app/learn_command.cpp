@@ -11,7 +11,6 @@
 
 #include "lessons/course/course.h"
 #include "sim/audio/sound_messages.h"
-#include "sim/learn/learn_device.h"
 #include "sim/learn/learn_drive.h"
 #include "sim/learn/learn_keys.h"
 #include "sim/learn/learn_learner.h"

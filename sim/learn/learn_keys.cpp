@@ -8,7 +8,6 @@
 #include <ostream>
 #include <utility>
 
-#include "sim/learn/key_reader.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_words.h"
 #include "textures/base/toml_reader.h"

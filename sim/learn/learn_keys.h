@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "sim/learn/learn_input.h"
-#include "sim/learn/raw_terminal.h"
+#include "sim/learn/terminal_keys.h"
 #include "sim/wording/console.h"
 
 namespace moontrace {
 
-/// Key (key_reader.h) -> word of learn_words.h.
+/// Key (ReadKeys) -> word of learn_words.h.
 using KeyMap = std::map<std::string, std::string>;
 
 /// Escape stop, Space pause, ? and F1 help, r again, w where, + bigger, - smaller, ] more help, [

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "lessons/records/records.h"
-#include "sim/learn/learn_simulated_messages.h"
+#include "sim/learn/learn_messages.h"
 #include "sim/learner/course_run.h"
 
 namespace moontrace {

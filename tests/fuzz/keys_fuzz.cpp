@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sim/learn/key_reader.h"
 #include "sim/learn/learn_keys.h"
+#include "sim/learn/terminal_keys.h"
 #include "textures/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "sim/learn/key_reader.h"
+#include "sim/learn/terminal_keys.h"
 
 #include <gtest/gtest.h>
 
