@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "sim/audio/earcon.h"
-#include "sim/audio/path_sound.h"
 #include "sim/audio/sound_output.h"
+#include "sim/audio/sound_synthesis.h"
 #include "sim/audio/sound_table.h"
 
 namespace moontrace {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/audio/path_sound.h"
 #include "sim/audio/sound_synthesis.h"
 #include "sim/audio/sound_table.h"
 

@@ -2,10 +2,17 @@
 
 #include <vector>
 
-#include "sim/audio/path_sound.h"
 #include "sim/audio/sound_table.h"
 
 namespace moontrace {
+
+/// Where the tip is on what it follows, to be heard: pan is x, pitch is y, and a trembling tone
+/// grows with the distance from the stroke.
+struct PathSound {
+  bool in_contact = false;  ///< false: silence
+  double x = 0, y = 0;      ///< in the box of the letter or page, 0-1; held to that
+  double off_line = 0;      ///< 0: on the stroke; 1: as far as the tone grows; held to that
+};
 
 /// One earcon, mono at kSoundRate, within -1 to 1, without a step at any end: every note swells for
 /// 5 ms and dies for 8 ms. No partial is above 5 kHz. A recording fades at its ends as notes do.

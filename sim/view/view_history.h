@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/view/page_renderer.h"
-#include "sim/view/view_moment.h"
 #include "sim/view/view_page.h"
 
 namespace moontrace {

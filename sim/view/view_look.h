@@ -2,6 +2,9 @@
 
 #include "sim/picture/drawing.h"
 
+struct mjUI_;
+struct mjrContext_;
+
 namespace moontrace {
 
 /// How the view looks, beside what it shows.
@@ -47,5 +50,12 @@ struct ViewLayout {
 /// page less than two fifths of the width, 200 or 120 points is left out: first the plots, then the
 /// panel, then the text. `panel_width` 0: no panel; `text_height` of the lower edge.
 ViewLayout LayoutOf(int width, int height, int panel_width, int plots_width, int text_height);
+
+/// Spacing and colours of MuJoCo's controls for the tutor's panel: labels of 13 letters and choices
+/// of 9, two side by side, have room.
+void SetTheme(mjUI_& ui, const ViewColors& colors);
+
+/// Width of what may stand behind an item's label [points].
+int TextRoom(const mjrContext_& context);
 
 }  // namespace moontrace

@@ -10,7 +10,7 @@
 #include <deque>
 #include <utility>
 
-#include "sim/view/panel_theme.h"
+#include "sim/view/view_look.h"
 #include "sim/view/view_text.h"
 #include "textures/base/text_file.h"
 

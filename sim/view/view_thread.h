@@ -1,12 +1,72 @@
 #pragma once
 
+#include <array>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "sim/view/view_mailbox.h"
+#include "sim/view/panel.h"
+#include "sim/view/view_page.h"
 #include "sim/view/view_painter.h"
+#include "sim/view/view_words.h"
 #include "sim/view/viewer_options.h"
 
 namespace moontrace {
+
+/// What was told to the viewer's thread since it looked last.
+struct ViewNews {
+  std::shared_ptr<const ViewPage> page;
+  std::deque<ViewMoment> moments;
+  std::optional<std::vector<PanelControl>> controls;
+  std::optional<std::vector<PanelValue>> values;
+  std::vector<std::string> told;  ///< lines of the text face
+  std::vector<ViewWord> words;
+};
+
+/// The newest 4096 times, for their median.
+class TimeLog {
+ public:
+  void Add(double ms);
+  double Median() const;  ///< [ms], 0 without any
+  double slowest() const { return slowest_; }
+  std::size_t count() const { return count_; }
+
+ private:
+  std::array<float, 4096> kept_{};
+  std::size_t count_ = 0;
+  double slowest_ = 0;
+};
+
+/// What passes between a viewer and its thread. `mutex` guards all of it and is never held while
+/// OpenGL or the display is called.
+struct ViewMailbox {
+  std::mutex mutex;
+  std::condition_variable changed;
+  ViewNews news;
+  bool stop = false;  ///< the thread shall end
+
+  bool opened = false, closed = false, finished = false;
+  std::exception_ptr refused;  ///< why it could not open
+  std::string failure;
+  std::deque<std::string> lines;    ///< said in the window
+  std::deque<std::string> notices;  ///< what the view has to say of itself
+  TimeLog frames, changes;
+
+  /// For the thread.
+  ViewNews TakeNews();
+  bool Stopped();
+  void Fail(const std::string& why);
+  void Say(std::string line);
+  void Notice(std::string sentence);
+  /// For the viewer: the oldest of `lines` or `notices`.
+  std::optional<std::string> TakeFrom(std::deque<std::string> ViewMailbox::*texts);
+};
 
 /// What a viewer's thread does: opens a window, or OpenGL without a display, and draws until it is
 /// stopped, the window is closed, or all frames are written. Tells the mailbox how it went; throws

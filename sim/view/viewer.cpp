@@ -8,7 +8,6 @@
 
 #include "sim/picture/picture_file.h"
 #include "sim/view/gl_headless.h"
-#include "sim/view/view_mailbox.h"
 #include "sim/view/view_messages.h"
 #include "sim/view/view_painter.h"
 #include "sim/view/view_thread.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/view/panel.h"
-#include "sim/view/view_moment.h"
 #include "sim/view/view_page.h"
 #include "sim/view/viewer_options.h"
 

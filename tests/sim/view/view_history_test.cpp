@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "sim/view/view_mailbox.h"
+#include "sim/view/view_thread.h"
 #include "tests/sim/view_fixture.h"
 
 namespace moontrace {
