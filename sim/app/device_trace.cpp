@@ -24,7 +24,7 @@ namespace moontrace {
 
 namespace {
 
-/// A stroke is meant within a quarter em of it: half way to the next at the closest.
+/// A stroke is meant within a quarter em of it: halfway to the next where they are closest.
 constexpr double kReachEm = 0.25;
 
 double LengthOf(const IntendedStroke& stroke) {

@@ -19,7 +19,7 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kMomentEvery = 0.004;  ///< of a picture's way of the tip [s]
+constexpr double kMomentEvery = 0.004;  ///< of the tip's path in a picture [s]
 
 void CheckPicture(const ViewCommandOptions& options) {
   if (!options.picture.ends_with(".png")) {

@@ -20,7 +20,7 @@ enum class PassedEnd { kNothing, kLine, kPage };
 PassedEnd PassedEndOf(const TextPage& page, const Script& script, const TypeStyle& style,
                       glm::dvec2 tip_P);
 
-/// One moment of a tip on its way.
+/// One moment of a tip on its path.
 struct PathMoment {
   double time = 0;  ///< [s]
   bool touching = false;
@@ -28,7 +28,7 @@ struct PathMoment {
   PassedEnd end = PassedEnd::kNothing;
 };
 
-/// Finds what on a way is worth a sound and a line of text: begin and end of touch, off the line
+/// Finds what on a path is worth a sound and a line of text: begin and end of touch, off the line
 /// and on it again, end of a line and of a page. Each of the last four at most once in 3 s, so that
 /// its line can be read.
 class PathEvents {

@@ -59,7 +59,7 @@ std::string PathSoundLine(bool on) {
       on ? "" : kOff);
 }
 
-std::string OnTheWay(Earcon earcon) {
+std::string OnThePath(Earcon earcon) {
   switch (earcon) {
     case Earcon::kOffLine:
       return "Off the line.";

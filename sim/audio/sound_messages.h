@@ -23,8 +23,8 @@ std::string EarconName(Earcon earcon);
 /// What it means, and how it sounds as shipped.
 std::string EarconLine(Earcon earcon, bool on);
 std::string PathSoundLine(bool on);
-/// The line beside an earcon of the tip's way; empty for those that need none.
-std::string OnTheWay(Earcon earcon);
+/// The line beside an earcon of the tip's path; empty for those that need none.
+std::string OnThePath(Earcon earcon);
 
 // Why nothing is heard: one sentence each, said once; the lesson goes on in text.
 std::string NoSoundLibrary();

@@ -7,7 +7,7 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kChange = 0.005;       // between the way and an earcon [s]
+constexpr double kChange = 0.005;       // between the tone and an earcon [s]
 constexpr double kHeardAtLeast = 0.15;  // of an earcon before the next [s]
 
 }  // namespace
@@ -67,11 +67,11 @@ void Mixer::Render(float* frames, std::size_t count, const PathSound& path) noex
   for (std::size_t i = 0; i < count; ++i) {
     Advance();
     const double earcon = NextOfEarcon();
-    const PathVoice::Frame way = voice_.Next(heard);
+    const PathVoice::Frame tone = voice_.Next(heard);
     // from the middle, at the power of a tone there
     const double middle = gain_ * earcon * std::numbers::sqrt2 / 2;
-    frames[2 * i] = static_cast<float>(volume_ * ((1 - gain_) * way.left + middle));
-    frames[2 * i + 1] = static_cast<float>(volume_ * ((1 - gain_) * way.right + middle));
+    frames[2 * i] = static_cast<float>(volume_ * ((1 - gain_) * tone.left + middle));
+    frames[2 * i + 1] = static_cast<float>(volume_ * ((1 - gain_) * tone.right + middle));
   }
 }
 

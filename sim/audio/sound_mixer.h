@@ -9,8 +9,9 @@
 
 namespace moontrace {
 
-/// All that is heard at a time: the way, and one earcon, during which the way is silent. What is
-/// put out lies within -1 to 1 and has no steps. Nothing here allocates but the constructor.
+/// All that is heard at a time: the tone of the path, and one earcon, during which the tone is
+/// silent. What is put out lies within -1 to 1 and has no steps. Nothing here allocates but the
+/// constructor.
 class Mixer {
  public:
   explicit Mixer(const SoundTable& table);

@@ -18,7 +18,7 @@ struct PathSound {
 /// 5 ms and dies for 8 ms. No partial is above 5 kHz. A recording fades at its ends as notes do.
 std::vector<float> RenderEarcon(const EarconSound& sound);
 
-/// The tone of the way. A value type: copies sound alike.
+/// The tone of the path. A value type: copies sound alike.
 class PathVoice {
  public:
   struct Frame {

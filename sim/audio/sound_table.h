@@ -32,7 +32,7 @@ struct EarconSound {
   std::vector<float> recording;  ///< mono at `kSoundRate`; not empty: instead of the notes
 };
 
-/// How the way of the tip sounds.
+/// How the path of the tip sounds.
 struct PathTone {
   bool on = true;
   double low = 200, high = 400;  ///< pitch at y = 0 and y = 1 [Hz]

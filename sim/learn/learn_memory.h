@@ -25,7 +25,7 @@ class LearnMemory {
 
   /// Progress told again from the rows.
   Progress Recall(const Course& course) const;
-  std::size_t trials() const;  ///< of this course, marks of the way left out
+  std::size_t trials() const;  ///< of this course: rows with an item
 
   /// A row, on disk when this returns. Where that fails, it is held back and tried again with the
   /// next one, in order; then why, else empty.

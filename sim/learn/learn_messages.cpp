@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/learn/learn_way.h"
+#include "sim/learn/learn_path.h"
 #include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 
@@ -224,38 +224,38 @@ std::string NoLeading() { return "Nothing leads your hand here; the way is:"; }
 
 namespace {
 
-std::string WayOfStroke(const StrokeWay& way, std::size_t number, std::size_t of) {
+std::string PathOfStroke(const StrokePath& path, std::size_t number, std::size_t of) {
   static constexpr const char* kHeights[] = {"bottom", "middle", "top"};
   static constexpr const char* kSides[] = {"left", "middle", "right"};
-  static constexpr const char* kWays[] = {"right", "up and right",  "up",   "up and left",
-                                          "left",  "down and left", "down", "down and right"};
+  static constexpr const char* kDirections[] = {"right", "up and right",  "up",   "up and left",
+                                                "left",  "down and left", "down", "down and right"};
   const auto place = [](ThirdPlace at) {
     const std::string height = kHeights[at.y + 1], side = kSides[at.x + 1];
     return height == side ? height : height + " " + side;
   };
   const std::string which = of == 1 ? "One stroke" : fmt::format("Stroke {} of {}", number, of);
-  if (way.dot) return fmt::format("{}: a dot, {}.", which, place(way.from));
-  std::string line = fmt::format("{}: from {}", which, place(way.from));
-  for (const WayPiece& piece : way.pieces) {
+  if (path.dot) return fmt::format("{}: a dot, {}.", which, place(path.from));
+  std::string line = fmt::format("{}: from {}", which, place(path.from));
+  for (const PathPiece& piece : path.pieces) {
     const char* turn = piece.clockwise ? "clockwise" : "anticlockwise";
     if (piece.round) {
       line += fmt::format(", a ring {}", turn);
     } else if (piece.arc) {
-      line += fmt::format(", a bend {} {}", turn, kWays[piece.eighth]);
+      line += fmt::format(", a bend {} {}", turn, kDirections[piece.eighth]);
     } else {
-      line += fmt::format(", {}", kWays[piece.eighth]);
+      line += fmt::format(", {}", kDirections[piece.eighth]);
     }
   }
-  return fmt::format("{}, to {}.", line, place(way.to));
+  return fmt::format("{}, to {}.", line, place(path.to));
 }
 
 }  // namespace
 
-std::vector<std::string> WayInWords(const std::vector<IntendedStroke>& strokes) {
+std::vector<std::string> PathInWords(const std::vector<IntendedStroke>& strokes) {
   std::vector<std::string> lines;
-  const std::vector<StrokeWay> ways = WaysOf(strokes);
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    lines.push_back(WayOfStroke(ways[i], i + 1, ways.size()));
+  const std::vector<StrokePath> paths = PathsOf(strokes);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    lines.push_back(PathOfStroke(paths[i], i + 1, paths.size()));
   }
   return lines;
 }

@@ -136,7 +136,7 @@ std::string KeyConflicts(const std::vector<std::string>& conflicts);
 // Where nothing can lead the hand.
 std::string NoLeading();
 /// How each stroke runs, a line a stroke.
-std::vector<std::string> WayInWords(const std::vector<IntendedStroke>& strokes);
+std::vector<std::string> PathInWords(const std::vector<IntendedStroke>& strokes);
 
 // A simulated learner.
 std::string SimulatedBegins(std::string_view course, std::size_t lessons);

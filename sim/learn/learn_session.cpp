@@ -122,7 +122,7 @@ void LearnSession::Do(const lesson_action::Push& push) {
   stage_.Push(push);
   lent_ = false;
   leading_ = push.demonstrate;
-  if (leading_ && !stage_.pushes() && !stage_.simulated()) TellWay();
+  if (leading_ && !stage_.pushes() && !stage_.simulated()) SayPath();
 }
 
 void LearnSession::Do(Await await) {
@@ -131,9 +131,9 @@ void LearnSession::Do(Await await) {
 }
 
 /// Where nothing can lead the hand, words do.
-void LearnSession::TellWay() {
+void LearnSession::SayPath() {
   teller_.Say(Priority::kText, say::NoLeading());
-  for (const std::string& line : say::WayInWords(stage_.trace().strokes())) {
+  for (const std::string& line : say::PathInWords(stage_.trace().strokes())) {
     teller_.Say(Priority::kText, line);
   }
 }

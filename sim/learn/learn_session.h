@@ -47,7 +47,7 @@ class LearnSession {
   /// As Pause, and all sound and speech end.
   void Stop(bool by_tutor);
   bool stopped() const { return stopped_; }
-  /// Leads the hand along a way once; nothing of it counts, then the trace begins anew.
+  /// Leads the hand along a path once; nothing of it counts, then the trace begins anew.
   void Lead(std::shared_ptr<const GuidancePath> path);
   /// Lesson, step, item, size, help, what the tip feels: one line.
   std::string Status() const;
@@ -78,7 +78,7 @@ class LearnSession {
   void LookAtEvents();
   void LookAtStop();
   void LookAtTrace();
-  void TellWay();
+  void SayPath();
   Trial Flags(Trial measured) const;
   bool told() const { return stage_.shown().told || stage_.simulated(); }
   std::int64_t Now() const;

@@ -46,7 +46,7 @@ void PathListener::Hear(LearnSession& session) {
   const auto happened = events_.Take({now.time, touching, sound.off_line, end});
   if (!happened) return;
   sound_.Play(*happened);
-  const std::string line = say::OnTheWay(*happened);
+  const std::string line = say::OnThePath(*happened);
   if (!line.empty()) session.teller().Happening(Priority::kNotification, line);
 }
 

@@ -6,14 +6,14 @@
 
 namespace moontrace {
 
-/// Lets the tip's way be heard at the rate of polling: pan and pitch by its place on what is
+/// Lets the tip's path be heard at the rate of polling: pan and pitch by its place on what is
 /// traced, a tone that grows off the line, and earcons for begin and end of touch. Silent while
 /// something is to be recognised, whose shape would be heard.
 class PathListener {
  public:
   explicit PathListener(Sound& sound) : sound_(sound) {}
-  /// What happens on the way is told as a line too, but begin and end of touch, which the path's
-  /// own tone has.
+  /// What happens on the path is also said as a line, except begin and end of touch, which the
+  /// path's own tone has.
   void Hear(LearnSession& session);
 
  private:

@@ -88,7 +88,7 @@ void LearnStage::Set(const lesson_action::Show& show) {
 void LearnStage::Show(const lesson_action::Show& show) {
   Set(show);
   shown_ = show;
-  way_.reset();
+  led_path_.reset();
   Restart();
 }
 
@@ -131,33 +131,33 @@ bool LearnStage::Turn(bool forward) {
 
 void LearnStage::Push(const lesson_action::Push& push) {
   push_ = push;
-  way_.reset();
+  led_path_.reset();
   Guide();
 }
 
 void LearnStage::Lead(std::shared_ptr<const GuidancePath> path, double speed) {
-  way_ = std::move(path);
-  way_speed_ = speed;
+  led_path_ = std::move(path);
+  led_speed_ = speed;
   Guide();
 }
 
 void LearnStage::LetGo() {
-  way_.reset();
+  led_path_.reset();
   Restart();
 }
 
 /// The push as it is wanted, on the page that lies there.
 void LearnStage::Guide() {
-  const bool leads = way_ != nullptr;
+  const bool leads = led_path_ != nullptr;
   const GuidanceMode mode = leads ? GuidanceMode::kBead : push_.mode;
   const int help = leads ? kMostHelp : push_.help;
   GuidancePlan plan;
   plan.mode = mode;
   plan.gains = gains_.GainsOf(mode, help);
-  plan.gains.bead_speed *= leads ? way_speed_ : push_.speed;
+  plan.gains.bead_speed *= leads ? led_speed_ : push_.speed;
   const bool nothing = help <= 0 || mode == GuidanceMode::kOff;
   if (nothing || (!leads && trace_->strokes().empty())) return session_.loop().Guide(nullptr);
-  plan.path = leads ? way_ : MakeGuidancePath(trace_->strokes());
+  plan.path = leads ? led_path_ : MakeGuidancePath(trace_->strokes());
   session_.loop().Guide(std::make_shared<const GuidancePlan>(std::move(plan)));
 }
 

@@ -37,7 +37,7 @@ class LearnStage {
   void Show(const lesson_action::Show& show);
   /// The push from now on; it stays for the pages to come until there is another.
   void Push(const lesson_action::Push& push);
-  /// A way that the hand is led along in place of what was wanted, until LetGo, Show or Push.
+  /// A path that the hand is led along in place of what was wanted, until LetGo, Show or Push.
   void Lead(std::shared_ptr<const GuidancePath> path, double speed);
   /// The push is again as it was wanted, and the hand begins anew.
   void LetGo();
@@ -83,8 +83,8 @@ class LearnStage {
   GuidanceTable gains_;
   lesson_action::Show shown_;
   lesson_action::Push push_;
-  std::shared_ptr<const GuidancePath> way_;  ///< of Lead
-  double way_speed_ = 1;
+  std::shared_ptr<const GuidancePath> led_path_;  ///< of Lead
+  double led_speed_ = 1;
   PageForm form_;
   bool shrunk_ = false;
   std::unique_ptr<LearnTrace> trace_;

@@ -170,7 +170,7 @@ void TutorDesk::ChangeForm(const TutorServer::Line& line, const TutorCommand& co
   session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
 }
 
-/// What changes the hand's way on the page.
+/// Whatever changes the hand's path on the page.
 bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
   const LearnStage& stage = session_.stage();
   switch (command.word) {

@@ -114,8 +114,8 @@ std::vector<Mark> RuleMarks(const TextPage& page, const Script& script, const Ty
   PathMark margin;
   margin.stroke = palette::kRidge;
   margin.width = kMillimetres * MarginProfile(style).width;
-  std::vector<Piece>& way = margin.subpaths.emplace_back();
-  for (const Piece& piece : raised.margin) way.push_back(InMillimetres(piece));
+  std::vector<Piece>& path = margin.subpaths.emplace_back();
+  for (const Piece& piece : raised.margin) path.push_back(InMillimetres(piece));
   marks.emplace_back(std::move(margin));
   return marks;
 }

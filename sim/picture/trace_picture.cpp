@@ -25,7 +25,7 @@ void Append(std::vector<Mark>& marks, std::vector<Mark> more) {
   for (Mark& mark : more) marks.push_back(std::move(mark));
 }
 
-/// The tip's way while it touches: one track from landing to lift.
+/// The tip's path while it touches: one track from landing to lift.
 std::vector<Mark> TipTracks(const std::vector<PathPoint>& path, glm::dvec2 from_P, double width) {
   std::vector<Mark> marks;
   TrackMark track;
@@ -59,7 +59,7 @@ std::vector<Mark> RulesFrom(const TextPage& page, const Script& script, const Ty
   return marks;
 }
 
-/// What is drawn is within: strokes, rules, margin, the tip's way.
+/// What is drawn is within: strokes, rules, margin, the tip's path.
 Box Drawn(const TextPage& page, const Script& script, const TypeStyle& style, bool blank,
           const TrialResult& result) {
   Box box = InkBounds(page, script, style);

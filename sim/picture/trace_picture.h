@@ -11,7 +11,7 @@
 
 namespace moontrace {
 
-/// What was traced, the tip's way over it, rings where the tip left, and a legend in words.
+/// What was traced, the tip's path over it, rings where the tip left, and a legend in words.
 /// `result.path` must have been kept. `text` is the page's own text.
 Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle& style, bool blank,
                      const std::string& text, const TrialResult& result);

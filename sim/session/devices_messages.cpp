@@ -206,10 +206,10 @@ std::string Countdown(int seconds, int axis, double sign, double force) {
                      : fmt::format("Now {}, {}.", Direction(axis, sign), Newtons(force));
 }
 
-std::string Pushed(glm::dvec3 way_D) {
+std::string Pushed(glm::dvec3 moved_D) {
   return fmt::format("The tip went {} mm along x, {} along y, {} along z.",
-                     Short(kMillimetres * way_D.x, 1), Short(kMillimetres * way_D.y, 1),
-                     Short(kMillimetres * way_D.z, 1));
+                     Short(kMillimetres * moved_D.x, 1), Short(kMillimetres * moved_D.y, 1),
+                     Short(kMillimetres * moved_D.z, 1));
 }
 
 std::string AskDirection(int axis, double sign) {

@@ -50,7 +50,7 @@ std::string AskForForces(double force);
 std::string ForcesLeftOut();
 std::string PushesEnded();
 std::string Countdown(int seconds, int axis, double sign, double force);
-std::string Pushed(glm::dvec3 way_D);
+std::string Pushed(glm::dvec3 moved_D);
 std::string AskDirection(int axis, double sign);
 std::string StoppedByButton();
 std::string CapHeld(double asked, double commanded);

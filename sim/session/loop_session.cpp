@@ -75,8 +75,8 @@ void Centre(Typeset& set) {
   const double size = set.style.size;
   const glm::dvec2 low = glyphs.front().origin_P;
   const glm::dvec2 high = glyphs.back().origin_P + glm::dvec2(size, size);
-  const glm::dvec2 way = 0.5 * (glm::dvec2(set.page.width, set.page.height) - low - high);
-  for (PlacedGlyph& glyph : glyphs) glyph.origin_P += way;
+  const glm::dvec2 shift = 0.5 * (glm::dvec2(set.page.width, set.page.height) - low - high);
+  for (PlacedGlyph& glyph : glyphs) glyph.origin_P += shift;
 }
 
 /// How much page a device can reach, its edges finite [m].
@@ -289,7 +289,7 @@ void LoopSession::Tilt(double tilt) {
   change.field = FieldOf(page_);
   change.page = number();
   if (simulated_) {
-    change.device = StylusFor(page_);  // its arm is tilted with the page: the way is as it was
+    change.device = StylusFor(page_);  // its arm is tilted with the page: the path is as it was
   } else {
     if (!mouse_) change.tilt = tilt;  // it lies in the page's plane
   }

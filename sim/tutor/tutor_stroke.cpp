@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kShortLift = 0.15;      // [s]
 constexpr double kLeastTouch = 0.1;      // [s]
-constexpr double kLeastWay = 1e-3;       // [m]
+constexpr double kLeastPath = 1e-3;      // [m]
 constexpr double kTolerance = 2e-5;      // [m]
 constexpr std::size_t kLookAhead = 200;  // samples tried behind the last good end
 
@@ -63,7 +63,7 @@ std::optional<RecordedStroke> StrokeRecorder::Stroke() const {
   std::size_t end = samples_.size();
   while (end > 0 && !samples_[end - 1].in_contact) --end;
   RecordedStroke stroke;
-  double touched = 0, way = 0;
+  double touched = 0, path = 0;
   std::size_t last = 0;  // sample in contact
   for (std::size_t i = 0; i < end; ++i) {
     if (!samples_[i].in_contact) continue;
@@ -75,13 +75,13 @@ std::optional<RecordedStroke> StrokeRecorder::Stroke() const {
       }
     } else if (i > 0) {
       touched += samples_[i].time - samples_[last].time;
-      way += glm::length(samples_[i].tip_P - samples_[last].tip_P);
+      path += glm::length(samples_[i].tip_P - samples_[last].tip_P);
     }
     stroke.times.push_back(samples_[i].time);
     stroke.tips_P.push_back(samples_[i].tip_P);
     last = i;
   }
-  if (touched < kLeastTouch || way < kLeastWay) return std::nullopt;
+  if (touched < kLeastTouch || path < kLeastPath) return std::nullopt;
   const double begin = stroke.times.front();
   for (double& time : stroke.times) time -= begin;
   return Thinned(stroke);

@@ -7,7 +7,7 @@
 
 namespace moontrace {
 
-/// A way of a hand with its times, ready for MakeRecordedPath (lessons/guide/guidance.h).
+/// The path of a hand with its times, ready for MakeRecordedPath (lessons/guide/guidance.h).
 struct RecordedStroke {
   std::vector<double> times;       ///< from 0, strictly rising [s]
   std::vector<glm::dvec3> tips_P;  ///< [m]
@@ -20,9 +20,9 @@ class StrokeRecorder {
   explicit StrokeRecorder(double longest = 60);
   /// In time order; samples that are not finite or go back in time are left out. `time` [s].
   void Add(double time, glm::dvec3 tip_P, bool in_contact);
-  /// The way from the first touch to the last: what comes before and after is left out, lifts
+  /// The path from the first touch to the last: what comes before and after is left out, lifts
   /// shorter than 0.15 s are bridged, longer ones are kept as they are. Points that lie within
-  /// 0.02 mm of the way between their neighbours, in place and in time, are dropped. None if the
+  /// 0.02 mm of the path between their neighbours, in place and in time, are dropped. None if the
   /// page was touched for less than 0.1 s, or the tip went less than 1 mm.
   std::optional<RecordedStroke> Stroke() const;
   /// The bound on time was reached.

@@ -87,14 +87,14 @@ class Pen {
     Segment(d, a, mjGEOM_LINE, width, color);
   }
 
-  void Way(const std::vector<ViewMarks::WayPoint>& way) {
+  void Path(const std::vector<ViewMarks::PathPoint>& path) {
     // above the paper, where no groove hides it
     const glm::dvec3 lift(0, 0, 0.02 * unit_);
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      if (way[i].begins) continue;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (path[i].begins) continue;
       const auto raised = [&](glm::dvec3 p) { return glm::dvec3(p.x, p.y, std::max(p.z, 0.0)); };
-      Segment(raised(way[i - 1].p_P) + lift, raised(way[i].p_P) + lift, mjGEOM_LINE, 3,
-              Mixed(view_color::kOnStroke, view_color::kOffStroke, std::min(way[i].off, 1.0)));
+      Segment(raised(path[i - 1].p_P) + lift, raised(path[i].p_P) + lift, mjGEOM_LINE, 3,
+              Mixed(view_color::kOnStroke, view_color::kOffStroke, std::min(path[i].off, 1.0)));
     }
   }
 
@@ -128,7 +128,7 @@ void AddMarks(mjvScene& scene, const PageCamera& camera, const ViewMarks& marks)
   Pen pen(scene, unit);
   if (marks.letter_P) pen.Outline(*marks.letter_P, 2, view_color::kLetter);
   for (const std::vector<Piece>& stroke : marks.stroke_P) pen.Line(stroke, 3, view_color::kLetter);
-  pen.Way(marks.way);
+  pen.Path(marks.path);
   if (marks.bead_P) {
     pen.Ball(glm::dvec3(*marks.bead_P, 0), 0.9 * unit, view_color::kGuidance, 0.8);
   }

@@ -31,13 +31,13 @@ struct ViewMarks {
   glm::dvec3 force_P{0, 0, 0};               ///< on the hand [N]
   glm::dvec3 guidance_P{0, 0, 0};            ///< the push within it [N]
   std::optional<glm::dvec2> bead_P;          ///< [m]
-  /// The tip's way: `off` 0 on the stroke, 1 at half a groove's width and beyond.
-  struct WayPoint {
+  /// The tip's path: `off` 0 on the stroke, 1 at half a groove's width and beyond.
+  struct PathPoint {
     glm::dvec3 p_P{0, 0, 0};  ///< [m]
     double off = 0;
     bool begins = false;  ///< no line from the point before
   };
-  std::vector<WayPoint> way;
+  std::vector<PathPoint> path;
   std::optional<Box> letter_P;               ///< the current one [m]
   std::vector<std::vector<Piece>> stroke_P;  ///< the current stroke's centre line [m]
   struct Print {

@@ -10,21 +10,21 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kKeptWay = 20, kKeptPoints = 10;  // [s]
-constexpr std::size_t kMostWay = 1500;
+constexpr double kKeptPath = 20, kKeptPoints = 10;  // [s]
+constexpr std::size_t kMostPath = 1500;
 constexpr double kLate = 0.5;        // of a snapshot told behind samples that are newer [s]
 constexpr double kBin = 0.02;        // of a plotted point [s]
 constexpr double kLookEvery = 4e-3;  // between searches for the nearest stroke [s]
 constexpr double kReach = 1.5e-3;    // beyond a groove's width [m]
-constexpr double kWayStep = 0.15;    // of a groove's width
-constexpr double kWayLeap = 3;       // widths that no hand goes between two instants
+constexpr double kPathStep = 0.15;   // of a groove's width
+constexpr double kPathLeap = 3;      // widths that no hand goes between two instants
 constexpr double kMillimetres = 1e3;
 
 }  // namespace
 
 void ViewHistory::Show(std::shared_ptr<const ViewPage> page) {
   page_ = std::move(page);
-  way_.clear();
+  path_.clear();
   broken_ = true;
   stroke_.reset();
   looked_at_ = -1;
@@ -56,7 +56,7 @@ double ViewHistory::DistanceFrom(glm::dvec2 tip_P) {
 void ViewHistory::Add(ViewMoment moment) {
   if (newest_ && moment.time < newest_->time - kLate) {
     points_.clear();
-    way_.clear();
+    path_.clear();
     broken_ = true;
     looked_at_ = -1;
   } else if (newest_) {
@@ -73,7 +73,7 @@ void ViewHistory::Add(ViewMoment moment) {
   }
   const double error = here && moment.in_contact ? distance_ : -1;
   AddPoint(moment, error);
-  if (here) AddWay(moment, error);
+  if (here) AddPath(moment, error);
 }
 
 void ViewHistory::AddPoint(const ViewMoment& moment, double error) {
@@ -88,29 +88,30 @@ void ViewHistory::AddPoint(const ViewMoment& moment, double error) {
   point.heat = std::max(point.heat, 100 * moment.heat);
 }
 
-void ViewHistory::AddWay(const ViewMoment& moment, double error) {
-  while (!way_.empty() && (way_.front().time < moment.time - kKeptWay || way_.size() >= kMostWay)) {
-    way_.pop_front();
+void ViewHistory::AddPath(const ViewMoment& moment, double error) {
+  while (!path_.empty() &&
+         (path_.front().time < moment.time - kKeptPath || path_.size() >= kMostPath)) {
+    path_.pop_front();
   }
   if (error < 0) {
     broken_ = true;
     return;
   }
-  if (!broken_ && !way_.empty()) {
-    const double step = glm::distance(way_.back().point.p_P, moment.tip_P);
-    if (step < kWayStep * page_->width) return;
-    broken_ = step > kWayLeap * page_->width;
+  if (!broken_ && !path_.empty()) {
+    const double step = glm::distance(path_.back().point.p_P, moment.tip_P);
+    if (step < kPathStep * page_->width) return;
+    broken_ = step > kPathLeap * page_->width;
   }
   const double half = 0.5 * (page_->width > 0 ? page_->width : 1e-3);
-  way_.push_back({moment.time, {moment.tip_P, std::min(error / half, 1.0), broken_}});
+  path_.push_back({moment.time, {moment.tip_P, std::min(error / half, 1.0), broken_}});
   broken_ = false;
 }
 
-std::vector<ViewMarks::WayPoint> ViewHistory::Way() const {
-  std::vector<ViewMarks::WayPoint> way;
-  way.reserve(way_.size());
-  for (const WayPoint& kept : way_) way.push_back(kept.point);
-  return way;
+std::vector<ViewMarks::PathPoint> ViewHistory::Path() const {
+  std::vector<ViewMarks::PathPoint> path;
+  path.reserve(path_.size());
+  for (const TimedPoint& kept : path_) path.push_back(kept.point);
+  return path;
 }
 
 }  // namespace moontrace

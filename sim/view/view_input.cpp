@@ -96,10 +96,10 @@ void ViewInput::Text(char32_t character) {
 
 void ViewInput::Key(const WindowEvent& event, double now) {
   ViewPanel& panel = painter_.panel();
-  const auto move = [&](int by, glm::dvec2 way) {
+  const auto move = [&](int by, glm::dvec2 direction) {
     if (panel.has_focus()) return panel.ChangeFocused(by, now);
     PageCamera camera = painter_.camera();
-    camera.at_P += kPanStep * camera.height * way;
+    camera.at_P += kPanStep * camera.height * direction;
     painter_.SetCamera(camera);
   };
   switch (event.key) {

@@ -10,8 +10,8 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kWayPoints = 4;  // least length of a drawn piece of the way [points]
-constexpr double kGap = 0.25;     // of the em, from the base line to the middle of the print below
+constexpr double kPathPoints = 4;  // least length of a drawn piece of the path [points]
+constexpr double kGap = 0.25;      // of the em, from the base line to the middle of the print below
 
 void AddHand(const ViewMoment& moment, ViewMarks& marks) {
   marks.tip_P = moment.tip_P;
@@ -24,10 +24,11 @@ void AddHand(const ViewMoment& moment, ViewMarks& marks) {
 
 /// Without points that lie nearer to the one before than `step` [m]; where it turns from good to
 /// bad stays within a step.
-std::vector<ViewMarks::WayPoint> Thinned(const std::vector<ViewMarks::WayPoint>& way, double step) {
-  std::vector<ViewMarks::WayPoint> thin;
-  thin.reserve(way.size());
-  for (const ViewMarks::WayPoint& point : way) {
+std::vector<ViewMarks::PathPoint> Thinned(const std::vector<ViewMarks::PathPoint>& path,
+                                          double step) {
+  std::vector<ViewMarks::PathPoint> thin;
+  thin.reserve(path.size());
+  for (const ViewMarks::PathPoint& point : path) {
     const bool near =
         !thin.empty() && !point.begins && glm::distance(thin.back().p_P, point.p_P) < step;
     if (!near) {
@@ -59,7 +60,7 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
   const std::optional<ViewMoment>& now = history.newest();
   if (now && now->present && now->page == page.number) AddHand(*now, marks);
   const double points = picture_height / camera.height;  // a metre of page
-  marks.way = Thinned(history.Way(), kWayPoints / points);
+  marks.path = Thinned(history.Path(), kPathPoints / points);
   if (const std::optional<std::size_t> stroke = history.stroke()) {
     const IntendedStroke& current = page.strokes[*stroke];
     marks.stroke_P.push_back(current.spine_P);

@@ -7,7 +7,7 @@
 
 namespace moontrace {
 
-/// What is drawn over the page: hand, forces, way, current letter and stroke, print letters where
+/// What is drawn over the page: hand, forces, path, current letter and stroke, print letters where
 /// they are wanted and there is room for them. `picture_height` of the page's part and
 /// `print_height` of a small and a big print letter [points].
 ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCamera& camera,

@@ -26,8 +26,8 @@ class Viewer {
 
   /// From now on this page is shown.
   void Show(std::shared_ptr<const ViewPage> page);
-  /// The newest instant; those between are not lost to plots and to the tip's way, as long as there
-  /// are fewer than 4000 between two frames.
+  /// The newest instant; those between are not lost to plots and to the tip's path, as long as
+  /// there are fewer than 4000 between two frames.
   void Tell(const ViewMoment& moment);
   /// What the panel holds; then its values, one a control, as often as they change.
   void SetPanel(std::vector<PanelControl> controls);

@@ -66,8 +66,8 @@ TEST(PathEvents, TellTheEndOfALineOnceUntilTheTipIsBack) {
 TEST(PathEvents, OfTheWayAreToldAsTextToo) {
   for (const Earcon earcon :
        {Earcon::kOffLine, Earcon::kBackOn, Earcon::kLineEnd, Earcon::kPageEnd}) {
-    EXPECT_FALSE(say::OnTheWay(earcon).empty());
-    EXPECT_LE(say::OnTheWay(earcon).size(), 40U);
+    EXPECT_FALSE(say::OnThePath(earcon).empty());
+    EXPECT_LE(say::OnThePath(earcon).size(), 40U);
   }
 }
 

@@ -39,21 +39,21 @@ TEST_F(ViewHistoryTest, ErrorIsTheDistanceFromTheCentreLine) {
   history_.Add(At(0, {-0.0004, 0}));
   EXPECT_EQ(history_.stroke(), 0U);
   EXPECT_NEAR(history_.points().back().error, 0.4, 1e-9);  // [mm]
-  ASSERT_EQ(history_.Way().size(), 1U);
-  EXPECT_NEAR(history_.Way()[0].off, 0.0004 / (0.5 * page_->width), 1e-9);
+  ASSERT_EQ(history_.Path().size(), 1U);
+  EXPECT_NEAR(history_.Path()[0].off, 0.0004 / (0.5 * page_->width), 1e-9);
 }
 
 TEST_F(ViewHistoryTest, WithoutContactThereIsNoErrorAndNoWay) {
   history_.Add(At(0, {0, 0}, false));
   EXPECT_LT(history_.points().back().error, 0);
-  EXPECT_TRUE(history_.Way().empty());
+  EXPECT_TRUE(history_.Path().empty());
   EXPECT_EQ(history_.stroke(), 0U);  // yet it is seen which stroke is below
 }
 
 TEST_F(ViewHistoryTest, FarFromEveryStrokeThereIsNone) {
   history_.Add(At(0, {-0.005, 0}));
   EXPECT_FALSE(history_.stroke());
-  EXPECT_EQ(history_.Way().at(0).off, 1);
+  EXPECT_EQ(history_.Path().at(0).off, 1);
 }
 
 TEST_F(ViewHistoryTest, ALiftBreaksTheWay) {
@@ -61,11 +61,11 @@ TEST_F(ViewHistoryTest, ALiftBreaksTheWay) {
   history_.Add(At(0.01, {0, 0.0005}));
   history_.Add(At(0.02, {0, 0.001}, false));
   history_.Add(At(0.03, {0, 0.0015}));
-  const auto way = history_.Way();
-  ASSERT_EQ(way.size(), 3U);
-  EXPECT_TRUE(way[0].begins);
-  EXPECT_FALSE(way[1].begins);
-  EXPECT_TRUE(way[2].begins);
+  const auto path = history_.Path();
+  ASSERT_EQ(path.size(), 3U);
+  EXPECT_TRUE(path[0].begins);
+  EXPECT_FALSE(path[1].begins);
+  EXPECT_TRUE(path[2].begins);
 }
 
 TEST_F(ViewHistoryTest, PlottedIsTheGreatestOfEachBin) {
@@ -88,14 +88,14 @@ TEST_F(ViewHistoryTest, IsBounded) {
   }
   EXPECT_LE(history_.points().size(), 501U);  // 10 s of 20 ms
   EXPECT_GE(history_.points().size(), 450U);
-  EXPECT_LE(history_.Way().size(), 1500U);
+  EXPECT_LE(history_.Path().size(), 1500U);
 }
 
 TEST_F(ViewHistoryTest, TimeThatGoesBackBeginsAnew) {
   history_.Add(At(5, {0, 0}));
   history_.Add(At(0, {0, 0.001}));
   EXPECT_EQ(history_.points().size(), 1U);
-  EXPECT_EQ(history_.Way().size(), 1U);
+  EXPECT_EQ(history_.Path().size(), 1U);
 }
 
 TEST_F(ViewHistoryTest, ASnapshotBehindNewerSamplesForgetsNothing) {
@@ -104,7 +104,7 @@ TEST_F(ViewHistoryTest, ASnapshotBehindNewerSamplesForgetsNothing) {
     if (i % 25 == 0) history_.Add(At(0.002 * i - 0.001, {0, 1e-4 * i}));
   }
   EXPECT_GE(history_.points().size(), 95U);  // 2 s of 20 ms
-  EXPECT_GE(history_.Way().size(), 100U);
+  EXPECT_GE(history_.Path().size(), 100U);
   EXPECT_DOUBLE_EQ(history_.newest()->time, 0.002 * 999);
 }
 
@@ -112,7 +112,7 @@ TEST_F(ViewHistoryTest, AnotherPagesMomentLeavesNoWay) {
   ViewMoment other = At(0, {0, 0});
   other.page = 2;
   history_.Add(other);
-  EXPECT_TRUE(history_.Way().empty());
+  EXPECT_TRUE(history_.Path().empty());
   EXPECT_FALSE(history_.stroke());
 }
 

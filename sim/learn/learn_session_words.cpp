@@ -1,4 +1,4 @@
-// Words of the learner, and what they are answered by.
+// The learner's words: what each does to the session, and its answer.
 
 #include <algorithm>
 #include <ctime>
@@ -142,7 +142,7 @@ void LearnSession::Next() {
 void LearnSession::EndTrace() {
   if (await_ == Await::kAnswer) return teller_.Say(Priority::kText, say::StillAsked());
   if (await_ != Await::kTrace) return Next();
-  const bool told = leading_ && !stage_.pushes();  // the way in words has been heard
+  const bool told = leading_ && !stage_.pushes();  // the path has been heard in words
   if (!stage_.trace().touched() && !told) {
     return teller_.Say(Priority::kText, say::NothingTouched());
   }

@@ -12,24 +12,24 @@ struct ThirdPlace {
   bool operator==(const ThirdPlace&) const = default;
 };
 
-/// One piece of a stroke's way.
-struct WayPiece {
+/// One piece of a stroke's path, roughly.
+struct PathPiece {
   bool arc = false;
   int eighth = 0;          ///< direction from its start to its end: 0 right, 2 up, 4 left, 6 down
   bool clockwise = false;  ///< of an arc
   bool round = false;      ///< of an arc: a whole turn
-  bool operator==(const WayPiece&) const = default;
+  bool operator==(const PathPiece&) const = default;
 };
 
-/// How a stroke goes, for words where nothing can lead the hand.
-struct StrokeWay {
+/// How a stroke runs, for words where nothing can lead the hand.
+struct StrokePath {
   bool dot = false;
   ThirdPlace from, to;
-  std::vector<WayPiece> pieces;
+  std::vector<PathPiece> pieces;
 };
 
-/// Ways of a page's strokes, in writing order; places are within the box of all of them. Pieces
+/// Paths of a page's strokes, in writing order; places are within the box of all of them. Pieces
 /// that go on in the same manner are one.
-std::vector<StrokeWay> WaysOf(const std::vector<IntendedStroke>& strokes);
+std::vector<StrokePath> PathsOf(const std::vector<IntendedStroke>& strokes);
 
 }  // namespace moontrace

@@ -1,4 +1,4 @@
-#include "sim/learn/learn_way.h"
+#include "sim/learn/learn_path.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -19,43 +19,43 @@ ThirdPlace PlaceIn(const Box& box, glm::dvec2 p) {
   return {Third(p.x, box.min.x, box.max.x), Third(p.y, box.min.y, box.max.y)};
 }
 
-WayPiece PieceOf(const Piece& piece) {
-  WayPiece way;
+PathPiece PieceOf(const Piece& piece) {
+  PathPiece path;
   const glm::dvec2 chord = EndOf(piece) - StartOf(piece);
   const double turns = std::atan2(chord.y, chord.x) / (2 * std::numbers::pi);
-  way.eighth = static_cast<int>(std::lround(8 * turns) + 8) % 8;
+  path.eighth = static_cast<int>(std::lround(8 * turns) + 8) % 8;
   if (const Arc* arc = std::get_if<Arc>(&piece)) {
-    way.arc = true;
-    way.clockwise = arc->sweep < 0;
-    way.round = glm::length(chord) < 0.2 * arc->radius;
-    if (way.round) way.eighth = 0;
+    path.arc = true;
+    path.clockwise = arc->sweep < 0;
+    path.round = glm::length(chord) < 0.2 * arc->radius;
+    if (path.round) path.eighth = 0;
   }
-  return way;
+  return path;
 }
 
 }  // namespace
 
-std::vector<StrokeWay> WaysOf(const std::vector<IntendedStroke>& strokes) {
+std::vector<StrokePath> PathsOf(const std::vector<IntendedStroke>& strokes) {
   Box box;
   for (const IntendedStroke& stroke : strokes) {
     for (const Piece& piece : stroke.spine_P) Include(box, BoundsOf(piece));
   }
-  std::vector<StrokeWay> ways;
+  std::vector<StrokePath> paths;
   for (const IntendedStroke& stroke : strokes) {
     if (stroke.spine_P.empty()) continue;
-    StrokeWay way;
-    way.dot = stroke.kind == StrokeKind::kDot;
-    way.from = PlaceIn(box, StartOf(stroke.spine_P.front()));
-    way.to = PlaceIn(box, EndOf(stroke.spine_P.back()));
+    StrokePath path;
+    path.dot = stroke.kind == StrokeKind::kDot;
+    path.from = PlaceIn(box, StartOf(stroke.spine_P.front()));
+    path.to = PlaceIn(box, EndOf(stroke.spine_P.back()));
     for (const Piece& piece : stroke.spine_P) {
-      const WayPiece one = PieceOf(piece);
-      if (!way.dot && (way.pieces.empty() || !(way.pieces.back() == one))) {
-        way.pieces.push_back(one);
+      const PathPiece one = PieceOf(piece);
+      if (!path.dot && (path.pieces.empty() || !(path.pieces.back() == one))) {
+        path.pieces.push_back(one);
       }
     }
-    ways.push_back(std::move(way));
+    paths.push_back(std::move(path));
   }
-  return ways;
+  return paths;
 }
 
 }  // namespace moontrace
