@@ -197,7 +197,7 @@ struct RecordsOptions {
 };
 void AddOptions(CLI::App& app, RecordsOptions& options);
 int Run(const RecordsOptions& options, Console& console);
-/// The records to look into: those named, else the user's.
+/// The records to look into: those named, otherwise the user's.
 std::string RecordsPathOf(const std::string& given);
 /// Throws InputError, naming the nearest, for a learner who is not in the records.
 LearnerEntry KnownLearner(const Records& records, const std::string& name);

@@ -97,7 +97,7 @@ SessionRequest RequestOf(const TraceOptions& options) {
   return request;
 }
 
-void Tell(const TraceOptions& options, const Trace& trace, double scale, Console& console) {
+void Report(const TraceOptions& options, const Trace& trace, double scale, Console& console) {
   const TrialResult all = Merged(trace.pages);
   if (options.output.json) {
     Json json = TraceJson(trace, options.feel.scene, all);
@@ -153,7 +153,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
     }
     trace.pages.push_back(std::move(result));
   }
-  Tell(options, trace, session.scale(), console);
+  Report(options, trace, session.scale(), console);
   if (view && !options.output.json) SayView(*view, options.view, console);
   RequireDevice(session);
   if (view) RequireView(*view, options.live.device);

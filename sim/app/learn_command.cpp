@@ -102,7 +102,7 @@ std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, LearnSession& se
                                    ViewFeed* feed) {
   if (!options.tutor && feed == nullptr) return nullptr;
   TutorDesk::Told window;
-  if (feed != nullptr) window = [feed](std::string_view line) { feed->Told(line); };
+  if (feed != nullptr) window = [feed](std::string_view line) { feed->ShowLine(line); };
   return std::make_unique<TutorDesk>(session, options.tutor, std::move(window));
 }
 

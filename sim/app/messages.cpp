@@ -107,7 +107,7 @@ std::string Force(const TraceMetrics& total) {
                      Short(total.peak_force, 2));
 }
 
-/// Rounded up: a bound must not be told lower than it is.
+/// Rounded up: a bound must not be given lower than it is.
 std::string ForceBound(const TrialResult& all) {
   return fmt::format("Force bound: {} N for an evenly moving hand.",
                      Short(std::ceil(100 * all.force_bound) / 100, 2));

@@ -15,7 +15,7 @@ namespace moontrace {
 
 namespace {
 
-/// What the probe found, in the units it is told in.
+/// What the probe found, in the units of the report.
 struct Reading {
   double displacement_mm = 0;
   double depth_mm = 0;

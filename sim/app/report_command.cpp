@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kMostSaid = 10;  // confusions and days in words; a page has them all
 
-/// The course asked for, else that of the newest trial.
+/// The course asked for, otherwise that of the newest trial.
 Course CourseOf(const ReportOptions& options, const Records& records) {
   std::string name = options.course;
   if (name.empty()) {

@@ -61,7 +61,7 @@ StudyProtocol ProtocolAt(const std::string& file) {
   return protocol;
 }
 
-/// A shipped protocol by its name, else a path.
+/// A shipped protocol by its name, otherwise a path.
 std::string ProtocolPath(const std::string& given) {
   const bool name = given.find('/') == std::string::npos && given.find('.') == std::string::npos;
   if (!name || fs::exists(given)) return given;
@@ -123,8 +123,8 @@ void SayCells(const StudySummary& summary, Console& console) {
   say_order();
 }
 
-void Tell(const StudyOptions& options, const StudySummary& summary, const std::string& outcome,
-          const std::string& path, Console& console) {
+void Report(const StudyOptions& options, const StudySummary& summary, const std::string& outcome,
+            const std::string& path, Console& console) {
   if (options.output.json) {
     console.Json(Dump(SummaryJson(summary, path)));
     return;
@@ -153,7 +153,7 @@ int Merge(const StudyOptions& options, Console& console) {
   const std::vector<StudyRow> rows = MergeStudies(files);
   WriteWhole(options.path, StudyText(rows));
   const StudySummary summary = Summarise(rows);
-  Tell(options, summary, say::StudyMerged(summary, files.size()), options.path, console);
+  Report(options, summary, say::StudyMerged(summary, files.size()), options.path, console);
   return exit_code::kGood;
 }
 
@@ -200,7 +200,7 @@ int Run(const StudyOptions& options, Console& console) {
     throw;
   }
   const StudySummary summary = Summarise(rows);
-  Tell(options, summary, say::StudyDone(summary), output.path, console);
+  Report(options, summary, say::StudyDone(summary), output.path, console);
   return exit_code::kGood;
 }
 

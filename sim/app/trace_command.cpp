@@ -54,7 +54,7 @@ void Watch(TrialSetup& setup, TrialView& view, const Trace& trace, std::size_t p
   };
 }
 
-/// DIR as it is for a single page, else DIR-1, DIR-2 ...
+/// DIR as it is for a single page, otherwise DIR-1, DIR-2 ...
 std::string RecordFolder(const TraceOptions& options, std::size_t page, std::size_t pages) {
   return pages == 1 ? options.record : options.record + "-" + std::to_string(page + 1);
 }

@@ -55,7 +55,7 @@ void SayWeakest(const Trace& trace, Console& console) {
       if (coverage >= least) continue;
       least = coverage;
       weakest = number;
-      // The numeral sign stands for no character of the text: its name tells it.
+      // The numeral sign stands for no character of the text, so its name is given.
       text = SourceOf(trace.text, glyphs[i]);
       if (text.empty()) text = trace.text.script.glyphs[glyphs[i].glyph].name;
     }

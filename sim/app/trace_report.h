@@ -10,7 +10,7 @@
 
 namespace moontrace {
 
-/// A text that was traced, page by page, before it is told.
+/// A text that was traced, page by page, before it is reported.
 struct Trace {
   TextSetup text;
   std::vector<TrialResult> pages;

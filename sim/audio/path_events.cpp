@@ -49,9 +49,9 @@ std::optional<Earcon> PathEvents::Take(const PathMoment& now) {
   constexpr double kAtLeast = 3;  // between two of a kind [s]
   const std::optional<Earcon> heard = Changed(now);
   if (!heard || *heard == Earcon::kStrokeStart || *heard == Earcon::kStrokeEnd) return heard;
-  double& told = told_[static_cast<std::size_t>(*heard)];
-  if (now.time < told + kAtLeast) return std::nullopt;
-  told = now.time;
+  double& last = last_[static_cast<std::size_t>(*heard)];
+  if (now.time < last + kAtLeast) return std::nullopt;
+  last = now.time;
   return heard;
 }
 

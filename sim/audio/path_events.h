@@ -33,7 +33,7 @@ struct PathMoment {
 /// its line can be read.
 class PathEvents {
  public:
-  PathEvents() { told_.fill(-std::numeric_limits<double>::infinity()); }
+  PathEvents() { last_.fill(-std::numeric_limits<double>::infinity()); }
 
   /// Moments in order of time; what has happened since the one before.
   std::optional<Earcon> Take(const PathMoment& now);
@@ -43,7 +43,7 @@ class PathEvents {
 
   bool touching_ = false, off_ = false;
   PassedEnd end_ = PassedEnd::kNothing;
-  std::array<double, kEarcons> told_;  ///< when each was told last [s]
+  std::array<double, kEarcons> last_;  ///< when each last happened [s]
 };
 
 }  // namespace moontrace

@@ -70,7 +70,7 @@ std::string OnThePath(Earcon earcon) {
     case Earcon::kPageEnd:
       return "End of the page.";
     default:
-      return {};  // touch has its tone; the others are told with what they concern
+      return {};  // touch has its tone; the others are said with what they concern
   }
 }
 

@@ -15,8 +15,8 @@ namespace moontrace {
 /// counts.
 class Speech {
  public:
-  /// Begins to connect: to $SPEECHD_ADDRESS ("unix_socket:PATH"), else to the user's service, which
-  /// is started if need be. Never throws.
+  /// Begins to connect: to $SPEECHD_ADDRESS ("unix_socket:PATH"), otherwise to the user's service,
+  /// which is started if need be. Never throws.
   explicit Speech(const SpeechOptions& options);
   /// What is still in the queue gets at most 0.2 s to be handed over.
   ~Speech();

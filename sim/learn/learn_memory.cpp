@@ -69,7 +69,7 @@ void LearnMemory::Note(std::int64_t time, const std::string& kind, const std::st
   try {
     records_->AddEvent(learner_.pseudonym, {time, kind, text});
   } catch (const std::exception&) {
-    // an event is no trial: the next row that fails tells it
+    // an event is no trial: the next row that fails reports it
   }
 }
 

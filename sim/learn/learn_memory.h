@@ -23,12 +23,12 @@ class LearnMemory {
   /// behind. Throws as Records::AddLearner.
   void Admit();
 
-  /// Progress told again from the rows.
+  /// Progress, computed anew from the rows.
   Progress Recall(const Course& course) const;
   std::size_t trials() const;  ///< of this course: rows with an item
 
   /// A row, on disk when this returns. Where that fails, it is held back and tried again with the
-  /// next one, in order; then why, else empty.
+  /// next one, in order; then why, otherwise empty.
   std::string Keep(const Trial& trial, const std::vector<double>& track);
   /// The rest that was held back, once more. Number of rows that are not on disk.
   std::size_t KeepRest();

@@ -57,7 +57,7 @@ std::string LedNow();
 std::string ProgramTraces();
 
 // What words are answered by.
-/// What ? tells: of words, of single keys (key -> word).
+/// What ? gives: of words, of single keys (key -> word).
 std::vector<std::string> LearnHelp();
 std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys);
 std::string LearnUnknown(std::string_view given);
@@ -66,7 +66,7 @@ std::string AlreadyStopped();
 std::string NotStopped();
 std::string Pausing();
 std::string NotWhileAsked();
-/// `name` empty: it is not told.
+/// `name` empty: it is not said.
 std::string TipAt(std::string_view name, std::size_t line, bool touching);
 std::string TipBetween(bool touching);
 std::string NoLessonNow();

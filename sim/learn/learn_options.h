@@ -22,7 +22,7 @@ struct LearnOptions {
   bool speak = false, sound = false, tutor = false;
   std::string sounds;  ///< with `sound`: a file of the user's, see LoadSounds
   ViewOptions view;
-  std::string keys;  ///< empty: off; "true": the usual keys; else a file
+  std::string keys;  ///< empty: off; "true": the usual keys; otherwise a file
 
   bool simulate = false;  ///< a simulated learner goes through the course, unattended
   int days = 0;           ///< with `simulate`: sessions, one a day; 0: until the course is done

@@ -19,7 +19,7 @@ namespace moontrace {
 /// what the hand did and the clock become its events. All in one thread.
 class LearnSession {
  public:
-  /// All must outlive this. `help`: the lines that ? tells.
+  /// All must outlive this. `help`: the lines that ? gives.
   LearnSession(const Course& course, LearnMemory& memory, LearnStage& stage, LearnTeller& teller,
                std::uint64_t seed, std::vector<std::string> help);
 
@@ -29,7 +29,7 @@ class LearnSession {
   void Obey(const std::string& line);
   /// Takes what has happened since the last call: at the rate of polling.
   void Look();
-  /// Behind it all: what is held back is kept, and the outcome told. Number of rows not kept.
+  /// Behind it all: what is held back is kept, and the outcome reported. Number of rows not kept.
   std::size_t End();
   bool over() const { return over_; }
   /// What is asked now.
@@ -37,7 +37,7 @@ class LearnSession {
   /// What is waited for: the answer to an empty line.
   std::string Awaited() const;
 
-  // For the tutor. Each is told to the learner by the caller first.
+  // For the tutor. The caller tells the learner first.
   void TutorSays(lesson_event::Said said) { Take(said); }
   void Overrule(const lesson_event::Overrule& overrule) { Take(overrule); }
   /// The force rests; a pause by the tutor ends by the tutor's word or the learner's.

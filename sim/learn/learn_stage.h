@@ -14,8 +14,8 @@
 
 namespace moontrace {
 
-/// The device of a lesson: `named`, else the first that is there, can be opened and has motors.
-/// Where there is none, says so first, then what works without; then throws LackError.
+/// The device of a lesson: `named`, otherwise the first that is there, can be opened and has
+/// motors. Where there is none, says so first, then what works without; then throws LackError.
 std::string DeviceForLearning(const std::string& named, Console& console);
 
 struct StageOptions {

@@ -50,7 +50,7 @@ TutorDesk::TutorDesk(LearnSession& session, bool door, Told window)
   const std::string& name = session_.memory().name();
   if (door) server_.emplace(name, say::TutorGreeting(name));
   session_.teller().SetListener([this](std::string_view line) {
-    if (server_) server_->Tell(line);
+    if (server_) server_->SendToAll(line);
     if (window_) window_(line);
   });
 }

@@ -85,7 +85,7 @@ void LearnView::Help() {
 void LearnView::Answer(std::string_view line) {
   console_.Result(line);
   console_.out().flush();
-  feed_.Told(line);
+  feed_.ShowLine(line);
 }
 
 std::vector<PanelControl> LearnPanel() {

@@ -11,7 +11,7 @@
 namespace moontrace {
 
 /// A lesson in a window, beside it the tutor's panel. What is said there is a tutor's word where it
-/// is one, else the learner's.
+/// is one, otherwise the learner's.
 class LearnView {
  public:
   /// All must outlive this.

@@ -35,7 +35,7 @@ std::string OfCourse(const Course& course, const lesson_action::Say& sentence) {
       return fmt::format("Lesson {} of {}: {}.", sentence.number, sentence.of,
                          OneLine(sentence.text));
     case Sentence::kCourseText:
-      return sentence.text;  // its lines are told one by one
+      return sentence.text;  // its lines are said one by one
     case Sentence::kTestBegins:
       return "A test: no help, results at the end.";
     case Sentence::kTestResult:

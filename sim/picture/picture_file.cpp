@@ -38,7 +38,7 @@ bool HasPictureEnding(const std::string& path) { return EndingOf(path).has_value
 
 void CheckPicturePath(const std::string& path) {
   if (KindOf(path) != PictureKind::kSvg && !HaveCairo())
-    ToPng(Drawing{});  // throws, saying what lacks
+    ToPng(Drawing{});  // throws, saying what is missing
   RequireWritable(path);
 }
 

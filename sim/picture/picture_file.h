@@ -24,8 +24,8 @@ void WritePicture(const std::string& path, const Drawing& drawing);
 /// The same for a picture of points, which is a PNG whatever else the ending says: InputError.
 void WritePicture(const std::string& path, const Raster& raster);
 
-/// The picture's path for page `page` (from 0) of `pages`: F.svg as it is for a single page, else
-/// F-1.svg, F-2.svg ...
+/// The picture's path for page `page` (from 0) of `pages`: F.svg as it is for a single page,
+/// otherwise F-1.svg, F-2.svg ...
 std::string PicturePath(const std::string& path, std::size_t page, std::size_t pages);
 
 /// `--picture`; a path without an ending of pictures is a UsageError.

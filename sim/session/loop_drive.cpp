@@ -50,17 +50,17 @@ class Driver {
   void Say(const std::string& line) {
     if (line.empty()) return;
     console_.Result(line);
-    if (options_.view != nullptr) options_.view->Told(line);
+    if (options_.view != nullptr) options_.view->ShowLine(line);
   }
 
   /// What nobody asked for is left out by --quiet, but not what takes the force away.
-  void Tell(const LoopEvent& event, const std::string& line) {
+  void Report(const LoopEvent& event, const std::string& line) {
     const bool asked = event.kind == LoopEventKind::kBookmark ||
                        (event.kind == LoopEventKind::kSafety && TakesForceAway(event.safety));
     if (asked) return Say(line);
     if (line.empty()) return;
     console_.Happening(line);
-    if (options_.view != nullptr) options_.view->Told(line);
+    if (options_.view != nullptr) options_.view->ShowLine(line);
   }
 
   /// From which words can come too.
@@ -92,7 +92,7 @@ class Driver {
       if (event.kind == LoopEventKind::kBookmark) session_.SetMark(event.tip_P);
       const bool lost =
           event.kind == LoopEventKind::kSafety && event.safety == SafetyEvent::kDeviceLost;
-      Tell(event, lost ? say::DeviceLost(loop.WhyGone()) : say::Event(event));
+      Report(event, lost ? say::DeviceLost(loop.WhyGone()) : say::Event(event));
     }
     LoopSample sample;
     while (loop.TakeSample(sample)) {

@@ -104,7 +104,7 @@ std::string Event(const LoopEvent& event) {
       return "The page lies in the middle of the reach again.";
     case LoopEventKind::kSay:
     case LoopEventKind::kPageChanged:
-      break;  // told with what they concern
+      break;  // said with what they concern
   }
   return {};
 }

@@ -33,7 +33,7 @@ struct SessionRequest {
 
 /// The letter that is nearest to a place.
 struct NearLetter {
-  std::string name;       ///< the characters it stands for, else the sign's name
+  std::string name;       ///< the characters it stands for, otherwise the sign's name
   std::string word;       ///< that it belongs to
   std::size_t line = 0;   ///< on the page, from 0
   bool near = false;      ///< no farther than a quarter of its size

@@ -40,11 +40,11 @@ void ViewFeed::Look(LoopSession& session, const LoopSnapshot& newest) {
   }
   ViewMoment moment = MomentOf(newest);
   moment.lateness_us = session.loop().TakeLateness();
-  viewer_.Tell(moment);
+  viewer_.Add(moment);
 }
 
 void ViewFeed::Add(const LoopSample& sample) {
-  if (!ended()) viewer_.Tell(MomentOf(sample));
+  if (!ended()) viewer_.Add(MomentOf(sample));
 }
 
 void ViewFeed::SetPanel(std::vector<PanelControl> controls) {

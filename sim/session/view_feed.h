@@ -24,7 +24,7 @@ namespace moontrace {
 class ViewFeed {
  public:
   /// None: no view was asked for, or there is no display, which is said. `aims`: the mouse moves
-  /// the tip; then, and for frames, what is lacking is thrown. Throws LackError, InputError,
+  /// the tip; then, and for frames, what is missing is thrown. Throws LackError, InputError,
   /// UsageError.
   static std::unique_ptr<ViewFeed> Open(const ViewOptions& options,
                                         const std::shared_ptr<Mailbox<StylusAim>>& aims,
@@ -38,11 +38,11 @@ class ViewFeed {
   void Add(const LoopSample& sample);
 
   void Show(std::shared_ptr<const ViewPage> page) { viewer_.Show(std::move(page)); }
-  void Tell(const ViewMoment& moment) { viewer_.Tell(moment); }
+  void Add(const ViewMoment& moment) { viewer_.Add(moment); }
   void SetPanel(std::vector<PanelControl> controls);
   void SetValues(std::vector<PanelValue> values);
   /// A line of the text face.
-  void Told(std::string_view line) { viewer_.Tell(line); }
+  void ShowLine(std::string_view line) { viewer_.ShowLine(line); }
 
   /// The next line that was said in the window.
   std::optional<std::string> NextLine() { return viewer_.NextLine(); }
@@ -53,7 +53,7 @@ class ViewFeed {
   /// The window was closed by its user.
   bool closed() const { return viewer_.closed(); }
   /// What the view has to say of itself, one sentence, once: why nothing is drawn any more, or not
-  /// all of it; else empty.
+  /// all of it; otherwise empty.
   std::string TakeNotice();
   /// Nothing is shown any more.
   bool ended() const { return closed() || failed(); }

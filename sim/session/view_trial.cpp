@@ -30,7 +30,7 @@ void TrialView::Look(double time, const TickResult& felt, const GuidanceResult& 
   shown_ = time;
   ViewMoment moment = MomentOf(time, felt, push);
   moment.page = page_;
-  feed_.Tell(moment);
+  feed_.Add(moment);
   if (time >= looked_ + kLookEvery) {
     looked_ = time;
     LookAtWindow();
@@ -46,10 +46,10 @@ void TrialView::LookAtWindow() {
   feed_.SetValues(TrialPanelValues(texts_));
   while (const std::optional<std::string> line = feed_.NextLine()) {
     const std::optional<std::string> done = feed_.Obey(*line);
-    feed_.Told(done ? *done : say::TakesViewWordsOnly());
+    feed_.ShowLine(done ? *done : say::TakesViewWordsOnly());
     if (*line != "?") continue;
-    feed_.Told(say::ViewWordsHelp());
-    feed_.Told(say::ViewColoursHelp());
+    feed_.ShowLine(say::ViewWordsHelp());
+    feed_.ShowLine(say::ViewColoursHelp());
   }
   const std::string notice = feed_.TakeNotice();
   if (!notice.empty()) console_.Remark(notice);

@@ -76,8 +76,8 @@ void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all = nullptr);
 /// The text of a command, at most 16 MB. Throws UsageError (none, two) and InputError.
 std::string ReadText(const TextOptions& options, const std::string& command, Console& console);
 
-/// The script asked for: command line, else label, else moon; with the signs of the one to fall
-/// back on.
+/// The script asked for: command line, otherwise label, otherwise moon; with the signs of the one
+/// to fall back on.
 Script ScriptOf(const StyleOptions& options, const Label* label, std::string_view text = {});
 
 /// The letters asked for: command line before label before the design's defaults. A width given

@@ -15,7 +15,7 @@ std::string Where(const Replacement& replacement) {
   return fmt::format("line {}, character {}", replacement.line, replacement.column);
 }
 
-/// In words what cannot be seen or heard, else as it is.
+/// In words what cannot be seen or heard, otherwise as it is.
 std::string Was(const Replacement& replacement) {
   return replacement.name.empty() ? Quoted(replacement.was) : replacement.name;
 }

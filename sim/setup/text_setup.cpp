@@ -55,7 +55,7 @@ PageSpec OnGeom(const ModelPage& model, const PageSpec& asked, bool margin_given
   return sheet;
 }
 
-/// From the command line, else the label, else the command.
+/// From the command line, otherwise the label, otherwise the command.
 std::string TextFor(const TextRequest& request, const Label* label, Console& console) {
   const bool given = request.text.text || !request.text.file.empty();
   if (!given && label != nullptr && !label->text.empty()) return label->text;

@@ -290,7 +290,7 @@ void TutorServer::Answer(std::size_t tutor, std::string_view line) {
   if (tutor != 0) state_->Post({tutor, OneLine(line, kLongestLine) + "\n", false});
 }
 
-void TutorServer::Tell(std::string_view line) {
+void TutorServer::SendToAll(std::string_view line) {
   state_->Post({0, OneLine(line, kLongestLine) + "\n", false});
 }
 

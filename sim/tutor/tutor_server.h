@@ -35,7 +35,7 @@ class TutorServer {
   /// One line to one tutor; nothing if that one has gone.
   void Answer(std::size_t tutor, std::string_view line);
   /// One line to every tutor: what the learner is told.
-  void Tell(std::string_view line);
+  void SendToAll(std::string_view line);
   /// Lets one tutor go once what is theirs has been sent: its "quit".
   void Dismiss(std::size_t tutor);
 

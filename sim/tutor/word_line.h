@@ -38,8 +38,8 @@ struct NumberRule {
   std::vector<NumberUnit> units;  ///< first the one of `wants`
 };
 
-/// The number in SI units; else one line: what is wrong, and the cure. A number alone is in the
-/// unit of the range, or in that of `wants` if only so it is within: depth 0.5 and depth 50.
+/// The number in SI units; otherwise one line: what is wrong, and the cure. A number alone is in
+/// the unit of the range, or in that of `wants` if only so it is within: depth 0.5 and depth 50.
 std::variant<double, std::string> ReadNumberBehind(std::string_view word, const NumberRule& rule,
                                                    std::string_view behind);
 

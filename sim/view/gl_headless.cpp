@@ -26,7 +26,7 @@ struct HeadlessGl::State {
 
 namespace {
 
-/// Mesa's surfaceless platform needs neither display nor graphics card; else the default one.
+/// Mesa's surfaceless platform needs neither display nor graphics card; otherwise the default one.
 EGLDisplay FindDisplay() {
   const auto platform_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       eglGetProcAddress("eglGetPlatformDisplayEXT"));

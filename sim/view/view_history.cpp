@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kKeptPath = 20, kKeptPoints = 10;  // [s]
 constexpr std::size_t kMostPath = 1500;
-constexpr double kLate = 0.5;        // of a snapshot told behind samples that are newer [s]
+constexpr double kLate = 0.5;        // of a snapshot that comes after newer samples [s]
 constexpr double kBin = 0.02;        // of a plotted point [s]
 constexpr double kLookEvery = 4e-3;  // between searches for the nearest stroke [s]
 constexpr double kReach = 1.5e-3;    // beyond a groove's width [m]

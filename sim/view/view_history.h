@@ -11,7 +11,7 @@
 
 namespace moontrace {
 
-/// What was told of the hand lately: the tip's path on the page, what is plotted, and which stroke
+/// What the hand did lately: the tip's path on the page, what is plotted, and which stroke
 /// the tip is at. Bounded: 20 s of path, 10 s of plots.
 class ViewHistory {
  public:

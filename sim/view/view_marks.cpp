@@ -40,7 +40,7 @@ std::vector<ViewMarks::PathPoint> Thinned(const std::vector<ViewMarks::PathPoint
   return thin;
 }
 
-/// What the strokes of each letter reach, for letters within `within_P`; else empty.
+/// What the strokes of each letter reach, for letters within `within_P`; otherwise empty.
 std::vector<Box> StrokeBoxes(const ViewPage& page, const Box& within_P) {
   std::vector<Box> boxes(page.letters.size());
   for (const IntendedStroke& stroke : page.strokes) {

@@ -66,7 +66,7 @@ struct ViewPainter::State {
   bool camera_moved = false;  // by someone: a new page leaves it
   bool follow = false;
   ViewLayout layout;
-  std::string talk, line, typed, hint;  // all that was told together, and its last
+  std::string talk, line, typed, hint;  // all lines that came together, and their last
   Clock::time_point read_by;
   bool reading = false;  // when it was drawn last
   bool changed = true;
@@ -88,7 +88,7 @@ struct ViewPainter::State {
   void TakeSurface();
   bool StillFits() const;
   void Follow();
-  void DrawTold(int x, int y, int room);
+  void DrawTalk(int x, int y, int room);
   void DrawText();
 };
 
@@ -170,7 +170,7 @@ void ViewPainter::State::Follow() {
 
 /// One row of large letters, or small ones: while they are read as many as it takes, upwards over
 /// the page.
-void ViewPainter::State::DrawTold(int x, int y, int room) {
+void ViewPainter::State::DrawTalk(int x, int y, int room) {
   const ViewColors colors = ColorsOf(look);
   const mjrContext& context = renderer->context();
   reading = Clock::now() < read_by;
@@ -198,7 +198,7 @@ void ViewPainter::State::DrawText() {
   const int x = box.x + kRowGap, room = box.width - 2 * kRowGap;
   const int hint_width = TextWidth(hint, false, context);
   const int low = box.y + kRowGap / 2;
-  DrawTold(x, low + context.charHeight + kRowGap, room);
+  DrawTalk(x, low + context.charHeight + kRowGap, room);
   WriteText(hint, x + room - hint_width, low, hint_width, false, colors.text, context);
   // of a long line the end is what is being typed
   std::string writing = typed.empty() ? std::string() : "> " + AsciiOf(typed, "?") + "_";
@@ -229,7 +229,7 @@ void ViewPainter::Add(const ViewMoment& moment) {
   state_->changed = true;
 }
 
-void ViewPainter::Tell(std::vector<std::string> lines) {
+void ViewPainter::ShowLines(std::vector<std::string> lines) {
   if (lines.empty()) return;
   State& s = *state_;
   const bool first = s.line.empty();

@@ -29,10 +29,10 @@ class ViewPainter {
 
   void Show(std::shared_ptr<const ViewPage> page);
   void Add(const ViewMoment& moment);
-  /// The lower edge: what was told last, the line being typed, and what the mouse does.
-  /// Lines told together stand whole, over the page, as long as it takes to read them; then the
-  /// last, as far as it has room.
-  void Tell(std::vector<std::string> lines);
+  /// The lower edge: the last line shown, the line being typed, and what the mouse does.
+  /// Lines that come together stand whole, over the page, as long as it takes to read them; then
+  /// the last, as far as it has room.
+  void ShowLines(std::vector<std::string> lines);
   void SetTyped(std::string_view typed);
   void SetHint(std::string_view hint);
   void SetControls(std::vector<PanelControl> controls);
@@ -60,7 +60,7 @@ class ViewPainter {
   Raster Picture();
   /// Waits until the surface of what is to be seen is there.
   void Await();
-  /// How long the last change of view or page took until it was drawn whole [ms]; told once.
+  /// How long the last change of view or page took until it was drawn whole [ms]; given once.
   std::optional<double> TakeChange();
 
  private:

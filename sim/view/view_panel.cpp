@@ -18,7 +18,7 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kKeep = 0.7;      // a change made here outweighs what is told [s]
+constexpr double kKeep = 0.7;      // a change made here outweighs the values that come [s]
 constexpr double kSayEvery = 0.1;  // of a dragged slider [s]
 constexpr int kAux = 0, kRect = 1;
 
@@ -155,7 +155,7 @@ std::string ViewPanel::State::Fitting(const std::string& text) const {
   return RowsOf(AsciiOf(line, "?"), TextRoom(*context), 1, *context).front();
 }
 
-/// The told values become what is shown.
+/// The values that have come are shown.
 void ViewPanel::State::Apply() {
   for (std::size_t i = 0; i < std::min(told.size(), controls.size()); ++i) {
     if (kept_until[i] > 0) continue;

@@ -150,8 +150,8 @@ void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
     }
     while (std::optional<std::string> line = input.NextLine(Now())) mailbox->Say(std::move(*line));
     ViewNews news = mailbox->TakeNews();
-    if (!news.told.empty()) {
-      window.SetTitle(fmt::format("{} - {}", options.title, news.told.back()));
+    if (!news.lines.empty()) {
+      window.SetTitle(fmt::format("{} - {}", options.title, news.lines.back()));
     }
     Deliver(std::move(news), painter);
     if (Now() < next) continue;
@@ -226,7 +226,7 @@ void Deliver(ViewNews news, ViewPainter& painter) {
   for (const ViewMoment& moment : news.moments) painter.Add(moment);
   if (news.controls) painter.SetControls(std::move(*news.controls));
   if (news.values) painter.panel().SetValues(std::move(*news.values));
-  painter.Tell(std::move(news.told));
+  painter.ShowLines(std::move(news.lines));
   for (const ViewWord word : news.words) Do(word, painter);
 }
 

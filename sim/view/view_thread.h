@@ -19,13 +19,13 @@
 
 namespace moontrace {
 
-/// What was told to the viewer's thread since it looked last.
+/// What the viewer's thread was given since it last looked.
 struct ViewNews {
   std::shared_ptr<const ViewPage> page;
   std::deque<ViewMoment> moments;
   std::optional<std::vector<PanelControl>> controls;
   std::optional<std::vector<PanelValue>> values;
-  std::vector<std::string> told;  ///< lines of the text face
+  std::vector<std::string> lines;  ///< lines of the text face
   std::vector<ViewWord> words;
 };
 
@@ -73,7 +73,7 @@ struct ViewMailbox {
 /// nothing. If the display is lost it never returns.
 void RunViewer(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>& mailbox);
 
-/// Brings the painter what was told.
+/// Gives the painter what has come.
 void Deliver(ViewNews news, ViewPainter& painter);
 
 /// How the view looks at first.

@@ -13,7 +13,7 @@ namespace moontrace {
 /// thread, one window at a time in a program. The only file that sees GLFW.
 class ViewWindow {
  public:
-  /// `lost` is told on this thread if the display goes away, from within any call here or of
+  /// `lost` is called on this thread if the display goes away, from within any call here or of
   /// OpenGL; the thread then stands still for ever, since Xlib would end the program next. It must
   /// not throw, and keep alive what others need. Throws LackError, one line: no display, no OpenGL,
   /// or built without.

@@ -18,7 +18,7 @@ namespace moontrace {
 namespace {
 
 constexpr std::size_t kMostMoments = 4000;
-constexpr std::size_t kMostTold = 20;  // at one moment
+constexpr std::size_t kMostLines = 20;  // at one moment
 // with a display that hangs, or a disk
 constexpr std::chrono::seconds kWindowPatience(2), kFramesPatience(30);
 
@@ -95,7 +95,7 @@ void Viewer::Show(std::shared_ptr<const ViewPage> page) {
   mailbox.changed.notify_all();  // the first frame waits for it
 }
 
-void Viewer::Tell(const ViewMoment& moment) {
+void Viewer::Add(const ViewMoment& moment) {
   ViewMailbox& mailbox = *state_->mailbox;
   const std::lock_guard<std::mutex> lock(mailbox.mutex);
   if (mailbox.news.moments.size() >= kMostMoments) mailbox.news.moments.pop_front();
@@ -115,12 +115,12 @@ void Viewer::SetPanelValues(std::vector<PanelValue> values) {
   mailbox.news.values = std::move(values);
 }
 
-void Viewer::Tell(std::string_view line) {
+void Viewer::ShowLine(std::string_view line) {
   ViewMailbox& mailbox = *state_->mailbox;
   const std::lock_guard<std::mutex> lock(mailbox.mutex);
-  std::vector<std::string>& told = mailbox.news.told;
-  if (told.size() >= kMostTold) told.erase(told.begin());
-  told.emplace_back(line);
+  std::vector<std::string>& lines = mailbox.news.lines;
+  if (lines.size() >= kMostLines) lines.erase(lines.begin());
+  lines.emplace_back(line);
 }
 
 std::optional<std::string> Viewer::NextLine() {

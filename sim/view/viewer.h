@@ -14,7 +14,7 @@ namespace moontrace {
 
 /// The view of the page, the hand on it and the tutor's panel, drawn by a thread of its own that
 /// does all of OpenGL and of the window. Nothing here ever waits for it, and it never touches the
-/// loop: it is told, and asked. All calls from one thread.
+/// loop: it is given what to show, and asked. All calls from one thread.
 class Viewer {
  public:
   /// Throws LackError, one line: no display, no OpenGL, built without, or the folder of frames
@@ -28,13 +28,13 @@ class Viewer {
   void Show(std::shared_ptr<const ViewPage> page);
   /// The newest instant; those between are not lost to plots and to the tip's path, as long as
   /// there are fewer than 4000 between two frames.
-  void Tell(const ViewMoment& moment);
+  void Add(const ViewMoment& moment);
   /// What the panel holds; then its values, one a control, as often as they change.
   void SetPanel(std::vector<PanelControl> controls);
   void SetPanelValues(std::vector<PanelValue> values);
-  /// A line of the text face, also shown in the window: its lower edge, with those told at the same
+  /// A line of the text face, also shown in the window: its lower edge, with those of the same
   /// moment, and its title.
-  void Tell(std::string_view line);
+  void ShowLine(std::string_view line);
 
   /// What was said by panel or keyboard since the last call, in order: a line for the text face.
   std::optional<std::string> NextLine();
@@ -45,8 +45,8 @@ class Viewer {
   std::optional<std::string> Obey(std::string_view line);
   /// The window was closed by its user.
   bool closed() const;
-  /// Empty while it draws; else why it does not any more, one sentence (display or device lost, no
-  /// room for frames).
+  /// Empty while it draws; otherwise why it does not any more, one sentence (display or device
+  /// lost, no room for frames).
   std::string failure() const;
   ViewerReport report() const;
   /// Ends it; of frames at least one is there, if there was a page. Waits until it is done, but not

@@ -24,7 +24,7 @@ struct ViewerOptions {
   std::string title = "Moontrace";
   int width = 1280, height = 720;  ///< of the picture, or of the window when it opens [pixels]
   bool high_contrast = false, large_text = false;
-  /// Is told of every move of mouse or pen over the page, by the viewer's thread; none: the mouse
+  /// Is given every move of mouse or pen over the page, by the viewer's thread; none: the mouse
   /// only looks.
   std::function<void(const PointerAim&)> pointer = {};
 };

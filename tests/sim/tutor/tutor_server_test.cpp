@@ -43,8 +43,8 @@ TEST_F(TutorServerTest, GivesEachLineWithItsTutorAndAnswersThatOneAlone) {
 
 TEST_F(TutorServerTest, TellsEveryTutorWhatTheLearnerIsTold) {
   RawTutor first = Come(), second = Come();
-  server_.Tell("Right: b.");
-  server_.Tell("two\nlines");  // one line stays one
+  server_.SendToAll("Right: b.");
+  server_.SendToAll("two\nlines");  // one line stays one
   for (RawTutor* tutor : {&first, &second}) {
     EXPECT_EQ(tutor->Line(), "Right: b.");
     EXPECT_EQ(tutor->Line(), "two?lines");
@@ -114,7 +114,7 @@ TEST_F(TutorServerTest, DropsATutorWhoDoesNotRead) {
   const std::string line(900, 'x');
   int told = 0;
   EXPECT_TRUE(Eventually([&] {
-    server_.Tell(line);
+    server_.SendToAll(line);
     ++told;
     EXPECT_EQ(quick.Line(), line);
     return server_.tutors() == 1;
@@ -171,7 +171,7 @@ TEST_F(TutorTest, ServersEndTellsWhatIsLeftAndRemovesTheSocket) {
   auto server = std::make_unique<TutorServer>("bob", "Lesson of bob.");
   RawTutor tutor(server->path());
   EXPECT_EQ(tutor.Line(), "Lesson of bob.");
-  server->Tell("The last word.");
+  server->SendToAll("The last word.");
   server.reset();
   EXPECT_EQ(tutor.Line(), "The last word.");
   EXPECT_EQ(tutor.Line(), "(closed)");

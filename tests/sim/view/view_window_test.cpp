@@ -93,7 +93,7 @@ class SlowViewWindow : public testing::Test {
       // something new in every frame
       ViewMoment moment;
       moment.time = (time_ += 0.01);
-      viewer_->Tell(moment);
+      viewer_->Add(moment);
       return viewer_->report().frames >= frames;
     };
     return Eventually(tell);
@@ -238,7 +238,7 @@ TEST_F(SlowViewWindow, LosingTheDisplayIsToldAndEndsNothing) {
     const bool told = Eventually([&] {
       ViewMoment moment;
       moment.time = (time_ += 0.01);
-      viewer_->Tell(moment);
+      viewer_->Add(moment);
       return !viewer_->failure().empty();
     });
     const bool why = viewer_->failure().find("display was lost") != std::string::npos;

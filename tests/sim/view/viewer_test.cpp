@@ -227,7 +227,7 @@ TEST_F(ViewPainterTest, DrawsAgainOnlyWhatChanged) {
   painter_->Show(PageOf("moon"));
   Drawn();
   EXPECT_FALSE(painter_->changed());
-  painter_->Tell({"Well done."});
+  painter_->ShowLines({"Well done."});
   EXPECT_TRUE(painter_->changed());
   Drawn();
   EXPECT_FALSE(painter_->changed());
@@ -255,11 +255,11 @@ TEST_F(ViewPainterTest, ANewPageKeepsTheViewThatSomeoneChose) {
 
 TEST_F(ViewPainterTest, LongTalkStandsInRowsAboveTheEdge) {
   painter_->Show(PageOf("moon"));
-  painter_->Tell({"Well done."});
+  painter_->ShowLines({"Well done."});
   const Raster short_line = Drawn();
   std::string talk;
   for (int i = 0; i < 40; ++i) talk += "several words ";
-  painter_->Tell({talk, "The last."});
+  painter_->ShowLines({talk, "The last."});
   const Raster rows = Drawn();
   const PixelBox& text = painter_->layout().text;
   const auto column = static_cast<std::size_t>(text.x) + 2;
