@@ -1,5 +1,7 @@
 #include "sim/loop/loop.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -8,6 +10,7 @@
 
 #include "sim/loop/device_feel.h"
 #include "sim/loop/pacing.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 
@@ -27,7 +30,8 @@ std::int64_t Silence(double rate) {
 }  // namespace
 
 Loop::Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_ptr<Device> device,
-           DeviceSource source, const DevicePlace& place, const LoopOptions& options)
+           DeviceSource source, const DevicePlace& place, const LoopOptions& options,
+           ThreadStart start)
     : options_(options),
       mail_(options.rate),
       scale_(place.scale),
@@ -35,21 +39,32 @@ Loop::Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_p
       field_(std::move(field)),
       tick_(std::move(scene), *field_, std::move(device), place, options, mail_),
       source_(std::move(source)) {
+  try {
+    Start(start);
+  } catch (const std::exception& error) {
+    End();
+    tick_.Release();  // where not even the ticking thread began
+    throw LackError(fmt::format("the haptic loop cannot start its threads ({}); end other programs",
+                                error.what()));
+  }
+}
+
+Loop::~Loop() { End(); }
+
+void Loop::Start(ThreadStart start) {
   std::promise<std::string> begun;
   std::future<std::string> priority = begun.get_future();
   ticking_ = true;
-  ticker_ = std::thread([this, &begun] {
+  ticker_ = start([this, &begun] {
     begun.set_value(AskForPriority());
     TickOn();
     ticking_ = false;
   });
   not_realtime_ = priority.get();
   if (not_realtime_.empty()) not_realtime_ = memory_lock_.problem();
-  watcher_ = std::thread([this] { Watch(); });
-  supervisor_ = std::thread([this] { Supervise(); });
+  watcher_ = start([this] { Watch(); });
+  supervisor_ = start([this] { Supervise(); });
 }
-
-Loop::~Loop() { End(); }
 
 void Loop::TickOn() {
   Pacing pacing(clock_, options_.rate);

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "lessons/guide/guidance.h"
 #include "sim/loop/clock.h"
@@ -26,6 +27,10 @@ namespace moontrace {
 /// thread of the loop that is not the tick's; may block, but not long once `ending` is true.
 using DeviceSource = std::function<std::unique_ptr<Device>(const std::atomic<bool>& ending)>;
 
+/// Starts a thread of the loop. Throws std::system_error where the system gives none.
+using ThreadStart = std::thread (*)(std::function<void()> run);
+inline std::thread StartThread(std::function<void()> run) { return std::thread(std::move(run)); }
+
 /// How a loop has run. Durations in microseconds.
 struct LoopReport {
   std::uint64_t ticks = 0;
@@ -42,9 +47,11 @@ struct LoopReport {
 /// force.
 class Loop {
  public:
-  /// Starts ticking. `scene`'s tick is 1 / options.rate. Throws as Scene::SetField.
+  /// Starts ticking. `scene`'s tick is 1 / options.rate. Throws as Scene::SetField, and LackError
+  /// where a thread cannot be started: then the device has been given zero force.
   Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_ptr<Device> device,
-       DeviceSource source, const DevicePlace& place, const LoopOptions& options);
+       DeviceSource source, const DevicePlace& place, const LoopOptions& options,
+       ThreadStart start = StartThread);
   ~Loop();
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
@@ -89,6 +96,7 @@ class Loop {
   const LoopReport& report() const { return report_; }
 
  private:
+  void Start(ThreadStart start);
   void TickOn();
   void Watch();
   void Supervise();

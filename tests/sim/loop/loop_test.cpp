@@ -1,7 +1,9 @@
 #include "sim/loop/loop.h"
 
+#include <algorithm>
 #include <chrono>
 #include <glm/vec3.hpp>
+#include <system_error>
 #include <thread>
 
 #include "devices/core/device_error.h"
@@ -9,6 +11,20 @@
 
 namespace moontrace {
 namespace {
+
+/// Starts threads until the one numbered `failing`, from 0; waits with the failure until the page
+/// has been felt.
+struct FailingStart {
+  static std::thread Start(std::function<void()> run) {
+    if (started++ < failing) return std::thread(std::move(run));
+    while (failing > 0 && log->reads < 500) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+  }
+  static inline int started = 0, failing = 0;
+  static inline const DeviceLog* log = nullptr;
+};
 
 /// Waits until `done`; a broken loop ends the test instead of hanging it.
 void Await(const std::function<bool()>& done) {
@@ -27,6 +43,15 @@ std::unique_ptr<Loop> Start(DeviceLog& log, ScriptedDevice::ReadFunction read,
                                 std::move(source), DevicePlace{}, LoopOptions{});
 }
 
+/// No other page than the first, number 0, was ever felt.
+void ExpectFirstPage(Loop& loop) {
+  LoopSnapshot snapshot;
+  ASSERT_TRUE(loop.TakeSnapshot(snapshot));
+  EXPECT_EQ(snapshot.page, 0U);
+  LoopEvent event;
+  while (loop.TakeEvent(event)) EXPECT_NE(event.kind, LoopEventKind::kPageChanged);
+}
+
 TEST(Loop, TicksAndEndsWithZeroForce) {
   DeviceLog log;
   const std::unique_ptr<Loop> loop = Start(log, HoldAt(kPressed));
@@ -39,6 +64,29 @@ TEST(Loop, TicksAndEndsWithZeroForce) {
   EXPECT_EQ(report.cost.count(), report.ticks);
   EXPECT_GT(report.cost.max(), 0);
   EXPECT_EQ(loop->not_realtime().find('\n'), std::string::npos);
+}
+
+TEST(Loop, WithoutAllItsThreadsEndsWithZeroForceAndOneLine) {
+  for (int failing = 0; failing < 3; ++failing) {
+    DeviceLog log;
+    FailingStart::started = 0;
+    FailingStart::failing = failing;
+    FailingStart::log = &log;
+    try {
+      const Loop loop(Scene::Load("", SceneOptions{}), std::make_unique<TextureField>(),
+                      std::make_unique<ScriptedDevice>(log, HoldAt(kPressed)), {}, DevicePlace{},
+                      LoopOptions{}, FailingStart::Start);
+      ADD_FAILURE() << "started without thread " << failing;
+    } catch (const LackError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+    EXPECT_TRUE(log.destroyed);
+    EXPECT_EQ(log.last(), glm::dvec3(0, 0, 0));
+    ASSERT_FALSE(log.written.empty());
+    const bool was_felt = std::any_of(log.written.begin(), log.written.end(),
+                                      [](glm::dvec3 f_D) { return f_D != glm::dvec3(0, 0, 0); });
+    EXPECT_EQ(was_felt, failing > 0);
+  }
 }
 
 TEST(Loop, OpensALostDeviceAgain) {
@@ -89,18 +137,28 @@ TEST(Loop, APageThatCannotBeRenderedChangesNothing) {
   PageChange change;
   // half a micrometre of rounding on a flank of slope 5: too stiff for any sub-steps
   change.field = std::make_unique<TextureField>(GrooveAlongY({0.001, 0.0025, 5e-7}));
+  change.page = 7;
   EXPECT_THROW(loop->ChangePage(std::move(change)), InputError);
   const int reads = log.reads;
   Await([&] { return log.reads > reads + 10; });
+  ExpectFirstPage(*loop);
 }
 
 TEST(Loop, ChangePageReturnsThoughTheLoopHasEnded) {
   DeviceLog log;
   const std::unique_ptr<Loop> loop = Start(log, HoldAt(kPressed));
+  Await([&log] { return log.reads > 10; });
   loop->End();
+  DeviceLog other;
   PageChange change;
   change.field = std::make_unique<TextureField>();
-  loop->ChangePage(std::move(change));
+  change.page = 7;
+  change.device = std::make_unique<ScriptedDevice>(other, HoldAt(kPressed));
+  loop->ChangePage(std::move(change));  // returns: else this test would hang
+  ExpectFirstPage(*loop);
+  EXPECT_TRUE(other.destroyed);
+  EXPECT_EQ(other.reads, 0);
+  EXPECT_FALSE(log.destroyed);
 }
 
 TEST(Loop, SnapshotsAreOfOneTick) {
