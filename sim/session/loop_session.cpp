@@ -123,7 +123,7 @@ LoopSession::LoopSession(SessionRequest request, Console& console)
   X_WP_ = scene.X_WP();
   force_bound_ = ForceBound(scene_options_, scene.proxy_mass(), 0, scene.substeps());
   for (const std::string& remark : scene.remarks()) console.Remark(remark);
-  if (simulated_) device = StylusFor(0);
+  if (simulated_) device = StylusFor(0, round_);
 
   LoopOptions options;
   options.rate = rate();
@@ -151,8 +151,9 @@ std::unique_ptr<TextureField> LoopSession::FieldOf(std::size_t page) const {
       PageField(text_.set.pages[page], text_.script, text_.set.style, request_.blank));
 }
 
-/// The simulated hand, on its way through a page again and again.
-std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) {
+/// The simulated hand, on its way through a page again and again; `round` [s] is how long it takes
+/// for the page once.
+std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page, double& round) const {
   const HandModel hand = ShippedHand();
   const TypeStyle& style = text_.set.style;
   PlanOptions options;
@@ -162,7 +163,7 @@ std::unique_ptr<Device> LoopSession::StylusFor(std::size_t page) {
   const auto strokes = IntendedStrokes(sheet, text_.script, style);
   const GrooveLinks links = LinkPage(sheet, text_.script, style);
   const Plan plan = MakePlan(strokes, WalksOf(strokes, sheet, links), options, X_WP_);
-  round_ = plan.duration;
+  round = plan.duration;
   return MakeSimulatedStylus(hand, plan.path_W, scene_options_.tick, request_.seed);
 }
 
@@ -197,13 +198,15 @@ void LoopSession::Show(std::size_t page, const std::optional<PageAnchor>& anchor
   PageChange change;
   change.field = FieldOf(page);
   change.page = first_number_ + static_cast<std::uint32_t>(page);
+  double round = round_;
   if (simulated_) {
-    change.device = StylusFor(page);
+    change.device = StylusFor(page, round);
   } else if (!mouse_) {  // a window's page stays where it is seen
     change.anchor = anchor;
   }
   loop_->ChangePage(std::move(change));
   page_ = page;
+  round_ = round;
   ++shown_;
 }
 
@@ -249,7 +252,7 @@ void LoopSession::SetAnew(TextRequest request, glm::dvec2 tip_P) {
   std::swap(text_, next);
   try {
     Show(found.page, anchor);
-  } catch (const InputError&) {
+  } catch (...) {
     std::swap(text_, next);
     throw;
   }
@@ -288,12 +291,14 @@ void LoopSession::Tilt(double tilt) {
   PageChange change;
   change.field = FieldOf(page_);
   change.page = number();
+  double round = round_;
   if (simulated_) {
-    change.device = StylusFor(page_);  // its arm is tilted with the page: the path is as it was
+    change.device = StylusFor(page_, round);  // its arm is tilted with the page, its path stays
   } else {
     if (!mouse_) change.tilt = tilt;  // it lies in the page's plane
   }
   loop_->ChangePage(std::move(change));
+  round_ = round;
   tilt_ = tilt;
 }
 

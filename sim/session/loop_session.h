@@ -98,7 +98,7 @@ class LoopSession {
 
  private:
   std::unique_ptr<TextureField> FieldOf(std::size_t page) const;
-  std::unique_ptr<Device> StylusFor(std::size_t page);
+  std::unique_ptr<Device> StylusFor(std::size_t page, double& round) const;
   std::unique_ptr<Device> MouseStylus() const;
   TextSetup SetUp(const TextRequest& request);
   DevicePlace PlaceOfDevice() const;

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <sstream>
 #include <thread>
 
+#include "tests/source_path.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -76,6 +79,20 @@ TEST_F(LoopSessionTest, StaysAsItWasWhereAFormCannotBe) {
   EXPECT_EQ(session_.form(), before);
   EXPECT_THROW(session_.SetSize(1, {0, 0}), InputError);  // no room on A4
   EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.02);
+}
+
+TEST_F(LoopSessionTest, StaysAsItWasWhereAnotherHandCannotBeLoaded) {
+  // a data folder that has the scripts, but no devices/hand.toml
+  const std::filesystem::path data = std::filesystem::path(testing::TempDir()) / "no_hand";
+  std::filesystem::remove_all(data);
+  std::filesystem::create_directories(data);
+  std::filesystem::create_directory_symlink(SourcePath("textures"), data / "textures");
+  setenv("MOONTRACE_DATA", data.c_str(), 1);
+  EXPECT_THROW(session_.SetSize(0.01, {0, 0}), LackError);
+  unsetenv("MOONTRACE_DATA");
+  EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.02);
+  session_.SetSize(0.01, {0, 0});
+  EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.01);
 }
 
 /// Looks until something is seen, at most 20 s.
