@@ -61,8 +61,6 @@ struct SafetyResult {
 /// Fastest that a hand moves the tip; what is faster is a fault of the device [m/s]. A step of the
 /// tip may take 1 to 3 ms of it (5 to 15 mm), whatever the gap between two reports.
 inline constexpr double kFastestHand = 5;
-/// Force that counts as felt when the device is silent [N].
-inline constexpr double kFeltForce = 0.2;
 /// A tick later than this has found the device let go by the watchdog [s].
 inline constexpr double kWatchdogTime = 0.005;
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/loop/safety.h"
-
 namespace moontrace {
 
 namespace {

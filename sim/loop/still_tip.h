@@ -6,6 +6,9 @@
 
 namespace moontrace {
 
+/// Less is hardly felt: a device that falls silent or sticks is judged under more only [N].
+inline constexpr double kFeltForce = 0.2;
+
 /// Finds a device whose position has stuck: reports keep coming, and all tell the very same place.
 ///
 /// A hand that rests on a device of coarse steps looks the same, so stillness alone is no fault.
