@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lessons/measure/scoring.h"
-#include "sim/trial/trial.h"
+#include "sim/trial/trial_result.h"
 
 namespace moontrace {
 

@@ -9,7 +9,6 @@
 
 #include "devices/hand/simulated_stylus.h"
 #include "lessons/measure/link_meter.h"
-#include "lessons/measure/merged_metrics.h"
 #include "sim/scene/bound.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_push.h"
@@ -220,44 +219,6 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
     recorder->Finish(ResultText(result), record->also_csv);
   }
   return result;
-}
-
-namespace {
-
-void AddLeft(TrialResult& all, const TrialResult& page) {
-  if (!page.links_left) return;
-  if (!all.links_left) all.links_left.emplace();
-  all.links_left->insert(all.links_left->end(), page.links_left->begin(), page.links_left->end());
-}
-
-}  // namespace
-
-TrialResult Merged(const std::vector<TrialResult>& pages) {
-  TrialResult all;
-  std::vector<PageMetrics> metrics;
-  double elapsed = 0, guidance = 0;
-  double letters = 0;
-  for (const TrialResult& page : pages) {
-    metrics.push_back({page.score.total, page.stroke_length});
-    all.stroke_length += page.stroke_length;
-    all.duration += page.duration;
-    all.ticks += page.ticks;
-    all.faults += page.faults;
-    all.lifts_within_lines += page.lifts_within_lines;
-    all.lines += page.lines;
-    AddLeft(all, page);
-    guidance += page.mean_guidance * page.duration;
-    all.guidance_work += page.guidance_work;
-    all.energy_out = std::max(all.energy_out, page.energy_out);
-    all.force_bound = std::max(all.force_bound, page.force_bound);
-    elapsed += page.duration / page.real_time_factor;
-    letters += page.score.letters_per_second * page.score.total.duration;
-  }
-  all.score.total = MergedMetrics(metrics);
-  if (letters > 0) all.score.letters_per_second = letters / all.score.total.duration;
-  all.mean_guidance = guidance / std::max(all.duration, 1e-300);
-  all.real_time_factor = all.duration / std::max(elapsed, 1e-9);
-  return all;
 }
 
 DirectBound BoundOfDirect(const TextureField& field, const Surface& surface, double press,

@@ -13,11 +13,11 @@
 #include "devices/core/device.h"
 #include "devices/hand/hand.h"
 #include "lessons/guide/guidance.h"
-#include "lessons/measure/scoring.h"
 #include "sim/scene/page_field.h"
 #include "sim/scene/scene_options.h"
 #include "sim/scene/tick_watch.h"
 #include "sim/trial/plan.h"
+#include "sim/trial/trial_result.h"
 #include "sim/wording/console.h"
 #include "textures/field/field.h"
 #include "textures/script/script.h"
@@ -66,47 +66,12 @@ struct RecordRequest {
   bool also_csv = false;
 };
 
-/// One point of the tip's way.
-struct PathPoint {
-  glm::dvec3 tip_P{0, 0, 0};  ///< [m]
-  TracePhase phase = TracePhase::kAir;
-  bool in_contact = false;
-};
-
-struct TrialResult {
-  TraceScore score;
-  double energy_out = 0;  ///< put out by sampling, greatest seen [J]
-  /// ForceBound (sim/scene/bound.h) of a device that moves evenly; infinite on a page that can
-  /// move [N].
-  double force_bound = 0;
-  double duration = 0;          ///< simulated [s]
-  double real_time_factor = 0;  ///< simulated over elapsed time; the only value that is not exact
-  double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
-  std::size_t ticks = 0;
-  std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there
-  /// Times that the tip left the page, more than 0.1 mm above it, and came back within a line of
-  /// text.
-  std::size_t lifts_within_lines = 0;
-  std::size_t lines = 0;  ///< of text
-  /// Where links were left (link_meter.h), once for each; none where nobody planned to follow them.
-  std::optional<std::vector<Excursion>> links_left;
-  double mean_guidance = 0;  ///< size of the push, over the whole time [N]
-  double guidance_work = 0;  ///< that it did on the tip; below 0 where it held it back [J]
-  std::vector<PathPoint> path;
-  std::vector<std::string> remarks;  ///< the scene's, one line each
-};
-
 /// Page -> field -> scene -> plan -> hand -> ticks -> score, and the record if asked for. Throws
 /// InputError (model, friction, sizes), LackError (record folder), Interrupted.
 TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record = nullptr);
 
 /// The hand that comes with the program (devices/hand.toml).
 HandModel ShippedHand();
-
-/// Totals of several pages traced one after the other (merged_metrics.h); greatest values and
-/// counts over all. `letters` and `left_at` are left empty, `links_left` counts. `real_time_factor`
-/// is of the whole.
-TrialResult Merged(const std::vector<TrialResult>& pages);
 
 /// Whether direct rendering stays quiet (design section 4, point 4): the sideways stiffness felt,
 /// k s^2 + F s/r, against what damping b holds when forces act T_eff later, 2 b / T_eff; T_eff is
