@@ -2,13 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
 
 #include "devices/core/device.h"
+#include "lessons/guide/guidance.h"
 #include "sim/loop/button.h"
-#include "sim/loop/device_place.h"
 #include "sim/loop/loop_mail.h"
-#include "sim/loop/loop_push.h"
 #include "sim/loop/loop_types.h"
 #include "sim/loop/pressing.h"
 #include "sim/loop/safety.h"
@@ -16,6 +17,38 @@
 #include "sim/scene/scene.h"
 
 namespace moontrace {
+
+/// The guiding push of a running loop: the plan in use and what it remembers. Allocates nothing,
+/// throws nothing.
+class LoopPush {
+ public:
+  /// Another plan, from its beginning; nullptr: no push. It must outlive its use here.
+  void Take(const GuidancePlan* plan) noexcept {
+    plan_ = plan;
+    state_ = GuidanceState{};
+  }
+  /// One tick of `tick` [s]. `felt`: force can be felt now; else nothing is pushed, the way stands
+  /// still, and there is a ramp-in afterwards. `tip_P` [m], `v_P` [m/s].
+  GuidanceResult Advance(bool felt, glm::dvec3 tip_P, glm::dvec3 v_P, double tick) noexcept {
+    if (felt && plan_ != nullptr) return Guide(*plan_, state_, tip_P, v_P, tick);
+    Pause();
+    GuidanceResult none;
+    none.target_P = glm::dvec2(tip_P);
+    return none;
+  }
+  /// The tip is elsewhere, or force has ended: there is a ramp-in afterwards.
+  void Pause() noexcept {
+    state_.ramp = 0;
+    state_.begun = false;
+  }
+
+  bool guided() const noexcept { return plan_ != nullptr; }
+  bool done() const noexcept { return plan_ != nullptr && state_.done; }
+
+ private:
+  const GuidancePlan* plan_ = nullptr;
+  GuidanceState state_;
+};
 
 /// One tick of the loop, without threads and without a clock of its own: read device, frame D to W,
 /// scene, guiding push, safety, write device, publish. Run allocates nothing, locks nothing, throws

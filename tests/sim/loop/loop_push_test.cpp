@@ -1,7 +1,7 @@
 // The guiding push in the loop's tick: under the safety stage, off at once on a stop, off when the
 // page changes, and told in samples and snapshots.
 
-#include "sim/loop/loop_push.h"
+#include "sim/loop/loop_tick.h"
 
 #include <cmath>
 #include <glm/glm.hpp>
