@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <limits>
 
-#include "sim/scene/idle_stages.h"
 #include "sim/scene/mjcf.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"

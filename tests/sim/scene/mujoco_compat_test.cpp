@@ -1,4 +1,4 @@
-#include "sim/scene/idle_stages.h"
+#include "sim/scene/mujoco_compat.h"
 
 #include <gtest/gtest.h>
 
