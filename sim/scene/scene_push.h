@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <utility>
 
@@ -8,6 +9,11 @@
 #include "sim/scene/scene_options.h"
 
 namespace moontrace {
+
+/// Is given each tick of a trial or replay, in its own time [s]: what was felt, and the push within
+/// it. What it throws ends the trial.
+using TickWatch =
+    std::function<void(double time, const TickResult& felt, const GuidanceResult& push)>;
 
 /// A guiding push on top of what a scene's ticks answer: for simulated trials and their replay,
 /// which must do the very same. The tip's velocity is the way of one tick over its time.

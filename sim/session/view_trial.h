@@ -3,7 +3,7 @@
 #include <chrono>
 #include <memory>
 
-#include "sim/scene/tick_watch.h"
+#include "sim/scene/scene_push.h"
 #include "sim/session/view_feed.h"
 #include "sim/session/view_panels.h"
 

@@ -9,7 +9,7 @@
 #include "devices/core/device.h"
 #include "lessons/guide/guidance.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/tick_watch.h"
+#include "sim/scene/scene_push.h"
 
 namespace moontrace {
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/scene/scene_push.h"
 #include "sim/trial/record.h"
 #include "sim/trial/record_columns.h"
 #include "textures/base/digest.h"

@@ -15,7 +15,7 @@
 #include "lessons/guide/guidance.h"
 #include "sim/scene/page_field.h"
 #include "sim/scene/scene_options.h"
-#include "sim/scene/tick_watch.h"
+#include "sim/scene/scene_push.h"
 #include "sim/trial/plan.h"
 #include "sim/trial/trial_result.h"
 #include "sim/wording/console.h"
