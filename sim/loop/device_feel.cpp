@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/bound.h"
+#include "sim/scene/coupling.h"
 
 namespace moontrace {
 

@@ -8,7 +8,7 @@ namespace moontrace {
 
 /// What a device holds of a scene: the coupling no stiffer than it renders stably (the damping
 /// follows so that the damping ratio stays) and the page's force cap low enough that the bound of
-/// the force (bound.h, a proxy of `proxy_mass` [kg]) stays within its peak. So the safety stage,
+/// the force (coupling.h, a proxy of `proxy_mass` [kg]) stays within its peak. So the safety stage,
 /// which caps at the peak, acts seldom.
 SceneOptions HeldBy(const DeviceLimits& limits, SceneOptions options, double proxy_mass);
 

@@ -10,7 +10,7 @@
 #include "devices/hand/simulated_stylus.h"
 #include "lessons/measure/intended_strokes.h"
 #include "sim/loop/device_feel.h"
-#include "sim/scene/bound.h"
+#include "sim/scene/coupling.h"
 #include "sim/session/device_choice.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/view_messages.h"

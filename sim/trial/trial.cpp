@@ -9,9 +9,8 @@
 
 #include "devices/hand/simulated_stylus.h"
 #include "lessons/measure/link_meter.h"
-#include "sim/scene/bound.h"
+#include "sim/scene/coupling.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/scene_push.h"
 #include "sim/trial/metrics_json.h"
 #include "sim/trial/record.h"
 #include "textures/base/resources.h"

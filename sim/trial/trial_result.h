@@ -10,17 +10,18 @@
 
 namespace moontrace {
 
-/// One point of the tip's way.
+/// One point of the tip's path.
 struct PathPoint {
   glm::dvec3 tip_P{0, 0, 0};  ///< [m]
   TracePhase phase = TracePhase::kAir;
   bool in_contact = false;
 };
 
+/// What a simulated trial gave.
 struct TrialResult {
   TraceScore score;
   double energy_out = 0;  ///< put out by sampling, greatest seen [J]
-  /// ForceBound (sim/scene/bound.h) of a device that moves evenly; infinite on a page that can
+  /// ForceBound (sim/scene/coupling.h) of a device that moves evenly; infinite on a page that can
   /// move [N].
   double force_bound = 0;
   double duration = 0;          ///< simulated [s]

@@ -1,4 +1,4 @@
-#include "sim/scene/bound.h"
+#include "sim/scene/coupling.h"
 
 #include <cmath>
 #include <limits>
