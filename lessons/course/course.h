@@ -126,6 +126,9 @@ std::string LineOf(const CourseFault& fault);
 /// renders. Empty: sound.
 std::vector<CourseFault> CheckCourse(const Course& course, double smallest);
 
+/// Of these only the lessons that cannot be reached, each with the reason. Empty: all are reached.
+std::vector<CourseFault> CheckReach(const Course& course);
+
 /// How an item is called: the course's name for it, else itself.
 std::string_view NameOf(const Course& course, std::string_view item);
 

@@ -7,9 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "lessons/course/fault_list.h"
-#include "lessons/course/item_text.h"
-#include "lessons/course/lesson_order.h"
+#include "lessons/course/course_values.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"

@@ -38,9 +38,4 @@ Course ParseCourse(std::string_view toml, const std::string& file,
 Lesson ParseLesson(std::string_view toml, const std::string& file, const Course& course,
                    std::vector<CourseFault>& faults);
 
-/// Most lessons of a course, steps of a lesson, items of a list, entries of a table; bytes of an
-/// item, of a title, a name or a hint, of a text. They bound what a hostile file can cost.
-constexpr std::size_t kMostLessons = 200, kMostSteps = 100, kMostItems = 100, kMostEntries = 500,
-                      kMostItem = 64, kMostLine = 600, kMostCourseText = 20000;
-
 }  // namespace moontrace

@@ -24,7 +24,4 @@ LessonOrder OrderOf(const Course& course);
 /// empty if it is in none.
 std::vector<std::size_t> CircleOf(const Course& course, std::size_t lesson);
 
-/// Why each of the unreachable lessons is never reached. Empty: all are.
-std::vector<CourseFault> CheckReach(const Course& course);
-
 }  // namespace moontrace

@@ -5,18 +5,13 @@
 #include <filesystem>
 
 #include "lessons/course/course_reader.h"
-#include "lessons/course/fault_list.h"
-#include "lessons/course/item_text.h"
+#include "lessons/course/course_values.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
 
 namespace moontrace {
 namespace {
-
-constexpr double kMillimetre = 1e-3;
-// Letters below 1 mm cannot be set (typeset.h); a sheet ends at 5 m, a hand's reach long before.
-constexpr double kLeastSize = 1, kMostSize = 300;  // [mm]
 
 SourcePlace PlaceIn(const TomlTable& table, const std::string& key,
                     std::size_t element = TomlTable::kWhole) {
@@ -155,13 +150,6 @@ void ReadSteps(const TomlTable& table, Lesson& lesson, FaultList& faults) {
 }
 
 }  // namespace
-
-double ReadSize(const TomlTable& table, const std::string& key, double size_mm) {
-  if (!(size_mm >= kLeastSize && size_mm <= kMostSize)) {
-    table.Fail(key, "not from 1 to 300 mm; correct it");
-  }
-  return kMillimetre * size_mm;
-}
 
 Lesson ParseLesson(std::string_view toml, const std::string& file, const Course& course,
                    std::vector<CourseFault>& faults) {

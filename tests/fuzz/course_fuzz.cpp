@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lessons/course/course_reader.h"
+#include "lessons/course/course_values.h"
 #include "textures/base/error.h"
 
 namespace {

@@ -1,16 +1,19 @@
-#include "lessons/course/item_text.h"
+#include "lessons/course/course_values.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 
-#include "lessons/course/course_reader.h"
-#include "textures/base/error.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {
+
+constexpr double kMillimetre = 1e-3;
+// Letters below 1 mm cannot be set (typeset.h); a sheet ends at 5 m, a hand's reach long before.
+constexpr double kLeastSize = 1, kMostSize = 300;  // [mm]
 
 bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }
 
@@ -23,6 +26,16 @@ bool IsControl(char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\
   const std::string tail = fmt::format(":{}:{}", whole.line, whole.column);
   throw InputError(fmt::format("{}:{}:{}: {}: {}", where.substr(0, where.size() - tail.size()),
                                place.line, place.column, key, problem));
+}
+
+/// Reads "12:" at `at` and steps behind it; 0 and no step where there is none.
+std::size_t ReadPlace(const std::string& line, std::size_t& at) {
+  std::size_t number = 0;
+  const char* begin = line.data() + at;
+  const auto result = std::from_chars(begin, line.data() + line.size(), number);
+  if (result.ec != std::errc() || *result.ptr != ':') return 0;
+  at = static_cast<std::size_t>(result.ptr - line.data()) + 1;
+  return number;
 }
 
 }  // namespace
@@ -66,6 +79,27 @@ void ReadItems(const TomlTable& table, const std::string& key, std::size_t most,
   FailAt(table, key, static_cast<std::size_t>(first - given.begin()),
          fmt::format("'{}' is not one word of 1 to {} bytes; correct it", OneLine(*first, 24),
                      kMostItem));
+}
+
+double ReadSize(const TomlTable& table, const std::string& key, double size_mm) {
+  if (!(size_mm >= kLeastSize && size_mm <= kMostSize)) {
+    table.Fail(key, "not from 1 to 300 mm; correct it");
+  }
+  return kMillimetre * size_mm;
+}
+
+void FaultList::Add(const std::string& line) {
+  CourseFault fault;
+  fault.file = file_;
+  std::size_t at = 0;
+  if (line.rfind(file_ + ":", 0) == 0) {
+    at = file_.size() + 1;
+    fault.line = ReadPlace(line, at);
+    if (fault.line > 0) fault.column = ReadPlace(line, at);
+    if (at < line.size() && line[at] == ' ') ++at;
+  }
+  fault.what = line.substr(at);
+  faults_.push_back(std::move(fault));
 }
 
 }  // namespace moontrace

@@ -1,9 +1,9 @@
+#include "lessons/course/course.h"
+
 #include <fmt/core.h>
 
 #include <array>
 #include <utility>
-
-#include "lessons/course/course.h"
 
 namespace moontrace {
 namespace {
