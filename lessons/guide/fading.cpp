@@ -1,19 +1,13 @@
 #include "lessons/guide/fading.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
-
-#include "lessons/guide/guidance_table.h"
-#include "textures/base/error.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr double kMostHelp = GuidanceTable::kMostHelp;
 /// Less help than this is none: a factor below 1 alone would never reach zero.
 constexpr double kLeastHelp = 0.05;
 
@@ -45,18 +39,6 @@ std::optional<FadeRule::Kind> FadeKindOf(std::string_view name) {
   return std::nullopt;
 }
 
-FadeRule FadeRuleNamed(const FadeSettings& settings) {
-  static const FadeRule shipped = GuidanceTable::Shipped().fade();
-  const std::optional<FadeRule::Kind> kind = FadeKindOf(settings.rule);
-  if (!kind) {
-    throw InputError(
-        fmt::format("fade rule '{:.40}' is none; use one of {}", settings.rule, kFadeRules));
-  }
-  FadeRule rule = shipped;
-  rule.kind = *kind;
-  return rule;
-}
-
 FadeState FadeHelp(const FadeRule& rule, FadeState state, double error_widths, bool good) {
   switch (rule.kind) {
     case FadeRule::Kind::kManual:
@@ -71,7 +53,7 @@ FadeState FadeHelp(const FadeRule& rule, FadeState state, double error_widths, b
       state.help = HelpAsNeeded(rule, state.help, error_widths);
       break;
   }
-  state.help = state.help > 0 ? std::min(state.help, kMostHelp) : 0;
+  state.help = state.help > 0 ? std::min(state.help, double{kMostHelp}) : 0;
   return state;
 }
 

@@ -3,8 +3,6 @@
 #include <optional>
 #include <string_view>
 
-#include "lessons/course/course.h"
-
 namespace moontrace {
 
 /// Parameters of the fading rules, from `lessons/guidance.toml` (ours; rules after
@@ -18,6 +16,9 @@ struct FadeRule {
   double dead_zone = 0.3;    ///< error that counts as none [groove widths]
 };
 
+/// Help goes from 0 to this.
+inline constexpr int kMostHelp = 10;
+
 /// What fading remembers.
 struct FadeState {
   double help = 0;  ///< 0-10
@@ -27,10 +28,6 @@ struct FadeState {
 /// The names of the kinds: "manual", "linear", "gate", "as-needed".
 inline constexpr const char* kFadeRules = "manual, linear, gate, as-needed";
 std::optional<FadeRule::Kind> FadeKindOf(std::string_view name);
-
-/// The rule that a course names, with the shipped parameters (read once, then kept). Throws
-/// InputError for a name that is no rule's, LackError where the shipped file is missing.
-FadeRule FadeRuleNamed(const FadeSettings& settings);
 
 /// Help of the next trial after one with this mean error [groove widths] that was good or not.
 ///

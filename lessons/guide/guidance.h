@@ -4,34 +4,20 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <vector>
 
 #include "lessons/course/guidance_mode.h"
 #include "lessons/guide/guidance_table.h"
-#include "lessons/measure/intended_strokes.h"
 
 namespace moontrace {
 
-/// Where the push leads: the centre lines of strokes in writing order, cut into lines and arcs with
-/// arc lengths, made ready so that a tick searches only near the last arc length
-/// (guidance_path.h).
-struct GuidancePath;
+struct GuidancePath;  // guidance_path.h
 
 /// Everything of a push that does not change while it lasts; immutable, shared by threads.
 struct GuidancePlan {
   GuidanceMode mode = GuidanceMode::kOff;
   GuidanceGains gains;
-  std::shared_ptr<const GuidancePath> path;  ///< frame P
+  std::shared_ptr<const GuidancePath> path;  ///< where it leads; frame P
 };
-
-/// Strokes as the path of a push; the bead moves at the gains' even speed.
-std::shared_ptr<const GuidancePath> MakeGuidancePath(const std::vector<IntendedStroke>& strokes);
-/// A recorded way of a hand, one tip a time [s, ascending]: the bead is led along it at its own
-/// times; the tutor's stroke. `width` [m] of the groove gives dead zone and leash. What is not
-/// finite or does not ascend is left out.
-std::shared_ptr<const GuidancePath> MakeRecordedPath(const std::vector<double>& times,
-                                                     const std::vector<glm::dvec3>& tips_P,
-                                                     double width);
 
 /// What a push remembers from tick to tick. A fresh one begins at the first stroke's start.
 struct GuidanceState {

@@ -5,10 +5,6 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <map>
-#include <memory>
-
-#include "lessons/guide/guidance.h"
-#include "lessons/measure/intended_strokes.h"
 
 namespace moontrace {
 

@@ -2,8 +2,11 @@
 
 #include <cstddef>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
+#include "lessons/measure/intended_strokes.h"
 #include "textures/field/element.h"
 
 namespace moontrace {
@@ -28,7 +31,8 @@ struct GuidanceStroke {
   Box letter;                       ///< of all strokes of its letter, one width larger
 };
 
-/// See guidance.h; frame P.
+/// Where a push leads: the centre lines of strokes in writing order, cut into lines and arcs with
+/// arc lengths, made ready so that a tick searches only near the last arc length. Frame P.
 struct GuidancePath {
   std::vector<GuidanceStroke> strokes;  ///< in writing order
   /// Of a recorded path: where its bead is when. Times ascend from 0 [s]; else empty.
@@ -37,6 +41,15 @@ struct GuidancePath {
 
   bool recorded() const noexcept { return !times.empty(); }
 };
+
+/// Strokes as the path of a push; the bead moves at the gains' even speed.
+std::shared_ptr<const GuidancePath> MakeGuidancePath(const std::vector<IntendedStroke>& strokes);
+/// A recorded way of a hand, one tip a time [s, ascending]: the bead is led along it at its own
+/// times; the tutor's stroke. `width` [m] of the groove gives dead zone and leash. What is not
+/// finite or does not ascend is left out.
+std::shared_ptr<const GuidancePath> MakeRecordedPath(const std::vector<double>& times,
+                                                     const std::vector<glm::dvec3>& tips_P,
+                                                     double width);
 
 /// The stroke's point at arc length `s`, held to the stroke.
 glm::dvec2 PointAt(const GuidanceStroke& stroke, double s) noexcept;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "textures/base/error.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
@@ -41,9 +43,9 @@ double NumberWithin(const TomlTable& table, const std::string& key, double least
 template <class Levels>
 void ReadColumn(const TomlTable& table, const Column& column, Levels& levels) {
   const std::vector<double> values = table.Numbers(column.key);
-  if (values.size() != GuidanceTable::kMostHelp) {
+  if (values.size() != kMostHelp) {
     table.Fail(column.key, fmt::format("{} numbers; give {}, for help 1 to {}", values.size(),
-                                       GuidanceTable::kMostHelp, GuidanceTable::kMostHelp));
+                                       kMostHelp, kMostHelp));
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double value = values[i];
@@ -73,7 +75,7 @@ GuidanceGains ReadCommon(const TomlTable& table) {
 
 FadeRule ReadFade(const TomlTable& table) {
   FadeRule rule;
-  rule.linear_step = NumberWithin(table, "linear_step", 0, GuidanceTable::kMostHelp);
+  rule.linear_step = NumberWithin(table, "linear_step", 0, kMostHelp);
   const std::int64_t good = table.Integer("gate_good");
   if (good < 1 || good > 100) table.Fail("gate_good", "is not from 1 to 100; give a number there");
   rule.gate_good = static_cast<int>(good);
@@ -129,6 +131,18 @@ GuidanceGains GuidanceTable::GainsOf(GuidanceMode mode, double help) const {
   const auto below = static_cast<std::size_t>(held);
   if (below >= kMostHelp) return levels[kMostHelp];
   return Mixed(levels[below], levels[below + 1], held - static_cast<double>(below));
+}
+
+FadeRule FadeRuleNamed(const FadeSettings& settings) {
+  static const FadeRule shipped = GuidanceTable::Shipped().fade();
+  const std::optional<FadeRule::Kind> kind = FadeKindOf(settings.rule);
+  if (!kind) {
+    throw InputError(
+        fmt::format("fade rule '{:.40}' is none; use one of {}", settings.rule, kFadeRules));
+  }
+  FadeRule rule = shipped;
+  rule.kind = *kind;
+  return rule;
 }
 
 }  // namespace moontrace

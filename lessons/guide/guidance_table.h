@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/course/course.h"
 #include "lessons/course/guidance_mode.h"
 #include "lessons/guide/fading.h"
 
@@ -24,7 +25,6 @@ struct GuidanceGains {
 /// (the numbers are ours).
 class GuidanceTable {
  public:
-  static constexpr int kMostHelp = 10;
   static constexpr double kHardCap = 3;  ///< no table may give more [N]
 
   /// Throws InputError: file:line:column, cause, nearest key.
@@ -45,5 +45,9 @@ class GuidanceTable {
   std::array<Levels, kGuidanceModeCount> levels_{};  ///< [mode][help]
   FadeRule fade_;
 };
+
+/// The rule that a course names, with the shipped parameters (read once, then kept). Throws
+/// InputError for a name that is no rule's, LackError where the shipped file is missing.
+FadeRule FadeRuleNamed(const FadeSettings& settings);
 
 }  // namespace moontrace

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/guide/fading.h"
 #include "lessons/machine/item_choice.h"
 #include "lessons/machine/lesson_turn.h"
 #include "lessons/machine/mastery.h"
@@ -15,8 +16,6 @@ namespace {
 
 using lesson_action::Await;
 using lesson_action::Sentence;
-
-constexpr int kMostHelp = 10;
 
 bool IsAsked(StepKind task) { return task == StepKind::kRecognise || task == StepKind::kTest; }
 

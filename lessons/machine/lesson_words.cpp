@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/guide/fading.h"
 #include "lessons/machine/lesson_turn.h"
 #include "lessons/machine/mastery.h"
 
@@ -19,7 +20,6 @@ using lesson_event::Word;
 
 constexpr double kSpeedFactor = 1.25, kSlowest = 0.25, kFastest = 4;
 constexpr double kSmallestSize = 1e-3, kLargestSize = 0.2;  ///< that a tutor can ask for [m]
-constexpr int kMostHelp = 10;
 
 bool IsAsked(const Turn& turn) {
   return turn.state.task == StepKind::kRecognise || turn.state.task == StepKind::kTest;

@@ -7,6 +7,7 @@
 
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
+#include "lessons/guide/guidance_table.h"
 #include "lessons/machine/fsrs.h"
 #include "lessons/machine/lesson_way.h"
 #include "lessons/machine/mastery.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "devices/catalogue/catalogue.h"
+#include "lessons/guide/guidance_path.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
 
@@ -18,7 +19,6 @@ constexpr double kReachEm = 0.25;
 /// Where letters have no room they are tried smaller, down to this.
 constexpr double kSmallest = 0.003;  ///< [m]
 constexpr double kSmaller = 0.8;
-constexpr int kMostHelp = 10;
 
 /// What lies there before the first page: nothing, at any size.
 SessionRequest EmptyPage(const StageOptions& options) {

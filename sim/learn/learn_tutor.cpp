@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_path.h"
 #include "sim/learn/learn_tutor_messages.h"
 #include "sim/tutor/page_messages.h"
 #include "sim/tutor/tutor_messages.h"

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
 #include "sim/learner/simulated_learner.h"
 #include "sim/trial/trial.h"

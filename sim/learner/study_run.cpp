@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
 #include "sim/learner/simulated_learner.h"
 #include "sim/learner/size_threshold.h"

@@ -20,8 +20,7 @@ void AddOptions(CLI::App& app, GuideOptions& options) {
         if (!options.mode) throw UsageError(say::NotAChoice("--guide", given, kGuidanceModes));
       },
       say::help::kGuide);
-  AddNumber(app, "--help-level", options.help, 0, GuidanceTable::kMostHelp, 1,
-            say::help::kHelpLevel);
+  AddNumber(app, "--help-level", options.help, 0, kMostHelp, 1, say::help::kHelpLevel);
 }
 
 TrialGuidance GuidanceOf(const GuideOptions& options) {

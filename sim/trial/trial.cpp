@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "devices/hand/simulated_stylus.h"
+#include "lessons/guide/guidance_path.h"
 #include "lessons/measure/link_meter.h"
 #include "sim/scene/coupling.h"
 #include "sim/scene/scene.h"

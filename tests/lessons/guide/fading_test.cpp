@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "textures/base/error.h"
-
 namespace moontrace {
 namespace {
 
@@ -117,21 +115,6 @@ TEST(FadeHelp, HelpStaysBetweenNoneAndTen) {
       }
     }
   }
-}
-
-TEST(FadeRuleNamed, GivesTheShippedParametersOfEachRule) {
-  FadeSettings settings;
-  settings.rule = "as-needed";
-  const FadeRule rule = FadeRuleNamed(settings);
-  EXPECT_EQ(rule.kind, FadeRule::Kind::kAsNeeded);
-  EXPECT_LT(rule.forgetting, 1);
-  EXPECT_GT(rule.dead_zone, 0);
-  for (const char* name : {"manual", "linear", "gate"}) {
-    settings.rule = name;
-    EXPECT_NO_THROW(FadeRuleNamed(settings));
-  }
-  settings.rule = "slowly";
-  EXPECT_THROW(FadeRuleNamed(settings), InputError);
 }
 
 }  // namespace

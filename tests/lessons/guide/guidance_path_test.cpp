@@ -9,8 +9,6 @@
 #include <numbers>
 #include <random>
 
-#include "lessons/guide/guidance.h"
-
 namespace moontrace {
 namespace {
 

@@ -96,5 +96,20 @@ TEST(GuidanceTable, WithoutAFilePushesNothing) {
   EXPECT_EQ(GuidanceTable().GainsOf(GuidanceMode::kRail, 10).stiffness, 0);
 }
 
+TEST(FadeRuleNamed, GivesTheShippedParametersOfEachRule) {
+  FadeSettings settings;
+  settings.rule = "as-needed";
+  const FadeRule rule = FadeRuleNamed(settings);
+  EXPECT_EQ(rule.kind, FadeRule::Kind::kAsNeeded);
+  EXPECT_LT(rule.forgetting, 1);
+  EXPECT_GT(rule.dead_zone, 0);
+  for (const char* name : {"manual", "linear", "gate"}) {
+    settings.rule = name;
+    EXPECT_NO_THROW(FadeRuleNamed(settings));
+  }
+  settings.rule = "slowly";
+  EXPECT_THROW(FadeRuleNamed(settings), InputError);
+}
+
 }  // namespace
 }  // namespace moontrace

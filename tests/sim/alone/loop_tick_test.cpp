@@ -19,6 +19,7 @@
 #include <glm/vec3.hpp>
 #include <thread>
 
+#include "lessons/guide/guidance_path.h"
 #include "sim/loop/loop.h"
 #include "tests/counted_memory.h"
 #include "tests/sim/scene_fixture.h"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
 #include "sim/learner/exploration.h"
 #include "sim/trial/trial.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "lessons/guide/guidance_path.h"
 #include "sim/loop/device_feel.h"
 #include "tests/sim/loop_fixture.h"
 
