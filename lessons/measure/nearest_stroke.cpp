@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include "lessons/measure/covered_length.h"
-
 namespace moontrace {
 
 namespace {

@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "lessons/measure/movement_meter.h"
-#include "lessons/measure/pause_meter.h"
 #include "lessons/measure/stroke_trace.h"
-#include "lessons/measure/trace_tally.h"
 
 namespace moontrace {
 namespace {
@@ -99,7 +97,7 @@ void TraceScorer::State::AddStroke(StrokeTrace& stroke, const TraceSample& sampl
     AddWay(stroke, sample, error, foot.aside);
     AddDirection(stroke, p, foot.tangent);
     AddMovement(sample);
-    stroke.way.Add(p);
+    stroke.path.Add(p);
     last_error = error;
     last_aside = foot.aside;
   }

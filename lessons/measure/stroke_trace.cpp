@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "lessons/measure/shape_distance.h"
 
@@ -27,6 +28,22 @@ std::vector<glm::dvec2> PointsAlong(const std::vector<Piece>& pieces, double spa
 
 }  // namespace
 
+void TipPath::Add(glm::dvec2 p) {
+  newest_ = p;
+  if (!points_.empty() && glm::distance(points_.back(), p) < spacing_) return;
+  points_.push_back(p);
+  if (points_.size() < kMost) return;
+  for (std::size_t i = 0; i < kMost / 2; ++i) points_[i] = points_[2 * i];
+  points_.resize(kMost / 2);
+  spacing_ *= 2;
+}
+
+std::vector<glm::dvec2> TipPath::Points() const {
+  std::vector<glm::dvec2> points = points_;
+  if (!points.empty() && points.back() != newest_) points.push_back(newest_);
+  return points;
+}
+
 StrokeTrace::StrokeTrace(const IntendedStroke& stroke)
     : pieces_P(stroke.spine_P),
       spine(stroke.spine_P),
@@ -34,7 +51,7 @@ StrokeTrace::StrokeTrace(const IntendedStroke& stroke)
       width(stroke.width),
       glyph(stroke.glyph),
       is_dot(stroke.kind == StrokeKind::kDot || !(spine.length() > 0)),
-      way(stroke.width / 8) {}
+      path(stroke.width / 8) {}
 
 TraceTally StrokeTrace::Closed() const {
   TraceTally closed = tally;
@@ -57,7 +74,7 @@ void StrokeTrace::AddShape(TraceTally& closed) const {
   const auto count =
       static_cast<std::size_t>(std::clamp(wanted, double{kFewestPoints}, double{kMostPoints}));
   const ShapeDistance distance =
-      ShapeDistanceOf(Resampled(way.Points(), count),
+      ShapeDistanceOf(Resampled(path.Points(), count),
                       Resampled(PointsAlong(pieces_P, spine.length() / 1000), count));
   closed.shaped = spine.length();
   closed.warped_length = spine.length() * distance.warped;

@@ -5,13 +5,29 @@
 #include <limits>
 #include <vector>
 
-#include "lessons/measure/covered_length.h"
 #include "lessons/measure/intended_strokes.h"
 #include "lessons/measure/spine.h"
-#include "lessons/measure/tip_way.h"
-#include "lessons/measure/trace_tally.h"
+#include "lessons/measure/trace_metrics.h"
 
 namespace moontrace {
+
+/// The path of a tip in bounded memory: points at least a spacing apart; when there are kMost,
+/// every second one goes and the spacing doubles.
+class TipPath {
+ public:
+  static constexpr std::size_t kMost = 128;
+
+  /// `spacing` [m].
+  explicit TipPath(double spacing) : spacing_(spacing) {}
+  void Add(glm::dvec2 p);
+  /// With the newest one at the end [m].
+  std::vector<glm::dvec2> Points() const;
+
+ private:
+  double spacing_ = 0;
+  std::vector<glm::dvec2> points_;
+  glm::dvec2 newest_{0, 0};
+};
 
 /// One intended stroke and what has become of it so far, for scoring.
 struct StrokeTrace {
@@ -36,7 +52,7 @@ struct StrokeTrace {
   double closest = std::numeric_limits<double>::infinity();  ///< of a dot [m]
   glm::dvec2 mark{0, 0};  ///< where the way along or against it has been counted to [m]
   std::size_t visit = 0;  ///< how manieth it was visited, from 1; 0: not
-  TipWay way;             ///< of the tip while following it
+  TipPath path;           ///< of the tip while following it
   TraceTally tally;
 };
 

@@ -1,4 +1,4 @@
-#include "lessons/measure/trace_tally.h"
+#include "lessons/measure/trace_metrics.h"
 
 #include <algorithm>
 #include <cmath>
