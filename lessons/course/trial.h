@@ -8,15 +8,15 @@
 
 namespace moontrace {
 
-/// One finished piece of work of a learner: a row of the records, and the only thing by which
-/// progress changes (progress.h), so that progress can be told again from the rows at any time.
+/// One finished piece of work of a learner: a row of the records. Progress depends on nothing else
+/// (learning.h), so that it can be computed from the rows at any time.
 struct Trial {
   std::int64_t time = 0;  ///< when it ended, Unix time [s]
   std::string lesson;     ///< id
   std::size_t step = 0;   ///< of the lesson, from 0
   StepKind kind = StepKind::kTrace;
   /// What was shown; two joined by a line feed at kPick (shown first, then the other) and kSame.
-  /// Empty: no work but a mark of the learner's way: `right`, the step ended; else, came to it.
+  /// Empty: no work, but a mark: the learner has ended the step (`right`) or come to it.
   std::string item;
   double size = 0;  ///< of its letters [m]
   GuidanceMode guidance = GuidanceMode::kOff;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/machine/learning.h"
 
 namespace moontrace {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/machine/lesson_machine.h"
+#include "lessons/machine/lesson_state.h"
 
 namespace moontrace {
 
@@ -67,7 +67,7 @@ void Skip(Turn& turn);
 void HandleSaid(Turn& turn, const lesson_event::Said& said);
 void HandleOverrule(Turn& turn, const lesson_event::Overrule& overrule);
 
-// lesson_machine.cpp
+// lesson_steps.cpp
 
 /// The present step has ended: keeps that, and says what it means. What comes next is GoOn's.
 void EndStepNow(Turn& turn, const Lesson& lesson, const Step& step);
@@ -75,5 +75,9 @@ void EndStepNow(Turn& turn, const Lesson& lesson, const Step& step);
 void GoOn(Turn& turn);
 /// Leaves all for the beginning of a lesson.
 void GoToLesson(Turn& turn, const Lesson& lesson);
+/// To the lesson where the learner is; true: there is one with steps.
+bool FindPlace(Turn& turn);
+/// What belongs to the step alone.
+void ForgetStep(Turn& turn);
 
 }  // namespace moontrace

@@ -1,12 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
-
-#include "lessons/course/course.h"
-#include "lessons/course/trial.h"
 
 namespace moontrace {
 
@@ -44,7 +42,7 @@ struct StepItem {
   bool operator==(const StepItem&) const = default;
 };
 
-/// What is known of a learner in one course: told from the rows of the records, one by one.
+/// What is known of a learner in one course: computed from the trials of the records (learning.h).
 struct Progress {
   std::map<std::string, ItemProgress> items;
   std::map<std::string, std::map<std::string, int>> confusions;  ///< shown -> said -> times
@@ -61,33 +59,5 @@ struct Progress {
 
   bool operator==(const Progress&) const = default;
 };
-
-/// Progress after one more trial; pure, and the only way in which progress changes: told again from
-/// the records it is what it was, bit by bit.
-///
-/// How a course is gone through, so that a person can finish it:
-///
-/// - An item is sure at a size by `traces` traces and `attempts` answers, unguided and unscaled, of
-///   just that size (mastery.h). Only what the course practises with it is asked: shapes that are
-///   followed but never named need no names, words that are read need no traces. Then it goes one
-///   size down and is asked anew; after `failures` bad ones in a row it goes one size up. Answers
-///   to kPick and kSame can be guessed half the time: they end their step and count confusions, but
-///   are no evidence.
-/// - A step kTrace asks for the traces at the present size only, so that a new letter is soon asked
-///   for; a step kRecognise brings all its items down to standard size, tracing each anew at a new
-///   size (lesson_way.h). A perfect learner needs `traces` x `probe_every` traces at the first
-///   size, then per item (traces + attempts) trials a size: with five sizes about 40 trials a
-///   letter, some ten minutes.
-/// - A word begins at the size of its weakest letter: at standard size when all are mastered.
-/// - A trial without an item is a mark: the step has ended (right), or was come to (not right).
-///
-/// Trials that are guided or scaled teach nothing but where the learner is and how much help comes
-/// next (fading.h); those of items that the course has not, nothing but where. Numbers that are not
-/// finite count as bad. Each answer to kName rates the item for FSRS: wrong Again, slower than
-/// `slow` Hard, faster than `quick` Easy (once a day), else Good.
-Progress Learn(const Course& course, Progress progress, const Trial& trial);
-
-/// The whole of a learner's records.
-Progress LearnAll(const Course& course, const std::vector<Trial>& trials);
 
 }  // namespace moontrace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/machine/learning.h"
 #include "lessons/machine/mastery.h"
 #include "textures/base/text_file.h"
 

@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "lessons/machine/learning.h"
+
 namespace moontrace {
 
 LearnMemory::LearnMemory(Records records, LearnerEntry learner, std::string course, bool fresh)

@@ -10,6 +10,7 @@
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
+#include "lessons/machine/learning.h"
 #include "sim/learner/simulated_learner.h"
 #include "sim/trial/trial.h"
 #include "textures/script/script_library.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/machine/learning.h"
 #include "lessons/machine/mastery.h"
 #include "tests/lessons/lesson_fixture.h"
 

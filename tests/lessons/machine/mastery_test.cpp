@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "lessons/machine/learning.h"
 #include "lessons/machine/progress.h"
 #include "tests/lessons/lesson_fixture.h"
 

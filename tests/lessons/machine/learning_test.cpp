@@ -1,4 +1,4 @@
-#include "lessons/machine/progress.h"
+#include "lessons/machine/learning.h"
 
 #include <gtest/gtest.h>
 
