@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "lessons/records/database.h"
+#include "lessons/records/learner_history.h"
 #include "lessons/records/records_file.h"
 #include "lessons/records/records_schema.h"
 #include "lessons/records/trial_fields.h"
-#include "lessons/records/trial_json.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"

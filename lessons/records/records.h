@@ -1,31 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "lessons/course/trial.h"
+#include "lessons/records/learner_history.h"
 
 namespace moontrace {
-
-struct LearnerHistory;
-
-/// A learner in the records. Known by a pseudonym; no other name is kept.
-struct LearnerEntry {
-  std::string pseudonym;
-  std::int64_t since = 0;     ///< Unix time [s]
-  bool keeps_tracks = false;  ///< consented to raw tracks being kept
-  std::string consent;        ///< version of the text that was agreed to; empty: none
-  bool simulated = false;
-};
-
-/// A session's other happenings, in words: the tutor's commands, breaks, stops.
-struct RecordedEvent {
-  std::int64_t time = 0;  ///< Unix time [s]
-  std::string kind, text;
-};
 
 /// Learners' records in one SQLite file of the user's data folder. Nothing leaves the machine.
 /// Every Add is one transaction, on disk when it returns: a process that is killed at any instant

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -24,5 +25,10 @@ struct TrialField {
 
 /// Every member of Trial, in the order of its declaration.
 const std::vector<TrialField>& TrialFields();
+
+/// Trials as CSV (RFC 4180, UTF-8): a row of names with units, then a row for each, numbers with
+/// all their digits. Trials that are only a mark are left out.
+std::string TrialsToCsv(std::string_view learner, std::string_view course,
+                        const std::vector<Trial>& trials);
 
 }  // namespace moontrace

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "lessons/records/learner_history.h"
 #include "lessons/records/records.h"
 #include "lessons/records/trial_json.h"
 #include "sim/app/messages.h"

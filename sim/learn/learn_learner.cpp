@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/records/trial_json.h"
+#include "lessons/records/learner_history.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"

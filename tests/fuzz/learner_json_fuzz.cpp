@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/records/trial_json.h"
+#include "lessons/records/learner_history.h"
 #include "textures/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

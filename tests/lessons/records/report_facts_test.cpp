@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "lessons/records/trial_csv.h"
-
 namespace moontrace {
 namespace {
 
@@ -154,20 +152,6 @@ TEST_F(ReportFactsTest, CallSureWhatTheCourseCallsSure) {
   EXPECT_EQ(facts.size_reached, 0.02);
   EXPECT_EQ(facts.mastered, 0U);
   EXPECT_EQ(facts.items, 2U);
-}
-
-TEST(TrialsCsv, HasARowForEachTrialWithAllDigits) {
-  Trial trial = Named("a,\"b", "x\ny");
-  trial.latency = 0.1;
-  const std::string csv = TrialsToCsv("bat", "small", {trial, Named("", "")});
-  EXPECT_EQ(csv.substr(0, csv.find("\r\n")),
-            "learner,course,time_unix_s,lesson,step,kind,item,size_m,guidance,help,probe,scaled,"
-            "simulated,answer,right_answer,latency_s,coverage,mean_error_m,rms_error_m,"
-            "error_widths,wander_offs,duration_s,log_jerk,spectral_arc,mean_force_N,"
-            "mean_guidance_N,guidance_work_J");
-  EXPECT_EQ(csv.substr(csv.find("\r\n") + 2),
-            "bat,small,1699963200,1,1,recognise,\"a,\"\"b\",0.02,off,0,0,0,0,\"x\ny\",0,0.1,0,0,0,"
-            "0,0,0,0,0,0,0,0\r\n");
 }
 
 }  // namespace

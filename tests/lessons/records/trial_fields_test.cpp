@@ -52,5 +52,26 @@ TEST(TrialFields, RefuseWhatAMemberCannotHold) {
   EXPECT_TRUE(refused("lesson", 1.0));
 }
 
+TEST(TrialsCsv, HasARowForEachTrialWithAllDigits) {
+  Trial trial;
+  trial.time = 1'699'963'200;  // noon of 2023-11-14, UTC
+  trial.lesson = "1";
+  trial.step = 1;
+  trial.kind = StepKind::kRecognise;
+  trial.item = "a,\"b";
+  trial.size = 0.02;
+  trial.answer = "x\ny";
+  trial.latency = 0.1;
+  const std::string csv = TrialsToCsv("bat", "small", {trial, Trial()});
+  EXPECT_EQ(csv.substr(0, csv.find("\r\n")),
+            "learner,course,time_unix_s,lesson,step,kind,item,size_m,guidance,help,probe,scaled,"
+            "simulated,answer,right_answer,latency_s,coverage,mean_error_m,rms_error_m,"
+            "error_widths,wander_offs,duration_s,log_jerk,spectral_arc,mean_force_N,"
+            "mean_guidance_N,guidance_work_J");
+  EXPECT_EQ(csv.substr(csv.find("\r\n") + 2),
+            "bat,small,1699963200,1,1,recognise,\"a,\"\"b\",0.02,off,0,0,0,0,\"x\ny\",0,0.1,0,0,0,"
+            "0,0,0,0,0,0,0,0\r\n");
+}
+
 }  // namespace
 }  // namespace moontrace

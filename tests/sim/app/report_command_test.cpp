@@ -1,8 +1,8 @@
 #include <pugixml.hpp>
 
 #include "lessons/records/database.h"
+#include "lessons/records/learner_history.h"
 #include "lessons/records/records.h"
-#include "lessons/records/trial_json.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {

@@ -1,4 +1,4 @@
-#include "lessons/records/trial_json.h"
+#include "lessons/records/learner_history.h"
 
 #include <fmt/core.h>
 

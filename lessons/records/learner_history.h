@@ -1,13 +1,28 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lessons/course/trial.h"
-#include "lessons/records/records.h"
 
 namespace moontrace {
+
+/// A learner in the records. Known by a pseudonym; no other name is kept.
+struct LearnerEntry {
+  std::string pseudonym;
+  std::int64_t since = 0;     ///< Unix time [s]
+  bool keeps_tracks = false;  ///< consented to raw tracks being kept
+  std::string consent;        ///< version of the text that was agreed to; empty: none
+  bool simulated = false;
+};
+
+/// A session's other happenings, in words: the tutor's commands, breaks, stops.
+struct RecordedEvent {
+  std::int64_t time = 0;  ///< Unix time [s]
+  std::string kind, text;
+};
 
 /// A trial with what the records keep beside it.
 struct RecordedTrial {
