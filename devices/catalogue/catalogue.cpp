@@ -58,8 +58,16 @@ bool IsMultiAxisController(const HidInfo& info) {
 
 bool Answers(const DeviceProfile& profile, const HidInfo& info) {
   if (!HasId(profile, info)) return false;
-  if (profile.kind == DeviceKind::kWoodenHaptics) return FitsArm(info, profile);
-  if (profile.kind == DeviceKind::kPuck) return IsMultiAxisController(info);
+  switch (profile.kind) {
+    case DeviceKind::kWoodenHaptics:
+      return FitsArm(info, profile);
+    case DeviceKind::kPuck:
+      return IsMultiAxisController(info);
+    case DeviceKind::kPid:
+    case DeviceKind::kRawHid:
+    case DeviceKind::kPlugin:
+      break;
+  }
   return true;
 }
 
@@ -83,16 +91,23 @@ const DeviceProfile* Recognise(const HidInfo& info, const std::vector<DeviceProf
 void Probe(Found& found) {
   DeviceProfile& profile = found.entry.profile;
   try {
-    if (profile.kind == DeviceKind::kRawHid) {
-      profile = WithHello(profile, ReadRawHello(found.info.path));
-      found.entry.asked = true;
-      return;
-    }
-    HidHandle::Open(found.info.path);
-    if (profile.kind == DeviceKind::kPid) {
-      const HidDescriptor descriptor = DescriptorOf(found.info);
-      FindPidLayout(descriptor);
-      FindStick(descriptor, profile.stick);
+    switch (profile.kind) {
+      case DeviceKind::kRawHid:
+        profile = WithHello(profile, ReadRawHello(found.info.path));
+        found.entry.asked = true;
+        break;
+      case DeviceKind::kPid: {
+        HidHandle::Open(found.info.path);
+        const HidDescriptor descriptor = DescriptorOf(found.info);
+        FindPidLayout(descriptor);
+        FindStick(descriptor, profile.stick);
+        break;
+      }
+      case DeviceKind::kWoodenHaptics:
+      case DeviceKind::kPuck:
+      case DeviceKind::kPlugin:
+        HidHandle::Open(found.info.path);
+        break;
     }
   } catch (const PermissionError& error) {
     found.entry.problem = "no permission";

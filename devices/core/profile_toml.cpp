@@ -342,16 +342,23 @@ void ReadProfile(const Reader& reader, const toml::table& table, DeviceProfile& 
     reader.ReadTriples(table, {{"workspace_mm", &profile.limits.workspace_D.x, 0.5e-3, 1, 2000}});
   }
   CheckForces(reader, table, profile.limits);
-  if (profile.kind == DeviceKind::kPid) {
-    ReadStick(reader, reader.TableAt(table, "stick"), profile.stick);
-    if (profile.stick.full_force < profile.limits.peak_force) {
-      reader.Fail(reader.Require(table, "peak_force_n").source(),
-                  "peak_force_n is above the stick's full_force_n: lower it");
-    }
-  } else if (profile.kind == DeviceKind::kWoodenHaptics) {
-    ReadArm(reader, reader.TableAt(table, "arm"), profile.arm);
-  } else if (profile.kind == DeviceKind::kPuck) {
-    ReadPuck(reader, reader.TableAt(table, "puck"), profile.puck);
+  switch (profile.kind) {
+    case DeviceKind::kPid:
+      ReadStick(reader, reader.TableAt(table, "stick"), profile.stick);
+      if (profile.stick.full_force < profile.limits.peak_force) {
+        reader.Fail(reader.Require(table, "peak_force_n").source(),
+                    "peak_force_n is above the stick's full_force_n: lower it");
+      }
+      break;
+    case DeviceKind::kWoodenHaptics:
+      ReadArm(reader, reader.TableAt(table, "arm"), profile.arm);
+      break;
+    case DeviceKind::kPuck:
+      ReadPuck(reader, reader.TableAt(table, "puck"), profile.puck);
+      break;
+    case DeviceKind::kRawHid:
+    case DeviceKind::kPlugin:
+      break;  // no keys of their own
   }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "textures/base/overload.h"
 #include "textures/field/fill.h"
 
 namespace moontrace {
@@ -46,8 +47,6 @@ std::optional<glm::dvec2> FromSpine(const Arc& arc, glm::dvec2 p) {
   return v * (1 - arc.radius / distance);
 }
 
-std::optional<glm::dvec2> FromSpine(const Dot& dot, glm::dvec2 p) { return p - dot.center; }
-
 /// How far along the spine the foot of `p` lies, 0 at the start and 1 at the end, and its gradient.
 struct Along {
   double share = 0;
@@ -78,28 +77,72 @@ Magnitude Faded(const Element& element, const Along& along, glm::dvec2 from_spin
   return {q * q * sample.height, q * sample.slope * away + by_q * along.gradient};
 }
 
-glm::dvec2 NearestOn(const Piece& piece, glm::dvec2 p) {
-  if (const Line* line = std::get_if<Line>(&piece)) {
-    const glm::dvec2 along = line->to - line->from;
-    const double length2 = glm::dot(along, along);
-    const double t = length2 > 0 ? glm::dot(p - line->from, along) / length2 : 0;
-    return line->from + std::clamp(t, 0.0, 1.0) * along;
-  }
-  const Arc& arc = std::get<Arc>(piece);
+glm::dvec2 NearestOnLine(const Line& line, glm::dvec2 p) {
+  const glm::dvec2 along = line.to - line.from;
+  const double length2 = glm::dot(along, along);
+  const double t = length2 > 0 ? glm::dot(p - line.from, along) / length2 : 0;
+  return line.from + std::clamp(t, 0.0, 1.0) * along;
+}
+
+glm::dvec2 NearestOnArc(const Arc& arc, glm::dvec2 p) {
   const glm::dvec2 v = p - arc.center;
   if (IsWhole(arc) || AngleAlong(arc, v) <= std::abs(arc.sweep)) {
     const double distance = glm::length(v);
     return distance > 0 ? arc.center + v * (arc.radius / distance)
                         : arc.center + arc.radius * Direction(arc.start);
   }
-  const glm::dvec2 start = StartOf(piece), end = EndOf(piece);
+  const glm::dvec2 start = StartOf(arc), end = EndOf(arc);
   return glm::dot(p - start, p - start) <= glm::dot(p - end, p - end) ? start : end;
+}
+
+glm::dvec2 NearestOn(const Piece& piece, glm::dvec2 p) {
+  return std::visit(Overload{[p](const Line& line) { return NearestOnLine(line, p); },
+                             [p](const Arc& arc) { return NearestOnArc(arc, p); }},
+                    piece);
 }
 
 Magnitude ToMagnitude(const ProfileSample& sample, glm::dvec2 from_spine, double distance) {
   if (sample.height == 0) return {};
   return {sample.height,
           distance > 0 ? sample.slope / distance * from_spine : glm::dvec2(0.0, 0.0)};
+}
+
+Magnitude Unfaded(const Element& element, glm::dvec2 from_spine) {
+  const double distance = glm::length(from_spine);
+  return ToMagnitude(Evaluate(element.profile, distance), from_spine, distance);
+}
+
+/// `spine` is the element's line or arc.
+template <class Spine>
+Magnitude OfGroove(const Element& element, const Spine& spine, glm::dvec2 p) {
+  const std::optional<glm::dvec2> v = FromSpine(spine, p);
+  if (!v) return {};
+  return element.fade.IsNone() ? Unfaded(element, *v) : Faded(element, AlongSpine(spine, p), *v);
+}
+
+Magnitude OfFill(const Fill& fill, const Profile& profile, glm::dvec2 p) {
+  if (!IsInside(fill.outline, p)) return {};
+  double inside = std::numeric_limits<double>::infinity();
+  glm::dvec2 from_edge(0.0, 0.0);
+  for (const Piece& piece : fill.outline) {
+    const glm::dvec2 v = p - NearestOn(piece, p);
+    if (glm::length(v) < inside) {
+      inside = glm::length(v);
+      from_edge = v;
+    }
+  }
+  return ToMagnitude(EvaluateFill(profile, inside), from_edge, inside);
+}
+
+/// The box of an arc's ends, grown by the circle's four extreme points, as far as they lie on the
+/// arc.
+void IncludeExtremes(Box& box, const Arc& arc) {
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const glm::dvec2 way = Direction(quarter * kTurn / 4);
+    if (IsWhole(arc) || AngleAlong(arc, way) <= std::abs(arc.sweep)) {
+      Include(box, arc.center + arc.radius * way);
+    }
+  }
 }
 
 }  // namespace
@@ -122,113 +165,108 @@ bool Overlap(const Box& a, const Box& b) noexcept {
 }
 
 glm::dvec2 StartOf(const Piece& piece) {
-  if (const Line* line = std::get_if<Line>(&piece)) return line->from;
-  const Arc& arc = std::get<Arc>(piece);
-  return arc.center + arc.radius * Direction(arc.start);
+  return std::visit(
+      Overload{
+          [](const Line& line) { return line.from; },
+          [](const Arc& arc) { return arc.center + arc.radius * Direction(arc.start); },
+      },
+      piece);
 }
 
 glm::dvec2 EndOf(const Piece& piece) {
-  if (const Line* line = std::get_if<Line>(&piece)) return line->to;
-  const Arc& arc = std::get<Arc>(piece);
-  return arc.center + arc.radius * Direction(arc.start + SweepOf(arc));
+  return std::visit(Overload{
+                        [](const Line& line) { return line.to; },
+                        [](const Arc& arc) {
+                          return arc.center + arc.radius * Direction(arc.start + SweepOf(arc));
+                        },
+                    },
+                    piece);
 }
 
 double Length(const Piece& piece) {
-  if (const Line* line = std::get_if<Line>(&piece)) return glm::length(line->to - line->from);
-  const Arc& arc = std::get<Arc>(piece);
-  return arc.radius * std::abs(SweepOf(arc));
+  return std::visit(Overload{
+                        [](const Line& line) { return glm::length(line.to - line.from); },
+                        [](const Arc& arc) { return arc.radius * std::abs(SweepOf(arc)); },
+                    },
+                    piece);
 }
 
 glm::dvec2 PointAt(const Piece& piece, double s) {
   const double length = Length(piece);
   const double share = length > 0 ? std::clamp(s / length, 0.0, 1.0) : 0;
-  if (const Line* line = std::get_if<Line>(&piece)) {
-    return line->from + share * (line->to - line->from);
-  }
-  const Arc& arc = std::get<Arc>(piece);
-  return arc.center + arc.radius * Direction(arc.start + share * SweepOf(arc));
+  return std::visit(
+      Overload{
+          [share](const Line& line) { return line.from + share * (line.to - line.from); },
+          [share](const Arc& arc) {
+            return arc.center + arc.radius * Direction(arc.start + share * SweepOf(arc));
+          },
+      },
+      piece);
 }
 
 glm::dvec2 TangentAt(const Piece& piece, double s) {
   const double length = Length(piece);
-  if (const Line* line = std::get_if<Line>(&piece)) {
-    return length > 0 ? (line->to - line->from) / length : glm::dvec2(1.0, 0.0);
-  }
-  const Arc& arc = std::get<Arc>(piece);
-  const double share = length > 0 ? std::clamp(s / length, 0.0, 1.0) : 0;
-  const glm::dvec2 outward = Direction(arc.start + share * SweepOf(arc));
-  return arc.sweep < 0 ? glm::dvec2(outward.y, -outward.x) : glm::dvec2(-outward.y, outward.x);
+  const auto of_line = [length](const Line& line) {
+    return length > 0 ? (line.to - line.from) / length : glm::dvec2(1.0, 0.0);
+  };
+  const auto of_arc = [length, s](const Arc& arc) {
+    const double share = length > 0 ? std::clamp(s / length, 0.0, 1.0) : 0;
+    const glm::dvec2 outward = Direction(arc.start + share * SweepOf(arc));
+    return arc.sweep < 0 ? glm::dvec2(outward.y, -outward.x) : glm::dvec2(-outward.y, outward.x);
+  };
+  return std::visit(Overload{of_line, of_arc}, piece);
 }
 
 double DistanceTo(const Piece& piece, glm::dvec2 p) { return glm::length(p - NearestOn(piece, p)); }
 
 Piece Placed(const Piece& piece, double scale, glm::dvec2 origin) {
-  if (const Line* line = std::get_if<Line>(&piece)) {
-    return Line{scale * line->from + origin, scale * line->to + origin};
-  }
-  Arc arc = std::get<Arc>(piece);
-  arc.center = scale * arc.center + origin;
-  arc.radius *= scale;
-  return arc;
+  const auto of_line = [=](const Line& line) {
+    return Line{scale * line.from + origin, scale * line.to + origin};
+  };
+  const auto of_arc = [=](Arc arc) {
+    arc.center = scale * arc.center + origin;
+    arc.radius *= scale;
+    return arc;
+  };
+  return std::visit<Piece>(Overload{of_line, of_arc}, piece);
 }
 
 Box BoundsOf(const Piece& piece) {
   Box box;
   Include(box, StartOf(piece));
   Include(box, EndOf(piece));
-  if (const Arc* arc = std::get_if<Arc>(&piece)) {
-    // the circle's four extreme points, as far as they lie on the arc
-    for (int quarter = 0; quarter < 4; ++quarter) {
-      const glm::dvec2 way = Direction(quarter * kTurn / 4);
-      if (IsWhole(*arc) || AngleAlong(*arc, way) <= std::abs(arc->sweep)) {
-        Include(box, arc->center + arc->radius * way);
-      }
-    }
-  }
+  std::visit(Overload{[](const Line&) {}, [&box](const Arc& arc) { IncludeExtremes(box, arc); }},
+             piece);
   return box;
 }
 
 Box BoundsOf(const Element& element) {
-  Box box;
-  if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
-    for (const Piece& piece : fill->outline) Include(box, BoundsOf(piece));
+  const double half = 0.5 * element.profile.width;
+  const auto of_fill = [](const Fill& fill) {
+    Box box;
+    for (const Piece& piece : fill.outline) Include(box, BoundsOf(piece));
     return box;
-  }
-  if (const Dot* dot = std::get_if<Dot>(&element.shape)) Include(box, dot->center);
-  if (const Line* line = std::get_if<Line>(&element.shape)) Include(box, BoundsOf(Piece(*line)));
-  if (const Arc* arc = std::get_if<Arc>(&element.shape)) Include(box, BoundsOf(Piece(*arc)));
-  return Grown(box, 0.5 * element.profile.width);
+  };
+  return std::visit(Overload{
+                        [half](const Line& line) { return Grown(BoundsOf(Piece(line)), half); },
+                        [half](const Arc& arc) { return Grown(BoundsOf(Piece(arc)), half); },
+                        [half](const Dot& dot) {
+                          return Grown({dot.center, dot.center}, half);
+                        },
+                        of_fill,
+                    },
+                    element.shape);
 }
 
 Magnitude Evaluate(const Element& element, glm::dvec2 p) {
-  if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
-    if (!IsInside(fill->outline, p)) return {};
-    double inside = std::numeric_limits<double>::infinity();
-    glm::dvec2 from_edge(0.0, 0.0);
-    for (const Piece& piece : fill->outline) {
-      const glm::dvec2 v = p - NearestOn(piece, p);
-      if (glm::length(v) < inside) {
-        inside = glm::length(v);
-        from_edge = v;
-      }
-    }
-    return ToMagnitude(EvaluateFill(element.profile, inside), from_edge, inside);
-  }
-  std::optional<glm::dvec2> v;
-  if (const Line* line = std::get_if<Line>(&element.shape)) v = FromSpine(*line, p);
-  if (const Arc* arc = std::get_if<Arc>(&element.shape)) v = FromSpine(*arc, p);
-  if (const Dot* dot = std::get_if<Dot>(&element.shape)) v = FromSpine(*dot, p);
-  if (!v) return {};
-  if (!element.fade.IsNone()) {
-    if (const Line* line = std::get_if<Line>(&element.shape)) {
-      return Faded(element, AlongSpine(*line, p), *v);
-    }
-    if (const Arc* arc = std::get_if<Arc>(&element.shape)) {
-      return Faded(element, AlongSpine(*arc, p), *v);
-    }
-  }
-  const double distance = glm::length(*v);
-  return ToMagnitude(Evaluate(element.profile, distance), *v, distance);
+  return std::visit(
+      Overload{
+          [&element, p](const Line& line) { return OfGroove(element, line, p); },
+          [&element, p](const Arc& arc) { return OfGroove(element, arc, p); },
+          [&element, p](const Dot& dot) { return Unfaded(element, p - dot.center); },
+          [&element, p](const Fill& fill) { return OfFill(fill, element.profile, p); },
+      },
+      element.shape);
 }
 
 }  // namespace moontrace

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "textures/base/error.h"
+#include "textures/base/overload.h"
 #include "textures/field/blend.h"
 #include "textures/field/field_place.h"
 
@@ -68,15 +69,15 @@ FlatElement FlattenRound(glm::dvec2 center, double radius) {
   return flat;
 }
 
-FlatElement FlattenPiece(const Piece& piece) {
-  if (const Line* line = std::get_if<Line>(&piece)) {
-    FlatElement flat;
-    flat.anchor = line->from;
-    flat.length = glm::length(line->to - line->from);
-    if (flat.length > 0) flat.direction = (line->to - line->from) / flat.length;
-    return flat;
-  }
-  const Arc& arc = std::get<Arc>(piece);
+FlatElement FlattenLine(const Line& line) {
+  FlatElement flat;
+  flat.anchor = line.from;
+  flat.length = glm::length(line.to - line.from);
+  if (flat.length > 0) flat.direction = (line.to - line.from) / flat.length;
+  return flat;
+}
+
+FlatElement FlattenArc(const Arc& arc) {
   FlatElement flat = FlattenRound(arc.center, arc.radius);
   if (std::abs(arc.sweep) >= kTurn) return flat;
   const double middle = arc.start + 0.5 * arc.sweep;
@@ -84,6 +85,12 @@ FlatElement FlattenPiece(const Piece& piece) {
   flat.direction = {std::cos(middle), std::sin(middle)};
   flat.cos_half = std::cos(0.5 * arc.sweep);
   return flat;
+}
+
+FlatElement FlattenPiece(const Piece& piece) {
+  return std::visit(Overload{[](const Line& line) { return FlattenLine(line); },
+                             [](const Arc& arc) { return FlattenArc(arc); }},
+                    piece);
 }
 
 FlatElement FlattenFill(const Fill& fill, CompiledLayer& layer) {
@@ -108,24 +115,29 @@ FlatElement FlattenFill(const Fill& fill, CompiledLayer& layer) {
 
 void FlattenFade(const Element& element, FlatElement& flat, CompiledLayer& layer) {
   if (layer.fades.size() >= 65535) throw InputError("more than 65535 fading strokes on a page");
-  const Arc* arc = std::get_if<Arc>(&element.shape);
-  const double rate = arc == nullptr ? 0 : (arc->sweep < 0 ? -0.5 : 0.5) / std::acos(flat.cos_half);
+  const double rate =
+      std::visit(Overload{
+                     [&flat](const Arc& arc) {
+                       return (arc.sweep < 0 ? -0.5 : 0.5) / std::acos(flat.cos_half);
+                     },
+                     [](const Line&) { return 0.0; },
+                     [](const Dot&) { return 0.0; },
+                     [](const Fill&) { return 0.0; },
+                 },
+                 element.shape);
   layer.fades.push_back({flat, element.fade.from, element.fade.to, rate});
   flat.kind = FlatKind::kFading;
   flat.fill = static_cast<std::uint16_t>(layer.fades.size() - 1);
 }
 
 FlatElement Flatten(const Element& element, CompiledLayer& layer) {
-  FlatElement flat;
-  if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
-    flat = FlattenFill(*fill, layer);
-  } else if (const Dot* dot = std::get_if<Dot>(&element.shape)) {
-    flat = FlattenRound(dot->center, 0);
-  } else if (const Line* line = std::get_if<Line>(&element.shape)) {
-    flat = FlattenPiece(Piece(*line));
-  } else {
-    flat = FlattenPiece(Piece(std::get<Arc>(element.shape)));
-  }
+  FlatElement flat = std::visit(Overload{
+                                    [](const Line& line) { return FlattenLine(line); },
+                                    [](const Arc& arc) { return FlattenArc(arc); },
+                                    [](const Dot& dot) { return FlattenRound(dot.center, 0); },
+                                    [&layer](const Fill& fill) { return FlattenFill(fill, layer); },
+                                },
+                                element.shape);
   flat.profile = ProfileNumber(element.profile, layer);
   if (!element.fade.IsNone() && flat.kind <= FlatKind::kArc) FlattenFade(element, flat, layer);
   return flat;
@@ -134,19 +146,20 @@ FlatElement Flatten(const Element& element, CompiledLayer& layer) {
 /// Whether the element can matter within `reach` of a point (a cell's middle): never false by
 /// mistake.
 bool CanMatter(const Element& element, glm::dvec2 middle, double reach) {
-  if (const Fill* fill = std::get_if<Fill>(&element.shape)) {
-    if (IsInside(fill->outline, middle)) return true;
-    return std::any_of(fill->outline.begin(), fill->outline.end(),
+  const double from_spine = reach + 0.5 * element.profile.width;
+  const auto fill_can = [reach, middle](const Fill& fill) {
+    if (IsInside(fill.outline, middle)) return true;
+    return std::any_of(fill.outline.begin(), fill.outline.end(),
                        [&](const Piece& piece) { return DistanceTo(piece, middle) <= reach; });
-  }
-  reach += 0.5 * element.profile.width;
-  if (const Dot* dot = std::get_if<Dot>(&element.shape)) {
-    return glm::length(middle - dot->center) <= reach;
-  }
-  const Piece piece = std::holds_alternative<Line>(element.shape)
-                          ? Piece(std::get<Line>(element.shape))
-                          : Piece(std::get<Arc>(element.shape));
-  return DistanceTo(piece, middle) <= reach;
+  };
+  return std::visit(
+      Overload{
+          [=](const Line& line) { return DistanceTo(line, middle) <= from_spine; },
+          [=](const Arc& arc) { return DistanceTo(arc, middle) <= from_spine; },
+          [=](const Dot& dot) { return glm::length(middle - dot.center) <= from_spine; },
+          fill_can,
+      },
+      element.shape);
 }
 
 /// The elements that can matter within `reach` of a cell's middle, in the group's order. `bounds`

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "textures/base/overload.h"
+
 namespace moontrace {
 
 namespace {
@@ -44,11 +46,9 @@ void AddArc(const Arc& arc, std::vector<RisingEdge>& edges) {
 std::vector<RisingEdge> RisingEdges(const std::vector<Piece>& outline) {
   std::vector<RisingEdge> edges;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    if (const Line* line = std::get_if<Line>(&outline[i])) {
-      AddStraight(line->from, line->to, edges);
-    } else {
-      AddArc(std::get<Arc>(outline[i]), edges);
-    }
+    std::visit(Overload{[&edges](const Line& line) { AddStraight(line.from, line.to, edges); },
+                        [&edges](const Arc& arc) { AddArc(arc, edges); }},
+               outline[i]);
     // pieces meet only to rounding: bridge the gap, so that the outline is closed for the ray
     const Piece& next = outline[(i + 1) % outline.size()];
     AddStraight(EndOf(outline[i]), StartOf(next), edges);

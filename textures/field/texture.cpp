@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "textures/base/overload.h"
 #include "textures/field/blend.h"
 
 namespace moontrace {
@@ -15,10 +16,12 @@ namespace {
 
 bool CanBlend(const Element& element) {
   if (!element.fade.IsNone()) return false;
-  return std::holds_alternative<Line>(element.shape) || std::holds_alternative<Arc>(element.shape);
+  return std::visit(Overload{[](const Line&) { return true; }, [](const Arc&) { return true; },
+                             [](const Dot&) { return false; }, [](const Fill&) { return false; }},
+                    element.shape);
 }
 
-Foot FootOf(const Line& line, glm::dvec2 p) {
+Foot FootOnLine(const Line& line, glm::dvec2 p) {
   Foot foot{.distance = -1};
   const double length = glm::length(line.to - line.from);
   if (length == 0) return foot;
@@ -33,7 +36,7 @@ Foot FootOf(const Line& line, glm::dvec2 p) {
   return foot;
 }
 
-Foot FootOf(const Arc& arc, glm::dvec2 p) {
+Foot FootOnArc(const Arc& arc, glm::dvec2 p) {
   constexpr double kTurn = 2 * std::numbers::pi;
   Foot foot{.distance = -1};
   const glm::dvec2 v = p - arc.center;
@@ -57,13 +60,20 @@ Foot FootOf(const Arc& arc, glm::dvec2 p) {
   return foot;
 }
 
+Foot FootOf(const Shape& shape, glm::dvec2 p) {
+  return std::visit(Overload{[p](const Line& line) { return FootOnLine(line, p); },
+                             [p](const Arc& arc) { return FootOnArc(arc, p); },
+                             [](const Dot&) { return Foot{.distance = -1}; },
+                             [](const Fill&) { return Foot{.distance = -1}; }},
+                    shape);
+}
+
 /// Magnitude of the group's element `i`, its creases with the group's others rounded.
 Magnitude BlendedMagnitude(const Group& group, std::size_t i, glm::dvec2 p) {
   std::vector<Foot> feet(group.elements.size(), Foot{.distance = -1});
   for (std::size_t j = 0; j < feet.size(); ++j) {
     const Element& element = group.elements[j];
-    if (const Line* line = std::get_if<Line>(&element.shape)) feet[j] = FootOf(*line, p);
-    if (const Arc* arc = std::get_if<Arc>(&element.shape)) feet[j] = FootOf(*arc, p);
+    feet[j] = FootOf(element.shape, p);
     const Profile &a = element.profile, &b = group.elements[i].profile;
     const bool same = a.width == b.width && a.depth == b.depth && a.rounding == b.rounding;
     if (!same || !CanBlend(element)) {

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "textures/base/overload.h"
+
 namespace moontrace {
 namespace {
 
@@ -179,8 +181,12 @@ std::optional<Piece> Joined(const Run& run, const Piece& next, double tolerance)
   if (run.pieces.size() >= kLongestRun || run.joined.index() != next.index()) return std::nullopt;
   const glm::dvec2 before = TangentAt(run.joined, Length(run.joined));
   if (glm::dot(before, TangentAt(next, 0)) < 0.9) return std::nullopt;
-  if (const Arc* arc = std::get_if<Arc>(&next)) return JoinedArc(run, *arc, tolerance);
-  return JoinedLine(run, std::get<Line>(next), tolerance);
+  return std::visit(
+      Overload{
+          [&run, tolerance](const Line& line) { return JoinedLine(run, line, tolerance); },
+          [&run, tolerance](const Arc& arc) { return JoinedArc(run, arc, tolerance); },
+      },
+      next);
 }
 
 }  // namespace

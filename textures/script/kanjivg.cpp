@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "textures/base/error.h"
+#include "textures/base/overload.h"
 #include "textures/base/text_file.h"
 #include "textures/script/arc_fit.h"
 #include "textures/script/character_script.h"
@@ -41,9 +42,16 @@ unsigned StrokeNumber(const char* id) {
 /// From the drawing (y down, from 0) to the em box (y up): mirrored pieces turn the other way.
 Piece InEm(const Piece& piece) {
   const auto point = [](glm::dvec2 p) { return glm::dvec2(p.x, kBox - p.y) / kBox; };
-  if (const Line* line = std::get_if<Line>(&piece)) return Line{point(line->from), point(line->to)};
-  const Arc& arc = std::get<Arc>(piece);
-  return Arc{point(arc.center), arc.radius / kBox, -arc.start, -arc.sweep};
+  return std::visit<Piece>(
+      Overload{
+          [&point](const Line& line) {
+            return Line{point(line.from), point(line.to)};
+          },
+          [&point](const Arc& arc) {
+            return Arc{point(arc.center), arc.radius / kBox, -arc.start, -arc.sweep};
+          },
+      },
+      piece);
 }
 
 /// Code point of a file's name, 0 for others.

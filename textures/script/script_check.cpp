@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "textures/base/overload.h"
 #include "textures/base/utf8.h"
 
 namespace moontrace {
@@ -136,13 +137,16 @@ class GlyphChecker {
       least = 1e300;
     };
     for (const Piece& piece : glyph_.strokes[i].pieces) {
-      const Arc* arc = std::get_if<Arc>(&piece);
-      const double radius = arc != nullptr ? arc->radius * size_.size : 1e300;
-      if (radius >= needed * (1 - 1e-9) || (arc != nullptr && bend * arc->sweep < 0)) end_run();
-      if (radius < needed * (1 - 1e-9)) {
-        bend += arc->sweep;
+      const auto on_line = [&end_run](const Line&) { end_run(); };
+      const auto on_arc = [&](const Arc& arc) {
+        const double radius = arc.radius * size_.size;
+        const bool tight = radius < needed * (1 - 1e-9);
+        if (!tight || bend * arc.sweep < 0) end_run();
+        if (!tight) return;
+        bend += arc.sweep;
         least = std::min(least, radius);
-      }
+      };
+      std::visit(Overload{on_line, on_arc}, piece);
     }
     end_run();
   }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "textures/base/overload.h"
 #include "textures/base/utf8.h"
 
 namespace moontrace {
@@ -55,12 +56,7 @@ std::string Escaped(std::string_view text) {
   return result;
 }
 
-void AppendPiece(const Piece& piece, std::string& path) {
-  if (const Line* line = std::get_if<Line>(&piece)) {
-    path.append(" L").append(Point(line->to));
-    return;
-  }
-  const Arc& arc = std::get<Arc>(piece);
+void AppendArc(const Arc& arc, std::string& path) {
   const bool flat = arc.radius > kGreatestRadius;
   // a chord lies r (1 - cos(sweep / 2)) below its arc, about r sweep^2 / 8
   const double longest = flat ? std::sqrt(8 * kChordHeight / arc.radius) : kLongestArc;
@@ -75,6 +71,12 @@ void AppendPiece(const Piece& piece, std::string& path) {
     const std::string radius = Number(kUnits * arc.radius);
     path += fmt::format(" A{} {} 0 0 {} {}", radius, radius, arc.sweep > 0 ? 1 : 0, Point(to));
   }
+}
+
+void AppendPiece(const Piece& piece, std::string& path) {
+  std::visit(Overload{[&path](const Line& line) { path.append(" L").append(Point(line.to)); },
+                      [&path](const Arc& arc) { AppendArc(arc, path); }},
+             piece);
 }
 
 std::string PathOf(const Stroke& stroke) {
@@ -93,13 +95,11 @@ bool IsRing(const Stroke& stroke) {
 /// A ring that stops a hair before its start.
 Stroke Opened(Stroke ring) {
   constexpr double kHair = 1e-6;  // [em]
-  Piece& last = ring.pieces.back();
-  if (Arc* arc = std::get_if<Arc>(&last)) {
-    arc->sweep -= std::copysign(kHair / arc->radius, arc->sweep);
-  } else {
-    const glm::dvec2 to = PointAt(last, Length(last) - kHair);
-    std::get<Line>(last).to = to;
-  }
+  std::visit(Overload{
+                 [](Line& line) { line.to = PointAt(line, Length(line) - kHair); },
+                 [](Arc& arc) { arc.sweep -= std::copysign(kHair / arc.radius, arc.sweep); },
+             },
+             ring.pieces.back());
   return ring;
 }
 

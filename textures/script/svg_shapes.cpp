@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "textures/base/overload.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -16,10 +17,11 @@ constexpr std::size_t kDeepest = 32;  ///< <g> and <use> within each other
 
 StrokeKind KindOf(const Subpath& subpath) {
   if (!subpath.closed) return StrokeKind::kStroke;
-  const Arc* arc = std::get_if<Arc>(&subpath.pieces.front());
-  const bool circle =
-      subpath.pieces.size() == 1 && arc != nullptr && std::abs(arc->sweep) >= 2 * std::numbers::pi;
-  return circle ? StrokeKind::kDot : StrokeKind::kFill;
+  const bool circle = std::visit(
+      Overload{[](const Line&) { return false; },
+               [](const Arc& arc) { return std::abs(arc.sweep) >= 2 * std::numbers::pi; }},
+      subpath.pieces.front());
+  return circle && subpath.pieces.size() == 1 ? StrokeKind::kDot : StrokeKind::kFill;
 }
 
 /// Elements that draw nothing.

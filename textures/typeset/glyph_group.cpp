@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "textures/base/overload.h"
 #include "textures/typeset/groove_links.h"
 #include "textures/typeset/rules.h"
 #include "textures/typeset/sheet_texture.h"
@@ -20,8 +21,11 @@ namespace {
 constexpr double kSamePoint = 1e-6;  // [em]
 
 bool IsFullCircle(const Piece& piece) {
-  const Arc* arc = std::get_if<Arc>(&piece);
-  return arc && std::abs(arc->sweep) >= glm::two_pi<double>() * (1 - 1e-12);
+  return std::visit(Overload{[](const Line&) { return false; },
+                             [](const Arc& arc) {
+                               return std::abs(arc.sweep) >= glm::two_pi<double>() * (1 - 1e-12);
+                             }},
+                    piece);
 }
 
 void AddPoint(std::vector<glm::dvec2>& points, glm::dvec2 p) {
@@ -55,7 +59,9 @@ Fill ScaledFill(const Stroke& stroke, double size) {
 Fill Disc(const Stroke& dot, const TypeStyle& style) {
   Fill fill = ScaledFill(dot, style.size);
   for (Piece& piece : fill.outline) {
-    if (Arc* arc = std::get_if<Arc>(&piece)) arc->radius = std::max(arc->radius, style.width / 2);
+    std::visit(Overload{[](Line&) {},
+                        [&style](Arc& arc) { arc.radius = std::max(arc.radius, style.width / 2); }},
+               piece);
   }
   return fill;
 }
@@ -77,9 +83,15 @@ Group BuildGlyph(const Glyph& glyph, const TypeStyle& style) {
     group.elements.push_back({Dot{point * style.size}, profile});
   }
   for (const Stroke& stroke : glyph.strokes) {
-    if (stroke.kind == StrokeKind::kDot) group.elements.push_back({Disc(stroke, style), profile});
-    if (stroke.kind == StrokeKind::kFill) {
-      group.elements.push_back({ScaledFill(stroke, style.size), profile});
+    switch (stroke.kind) {
+      case StrokeKind::kStroke:
+        break;  // above
+      case StrokeKind::kDot:
+        group.elements.push_back({Disc(stroke, style), profile});
+        break;
+      case StrokeKind::kFill:
+        group.elements.push_back({ScaledFill(stroke, style.size), profile});
+        break;
     }
   }
   return group;

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "textures/base/overload.h"
 #include "textures/typeset/groove_links.h"
 
 namespace moontrace {
@@ -14,11 +15,14 @@ constexpr double kShortestRamp = 1;  // below this a ramp is steeper than a flan
 
 /// The part of a piece between two lengths.
 Piece PartOf(const Piece& piece, double from, double to) {
-  if (const Arc* arc = std::get_if<Arc>(&piece)) {
-    const double rate = arc->sweep / Length(piece);
-    return Arc{arc->center, arc->radius, arc->start + from * rate, (to - from) * rate};
-  }
-  return Line{PointAt(piece, from), PointAt(piece, to)};
+  const auto of_line = [=](const Line& line) {
+    return Line{PointAt(line, from), PointAt(line, to)};
+  };
+  const auto of_arc = [=](const Arc& arc) {
+    const double rate = arc.sweep / Length(arc);
+    return Arc{arc.center, arc.radius, arc.start + from * rate, (to - from) * rate};
+  };
+  return std::visit<Piece>(Overload{of_line, of_arc}, piece);
 }
 
 /// How a link's profile is along its way, as q of Fade: level, ramp, level, ramp, level.

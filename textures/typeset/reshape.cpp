@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "textures/base/error.h"
+#include "textures/base/overload.h"
 #include "textures/script/arc_fit.h"
 
 namespace moontrace {
@@ -40,18 +41,19 @@ void AppendArc(const Arc& arc, const Map& map, std::vector<Piece>& pieces) {
 std::vector<Piece> Mapped(const std::vector<Piece>& from, const Map& map) {
   std::vector<Piece> pieces;
   for (const Piece& piece : from) {
-    if (const Line* line = std::get_if<Line>(&piece)) {
-      pieces.emplace_back(Line{map.Point(line->from), map.Point(line->to)});
-    } else {
-      AppendArc(std::get<Arc>(piece), map, pieces);
-    }
+    std::visit(Overload{[&](const Line& line) {
+                          pieces.emplace_back(Line{map.Point(line.from), map.Point(line.to)});
+                        },
+                        [&](const Arc& arc) { AppendArc(arc, map, pieces); }},
+               piece);
   }
   return pieces;
 }
 
 void MoveDot(const Map& map, Stroke& stroke) {
   for (Piece& piece : stroke.pieces) {
-    if (Arc* arc = std::get_if<Arc>(&piece)) arc->center = map.Point(arc->center);
+    std::visit(Overload{[](Line&) {}, [&map](Arc& arc) { arc.center = map.Point(arc.center); }},
+               piece);
   }
 }
 
