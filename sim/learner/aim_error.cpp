@@ -3,14 +3,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "textures/base/digest.h"
 #include "textures/base/random.h"
 
 namespace moontrace {
 
 std::uint64_t SeedOf(std::uint64_t seed, std::string_view name) {
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return Random(hash ^ Random(seed).Bits()).Bits();
+  return Random(DigestOf(name) ^ Random(seed).Bits()).Bits();
 }
 
 AimError::AimError(std::uint64_t seed, std::string_view name) {

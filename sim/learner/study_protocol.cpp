@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "textures/base/digest.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_range.h"
@@ -132,12 +133,6 @@ void ReadConditions(const TomlTable& root, StudyProtocol& protocol) {
   }
 }
 
-std::uint64_t Digest(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash;
-}
-
 /// Adds trials of one phase, letters in turn.
 void AddPhase(std::vector<StudyTrial>& trials, const StudyTrial& like,
               const std::vector<std::string>& letters, int count, std::uint64_t seed) {
@@ -169,7 +164,7 @@ StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
   const TomlTable root = TomlTable::Parse(text, name);
   StudyProtocol protocol;
   protocol.file = name;
-  protocol.digest = Digest(text);
+  protocol.digest = DigestOf(text);
   protocol.title = root.String("title");
   protocol.script = root.String("script", "moon");
   protocol.learners = static_cast<int>(

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "sim/tutor/tutor_messages.h"
+#include "textures/base/digest.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -36,15 +37,6 @@ std::string Cause(int error) { return std::generic_category().message(error); }
 bool IsPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
          c == '_' || c == '.';
-}
-
-/// FNV-1a, 64 bits.
-std::uint64_t Checksum(std::string_view bytes) {
-  std::uint64_t sum = 0xcbf29ce484222325U;
-  for (const char c : bytes) {
-    sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  }
-  return sum;
 }
 
 struct flock WholeFile() {
@@ -107,7 +99,7 @@ std::string TutorSocketName(const std::string& learner) {
     name += IsPlain(c) ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   if (name.size() > kLongestName) {
-    name = name.substr(0, kLongestName - 17) + fmt::format("~{:016x}", Checksum(learner));
+    name = name.substr(0, kLongestName - 17) + fmt::format("~{:016x}", DigestOf(learner));
   }
   return std::string(kBegin) + name + std::string(kEnd);
 }

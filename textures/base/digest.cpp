@@ -6,18 +6,6 @@
 
 namespace moontrace {
 
-void Digest::Add(const void* bytes, std::size_t count) noexcept {
-  constexpr std::uint64_t kPrime = 0x100000001b3U;
-  const auto* byte = static_cast<const unsigned char*>(bytes);
-  for (std::size_t i = 0; i < count; ++i) value_ = (value_ ^ byte[i]) * kPrime;
-}
-
-std::uint64_t DigestOf(std::string_view text) noexcept {
-  Digest digest;
-  digest.Add(text);
-  return digest.value();
-}
-
 std::string ToHex(std::uint64_t value) { return fmt::format("{:#018x}", value); }
 
 std::optional<std::uint64_t> FromHex(std::string_view text) {

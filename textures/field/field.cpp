@@ -2,39 +2,21 @@
 
 #include <cmath>
 
+#include "textures/base/digest.h"
 #include "textures/field/field_layer.h"
 
 namespace moontrace {
 
 namespace {
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): guards against accident, not malice.
-class Digest {
- public:
-  void Add(std::uint64_t word) {
-    for (int byte = 0; byte < 8; ++byte) {
-      hash_ = (hash_ ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3ull;
-    }
-  }
-  void Add(double value) {
-    std::uint64_t bits = 0;
-    static_assert(sizeof bits == sizeof value);
-    __builtin_memcpy(&bits, &value, sizeof bits);
-    Add(bits);
-  }
-  void Add(glm::dvec2 v) {
-    Add(v.x);
-    Add(v.y);
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325ull;
-};
+void Add(Digest& digest, glm::dvec2 v) {
+  digest.Add(v.x);
+  digest.Add(v.y);
+}
 
 void Add(Digest& digest, const FlatElement& element) {
-  digest.Add(element.anchor);
-  digest.Add(element.direction);
+  Add(digest, element.anchor);
+  Add(digest, element.direction);
   digest.Add(element.length);
   digest.Add(element.radius);
   digest.Add(element.cos_half);
@@ -58,12 +40,12 @@ void Add(Digest& digest, const Rows& rows) {
 
 void Add(Digest& digest, const PaperField& paper) {
   for (const FlatPatch& patch : paper.patches()) {
-    digest.Add(patch.box.min);
-    digest.Add(patch.box.max);
+    Add(digest, patch.box.min);
+    Add(digest, patch.box.max);
     digest.Add(patch.fade_per_m);
     digest.Add(static_cast<std::uint64_t>(patch.kind));
     digest.Add(patch.amplitude);
-    digest.Add(patch.wave);
+    Add(digest, patch.wave);
     digest.Add(std::uint64_t{patch.seed} * 2 + (patch.tiled ? 1 : 0));
     if (patch.heights == nullptr) continue;
     digest.Add(std::uint64_t{patch.heights->columns()});
@@ -124,7 +106,7 @@ std::uint64_t TextureField::Hash() const noexcept {
     Add(digest, layer.rows);
     for (const std::uint32_t first : layer.bands) digest.Add(std::uint64_t{first});
     for (const Leaf& leaf : layer.leaves) {
-      digest.Add(leaf.origin);
+      Add(digest, leaf.origin);
       digest.Add(std::uint64_t{leaf.block});
     }
     for (const Block& block : layer.blocks) digest.Add(layer.blend_radii[block.blend]);

@@ -20,6 +20,20 @@ TEST(Digest, DoesNotDependOnHowTheBytesAreCut) {
   EXPECT_EQ(digest.value(), DigestOf("foobar"));
 }
 
+TEST(Digest, TakesAWordByItsLeastByteFirst) {
+  Digest word, bytes;
+  word.Add(std::uint64_t{0x6665646362613938U});
+  bytes.Add("89abcdef");
+  EXPECT_EQ(word.value(), bytes.value());
+}
+
+TEST(Digest, TakesANumberByItsBits) {
+  Digest number, word;
+  number.Add(-2.0);
+  word.Add(std::uint64_t{0xc000000000000000U});  // IEEE 754: sign, exponent 1024, fraction 0
+  EXPECT_EQ(number.value(), word.value());
+}
+
 TEST(Digest, ChangesWithEveryBit) {
   const std::string text(100, 'x');
   for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {
