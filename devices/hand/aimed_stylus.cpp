@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "devices/hand/tick_motion.h"
+#include "textures/base/finite.h"
 
 namespace moontrace {
 namespace {
@@ -18,10 +19,6 @@ constexpr double kHover = 0.005;
 constexpr double kFastest = 1;
 /// What is meant farther away than this is gone to through the air: no pen is drawn there [m].
 constexpr double kFar = 0.05;
-
-bool IsFinite(glm::dvec3 v) noexcept {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool IsUsable(const StylusAim& aim) noexcept {
   return IsFinite(aim.p_D) && std::isfinite(aim.press) && aim.press >= 0;

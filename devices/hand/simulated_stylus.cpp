@@ -10,14 +10,11 @@
 #include "devices/hand/drift.h"
 #include "devices/hand/tick_motion.h"
 #include "devices/hand/tremor.h"
+#include "textures/base/finite.h"
 #include "textures/base/random.h"
 
 namespace moontrace {
 namespace {
-
-bool IsFinite(glm::dvec3 v) noexcept {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Columns: two directions across the press and the way up, right-handed. The first is the x axis
 /// as nearly as it can be, so that a page tilted about x is felt as a level one is.

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "lessons/guide/guidance_path.h"
+#include "textures/base/finite.h"
 
 namespace moontrace {
 
@@ -22,10 +23,6 @@ constexpr double kCaptureWidths = 1;      ///< the tip has come to a stroke
 constexpr double kLostWidths = 3;         ///< beyond, amplify and corridor let a stroke go
 constexpr double kCueFrequency = 100;     ///< ten ticks at 1 kHz [Hz]
 constexpr double kDampingWidths = 0.125;  ///< beyond the dead zone, until damping is whole
-
-bool IsFinite(glm::dvec3 v) noexcept {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 double Smooth(double u) noexcept { return u * u * (3 - 2 * u); }
 

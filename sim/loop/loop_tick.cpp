@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <utility>
 
+#include "textures/base/finite.h"
+
 namespace moontrace {
 
 namespace {
@@ -23,11 +25,7 @@ constexpr double kPlainHeight = 20e-6;  ///< [m]
 constexpr double kPlainSlope = 0.1;
 constexpr double kToldEvery = 1;  ///< [s]
 
-bool IsFinite(glm::dvec3 v) noexcept {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool IsFinite(const DeviceState& state) noexcept {
+bool AllFinite(const DeviceState& state) noexcept {
   return IsFinite(state.p_D) && (!state.velocity_known || IsFinite(state.v_D));
 }
 
@@ -64,7 +62,7 @@ void LoopTick::Run(double time, bool late) noexcept {
   }
   input.status = Read();
   input.time = time;
-  const bool usable = device_ != nullptr && begun_ && IsFinite(state_);
+  const bool usable = device_ != nullptr && begun_ && AllFinite(state_);
   const TickResult felt = usable ? Feel() : TickResult{};
   last_ = felt;
   flowing_ = usable && !felt.fault;
@@ -155,7 +153,7 @@ void LoopTick::TakePage() noexcept {
   const DevicePlace before = place_;
   if (posted.tilt) Tilt(*posted.tilt);
   place_ = home_;
-  if ((posted.anchor || posted.tilt) && begun_ && IsFinite(state_)) {
+  if ((posted.anchor || posted.tilt) && begun_ && AllFinite(state_)) {
     const Pose X_WP = scene_.X_WP();
     const glm::dvec3 tip_P = FromWorld(X_WP, ToWorld(before, state_).p_D);
     const glm::dvec3 now = FromWorld(X_WP, ToWorld(place_, state_).p_D);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "textures/base/finite.h"
+
 namespace moontrace {
 namespace {
 
@@ -20,11 +22,7 @@ constexpr std::uint32_t Bit(SafetyEvent event) noexcept {
   return 1U << static_cast<unsigned>(event);
 }
 
-bool IsFinite(glm::dvec3 v) noexcept {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool IsFinite(const SafetyInput& input) noexcept {
+bool AllFinite(const SafetyInput& input) noexcept {
   return IsFinite(input.force) && IsFinite(input.device.p_D) && std::isfinite(input.time) &&
          (!input.device.velocity_known || IsFinite(input.device.v_D));
 }
@@ -82,7 +80,7 @@ bool Safety::TakeReading(const SafetyInput& input, double elapsed) noexcept {
 
 /// Sees whether a position that stands still has stuck.
 void Safety::WatchStillness(const SafetyInput& input, double elapsed) noexcept {
-  if (!IsFinite(input)) return;
+  if (!AllFinite(input)) return;
   glm::dvec3 wanted{0, 0, 0};
   for (int axis = 0; axis < 3; ++axis) {
     if (limits_.pushes[axis]) wanted[axis] = input.force[axis];
@@ -102,7 +100,7 @@ std::uint32_t Safety::Faults(const SafetyInput& input, double elapsed) noexcept 
     still_.Restart();
     since_read_ = 0;
   }
-  if (!IsFinite(input)) {
+  if (!AllFinite(input)) {
     events |= Bit(SafetyEvent::kNotANumber);
   } else if (!TakeReading(input, elapsed)) {
     events |= Bit(SafetyEvent::kJump);

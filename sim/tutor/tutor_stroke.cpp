@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <limits>
 
+#include "textures/base/finite.h"
+
 namespace moontrace {
 
 namespace {
@@ -14,10 +16,6 @@ constexpr double kLeastTouch = 0.1;      // [s]
 constexpr double kLeastPath = 1e-3;      // [m]
 constexpr double kTolerance = 2e-5;      // [m]
 constexpr std::size_t kLookAhead = 200;  // samples tried behind the last good end
-
-bool IsFinite(glm::dvec3 p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 /// Drops points that lie within the tolerance of the straight, even movement between those that
 /// stay. From each that stays, the velocities that pass all points since within the tolerance are a
