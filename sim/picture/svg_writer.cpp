@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
+
+#include "textures/base/xml_text.h"
 
 namespace moontrace {
 
@@ -18,28 +20,11 @@ std::string Number(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string Escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        // XML 1.0 has no place for the other control characters.
-        out += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
-    }
-  }
-  return out;
+std::string Escaped(std::string text) {
+  // XML 1.0 has no place for the other control characters.
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20U; };
+  std::replace_if(text.begin(), text.end(), is_control, ' ');
+  return EscapedXml(text);
 }
 
 std::string Hex(Color color) {

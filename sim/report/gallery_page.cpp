@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "sim/report/html_text.h"
+#include "textures/base/xml_text.h"
 
 namespace moontrace {
 
@@ -21,12 +21,12 @@ constexpr std::string_view kHead =
 
 std::string Section(const GalleryPicture& shown, std::size_t number) {
   std::string html = fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n<p><code>{}</code></p>\n",
-                                 number, EscapedHtml(shown.title), EscapedHtml(shown.command));
+                                 number, EscapedXml(shown.title), EscapedXml(shown.command));
   if (!shown.picture.empty()) {
     html += fmt::format("<p><img src=\"{}\" alt=\"{}, as the words below say.\"></p>\n",
-                        EscapedHtml(shown.picture), EscapedHtml(shown.title));
+                        EscapedXml(shown.picture), EscapedXml(shown.title));
   }
-  html += fmt::format("<pre>{}</pre>\n</section>\n", EscapedHtml(shown.words));
+  html += fmt::format("<pre>{}</pre>\n</section>\n", EscapedXml(shown.words));
   return html;
 }
 
@@ -38,7 +38,7 @@ std::string GalleryPage(const std::vector<GalleryPicture>& pictures) {
       "<p>Pages of tactile text. Each picture shows what the finger would meet; below it stands "
       "what the command says about it.</p>\n<ol>\n";
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", i + 1, EscapedHtml(pictures[i].title));
+    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", i + 1, EscapedXml(pictures[i].title));
   }
   html += "</ol>\n";
   for (std::size_t i = 0; i < pictures.size(); ++i) html += Section(pictures[i], i + 1);

@@ -1,34 +1,12 @@
 #include "sim/report/html_text.h"
 
 #include "textures/base/text_file.h"
+#include "textures/base/xml_text.h"
 
 namespace moontrace {
 
-std::string EscapedHtml(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
-
 std::string HtmlText(std::string_view text) {
-  std::string html = EscapedHtml(OneLine(text, text.size() + 1));
+  std::string html = EscapedXml(OneLine(text, text.size() + 1));
   // no characters in XML: U+FFFE and U+FFFF
   for (const char* none : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) {
     for (std::size_t at = html.find(none); at != std::string::npos; at = html.find(none, at)) {

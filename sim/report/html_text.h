@@ -9,7 +9,4 @@ namespace moontrace {
 /// may not stand in XML (control characters) becomes "?".
 std::string HtmlText(std::string_view text);
 
-/// The same for text that is known to be clean and whose lines are to stay.
-std::string EscapedHtml(std::string_view text);
-
 }  // namespace moontrace

@@ -10,6 +10,7 @@
 
 #include "textures/base/overload.h"
 #include "textures/base/utf8.h"
+#include "textures/base/xml_text.h"
 
 namespace moontrace {
 namespace {
@@ -31,29 +32,10 @@ std::string Point(glm::dvec2 p_em) {
   return fmt::format("{} {}", Number(kUnits * p_em.x), Number(kUnits * p_em.y));
 }
 
-/// XML's five special characters written so that they can stand in an attribute; control
-/// characters, which XML 1.0 has not, are left out.
-std::string Escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20) result += c;
-    }
-  }
-  return result;
+/// Text for an attribute; control characters, which XML 1.0 has not, are left out.
+std::string Escaped(std::string text) {
+  std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20U; });
+  return EscapedXml(text);
 }
 
 void AppendArc(const Arc& arc, std::string& path) {
