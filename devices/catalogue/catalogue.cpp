@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "devices/core/device_error.h"
-#include "devices/core/nearest_name.h"
 #include "devices/hid/hid_descriptor.h"
 #include "devices/hid/hid_port.h"
 #include "devices/hid/pid_device.h"
@@ -18,6 +17,7 @@
 #include "devices/hid/raw_device.h"
 #include "devices/hid/wooden_haptics_device.h"
 #include "devices/plugin/plugin_device.h"
+#include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
 
 namespace moontrace {

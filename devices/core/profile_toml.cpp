@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "devices/core/device_error.h"
-#include "devices/core/nearest_name.h"
 #include "devices/core/profile.h"
 #include "devices/core/toml_file.h"
+#include "textures/base/nearest_word.h"
 
 namespace moontrace {
 namespace {

@@ -22,21 +22,17 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-}  // namespace
+// Longer words come from broken files, not from slips of the finger; this bounds the time.
+constexpr std::size_t kLongestWord = 64;
 
-std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates) {
-  // Longer words come from broken files, not from slips of the finger; this bounds the time.
-  constexpr std::size_t kLongestWord = 64;
+/// The first of those within `longest` bytes that take the fewest edits, empty if all take too
+/// many.
+std::string FewestEdits(std::string_view word, const std::vector<std::string>& candidates,
+                        std::size_t longest) {
   std::string nearest;
-  if (word.empty() || word.size() > kLongestWord) return nearest;
-  for (const std::string& candidate : candidates) {
-    if (candidate.compare(0, word.size(), word) != 0) continue;
-    if (nearest.empty() || candidate.size() < nearest.size()) nearest = candidate;
-  }
-  if (!nearest.empty()) return nearest;
   std::size_t best = word.size() / 2 + 1;
   for (const std::string& candidate : candidates) {
-    if (candidate.size() > kLongestWord) continue;
+    if (candidate.size() > longest) continue;
     const std::size_t distance = EditDistance(word, candidate);
     if (distance < best) {
       best = distance;
@@ -44,6 +40,23 @@ std::string NearestWord(std::string_view word, const std::vector<std::string>& c
     }
   }
   return nearest;
+}
+
+}  // namespace
+
+std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates) {
+  std::string nearest;
+  if (word.empty() || word.size() > kLongestWord) return nearest;
+  for (const std::string& candidate : candidates) {
+    if (candidate.compare(0, word.size(), word) != 0) continue;
+    if (nearest.empty() || candidate.size() < nearest.size()) nearest = candidate;
+  }
+  return nearest.empty() ? FewestEdits(word, candidates, kLongestWord) : nearest;
+}
+
+std::string NearestName(std::string_view word, const std::vector<std::string>& names) {
+  if (word.size() > kLongestWord) return {};
+  return FewestEdits(word, names, std::string::npos);
 }
 
 }  // namespace moontrace

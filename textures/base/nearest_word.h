@@ -12,4 +12,8 @@ namespace moontrace {
 /// empty when there is none.
 std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates);
 
+/// For names, whose beginnings may say little: the one of the fewest such edits, at most half of
+/// the word's length, wherever they are; the first of equals, empty when there is none.
+std::string NearestName(std::string_view word, const std::vector<std::string>& names);
+
 }  // namespace moontrace
