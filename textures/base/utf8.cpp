@@ -12,13 +12,6 @@ utf8proc_category_t Category(char32_t c) {
   return utf8proc_category(static_cast<utf8proc_int32_t>(c));
 }
 
-bool IsMark(char32_t c) {
-  if (c < 0x300) return false;  // the first combining mark
-  const auto category = Category(c);
-  return category == UTF8PROC_CATEGORY_MN || category == UTF8PROC_CATEGORY_MC ||
-         category == UTF8PROC_CATEGORY_ME;
-}
-
 }  // namespace
 
 std::size_t Decode(std::string_view utf8, char32_t& c) noexcept {
@@ -44,6 +37,17 @@ std::optional<std::size_t> FirstBadUtf8(std::string_view bytes) noexcept {
   }
   return std::nullopt;
 }
+
+bool IsMark(char32_t c) {
+  if (c < 0x300) return false;  // the first combining mark
+  const auto category = Category(c);
+  return category == UTF8PROC_CATEGORY_MN || category == UTF8PROC_CATEGORY_MC ||
+         category == UTF8PROC_CATEGORY_ME;
+}
+
+bool IsSpaceSeparator(char32_t c) { return Category(c) == UTF8PROC_CATEGORY_ZS; }
+
+bool IsControlCode(char32_t c) { return Category(c) == UTF8PROC_CATEGORY_CC; }
 
 bool IsLetter(char32_t c) {
   const auto category = Category(c);

@@ -18,6 +18,11 @@ std::optional<std::size_t> FirstBadUtf8(std::string_view bytes) noexcept;
 /// Whether a character is a letter of a word, or a mark on one.
 bool IsLetter(char32_t c);
 
+/// Unicode's categories: Mn, Mc and Me (a mark on the character before it), Zs, Cc.
+bool IsMark(char32_t c);
+bool IsSpaceSeparator(char32_t c);
+bool IsControlCode(char32_t c);
+
 /// Code points of valid UTF-8, for the short texts of a script's tables; stops at invalid bytes.
 std::u32string ToCodePoints(std::string_view utf8);
 

@@ -13,23 +13,12 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-utf8proc_category_t Category(char32_t c) {
-  return utf8proc_category(static_cast<utf8proc_int32_t>(c));
-}
-
-bool IsMark(char32_t c) {
-  if (c < 0x300) return false;  // the first combining mark
-  const auto category = Category(c);
-  return category == UTF8PROC_CATEGORY_MN || category == UTF8PROC_CATEGORY_MC ||
-         category == UTF8PROC_CATEGORY_ME;
-}
-
 // Unicode's mandatory breaks (UAX #14, classes CR, LF, NL, BK).
 bool EndsLine(char32_t c) {
   return (c >= U'\n' && c <= U'\r') || c == 0x85 || c == 0x2028 || c == 0x2029;
 }
 
-bool IsBlank(char32_t c) { return c == U'\t' || Category(c) == UTF8PROC_CATEGORY_ZS; }
+bool IsBlank(char32_t c) { return c == U'\t' || IsSpaceSeparator(c); }
 
 // Digits of "x²" or "2½" are not part of the number before them.
 bool StandsApart(char32_t c) {
@@ -257,7 +246,7 @@ Folder::Form Folder::Fold(char32_t c) const {
     form.kind = Kind::kSign;
     return form;
   }
-  if (Category(c) == UTF8PROC_CATEGORY_CC || FoldByUnicode(c, false, form)) return form;
+  if (IsControlCode(c) || FoldByUnicode(c, false, form)) return form;
   std::u32string letters;
   if (Transliterate(c, letters)) {
     form.kind = letters.empty() ? Kind::kNothing : Kind::kSign;

@@ -20,5 +20,17 @@ TEST(FirstBadUtf8, FindsWhatUnicodeForbids) {
   }
 }
 
+// Categories from UnicodeData.txt.
+TEST(CharacterCategory, TellsMarksSpacesAndControls) {
+  for (const char32_t mark : {U'\u0301', U'\u0903', U'\u20DD'}) EXPECT_TRUE(IsMark(mark));
+  for (const char32_t none : {U'a', U'\u00B4', U'\u02FF'}) EXPECT_FALSE(IsMark(none));
+  for (const char32_t space : {U' ', U'\u00A0', U'\u3000'}) EXPECT_TRUE(IsSpaceSeparator(space));
+  for (const char32_t none : {U'\t', U'\u200B', U'\u2028'}) EXPECT_FALSE(IsSpaceSeparator(none));
+  for (const char32_t control : {char32_t{0}, U'\n', char32_t{0x7F}, char32_t{0x9F}}) {
+    EXPECT_TRUE(IsControlCode(control));
+  }
+  for (const char32_t none : {U' ', U'\u200B', U'\u00AD'}) EXPECT_FALSE(IsControlCode(none));
+}
+
 }  // namespace
 }  // namespace moontrace
