@@ -10,7 +10,6 @@
 
 #include "lessons/records/learner_history.h"
 #include "lessons/records/records.h"
-#include "lessons/records/trial_json.h"
 #include "sim/app/messages.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/report/records_messages.h"

@@ -7,9 +7,7 @@
 
 #include "lessons/records/records.h"
 #include "lessons/records/report_facts.h"
-#include "lessons/records/trial_csv.h"
 #include "lessons/records/trial_fields.h"
-#include "sim/app/records_command.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/report/records_messages.h"
 #include "sim/report/report_messages.h"
