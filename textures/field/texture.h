@@ -47,8 +47,8 @@ struct Texture {
   std::vector<PaperPatch> paper{};
 };
 
-/// Samples the tree itself by walking it. Exact, slow, allocates nothing; the compiled field agrees
-/// with it at every point to rounding.
+/// Samples the tree itself by walking it: exact, slow, and it allocates, so never in a tick. The
+/// compiled field agrees with it at every point to rounding.
 Sample SampleTree(const Texture& texture, glm::dvec2 p_P);
 
 }  // namespace moontrace
