@@ -29,7 +29,7 @@ BenchPage MakeRichBenchPage(std::uint64_t seed);
 /// Seeded points inside the letters' boxes.
 std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count,
                                         std::uint64_t seed);
-/// A finger's way: along every line of text with a weave of 2 mm, a point each 50 um (50 mm/s at 1
+/// A finger's path: along every line of text with a weave of 2 mm, a point each 50 um (50 mm/s at 1
 /// kHz).
 std::vector<glm::dvec2> SlidingPoints(const BenchPage& page, std::size_t most);
 

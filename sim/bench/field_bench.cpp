@@ -57,11 +57,11 @@ void AddQueries(const BenchPage& page, const TextureField& field, BenchRows& row
       AtMost("memory against the grid",
              static_cast<double>(field.memory_bytes()) / static_cast<double>(grid.memory_bytes()),
              "times", 0.01));
-  const std::vector<glm::dvec2> way = SlidingPoints(page, kPoints);
+  const std::vector<glm::dvec2> path = SlidingPoints(page, kPoints);
   const Turns slide = ByTurns(
-      kTurns, [&] { Keep(Independent(field, way)); }, [&] { Keep(Independent(grid, way)); });
-  rows.push_back(AtMost("sliding query", Nanoseconds(slide.first, way.size()), "ns", 30));
-  rows.push_back(Shown("sliding query in the grid", Nanoseconds(slide.second, way.size()), "ns"));
+      kTurns, [&] { Keep(Independent(field, path)); }, [&] { Keep(Independent(grid, path)); });
+  rows.push_back(AtMost("sliding query", Nanoseconds(slide.first, path.size()), "ns", 30));
+  rows.push_back(Shown("sliding query in the grid", Nanoseconds(slide.second, path.size()), "ns"));
 
   double own_error = 0, grid_error = 0;
   for (std::size_t i = 0; i < kPoints / 4; ++i) {
@@ -79,7 +79,7 @@ void AddGrowth(const BenchPage& page, const TextureField& field, BenchRows& rows
   const BenchPage book = MakeBenchPage(kPageCount, 5);
   const TextureField whole(book.texture);
   const std::vector<glm::dvec2> points = PointsInLetters(page, kPoints, 22);
-  const std::vector<glm::dvec2> way = SlidingPoints(page, kPoints);
+  const std::vector<glm::dvec2> path = SlidingPoints(page, kPoints);
 
   // page by page: the book's pages one after the other, each its own field, as a reader turns them
   std::vector<TextureField> pages;
@@ -99,9 +99,9 @@ void AddGrowth(const BenchPage& page, const TextureField& field, BenchRows& rows
   rows.push_back(AtMost("book of a million letters, page by page, against one page", paged.ratio,
                         "times", 1.05));
 
-  const std::vector<glm::dvec2> book_way = SlidingPoints(book, kPoints);
+  const std::vector<glm::dvec2> book_path = SlidingPoints(book, kPoints);
   const Turns slid = ByTurns(
-      kTurns, [&] { Keep(Chain(whole, book_way)); }, [&] { Keep(Chain(field, way)); });
+      kTurns, [&] { Keep(Chain(whole, book_path)); }, [&] { Keep(Chain(field, path)); });
   rows.push_back(AtMost("book as one field, read along its lines, against one page", slid.ratio,
                         "times", 1.5));
   const std::vector<glm::dvec2> book_points = PointsInLetters(book, kPoints, 23);

@@ -39,9 +39,9 @@ Rest RestOn(const DeviceProfile& profile, double force, double tilt) {
   options.surface.force_cap = 2 * force;  // the hand must not break through
   DeviceRig rig(profile, hand, glm::dvec3(hand.stiffness), paper, options);
   const glm::dvec3 start = ToWorld(rig.X_WP(), {0.1, 0.15, 0});
-  const double way =
+  const double depth =
       force * (1 / hand.stiffness + 1 / options.surface.stiffness + 1 / options.coupling_stiffness);
-  const glm::dvec3 aim = start - glm::dvec3(0, 0, way);
+  const glm::dvec3 aim = start - glm::dvec3(0, 0, depth);
   rig.Place(start);
   Rest rest;
   rest.until = std::numeric_limits<double>::infinity();

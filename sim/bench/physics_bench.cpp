@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kTipRadius = 0.25e-3;  // of MuJoCo's own tip on its height field [m]
 
-/// A finger's way over the page at 50 mm/s, pressed 1 mm in.
+/// A finger's path over the page at 50 mm/s, pressed 1 mm in.
 std::vector<DeviceState> Slide(const BenchPage& page, std::size_t ticks) {
   std::vector<DeviceState> inputs;
   for (const glm::dvec2 p : SlidingPoints(page, ticks)) {
@@ -58,7 +58,7 @@ double RunBare(Scene& scene, const std::vector<DeviceState>& inputs) {
 
 std::string Number(double value) { return fmt::format("{:.9g}", value); }
 
-/// MuJoCo's way to the same page: a height field, and a tip on three slides.
+/// MuJoCo's own means for the same page: a height field, and a tip on three slides.
 ModelPtr HeightFieldModel(const BenchPage& page, const TextureField& field, int columns, int rows,
                           bool leaning) {
   const double depth = field.greatest_displacement();

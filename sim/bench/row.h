@@ -39,7 +39,7 @@ BenchRows BenchPhysics();
 /// stiffness by damping by rate, then every shipped profile that pushes, with the energy it puts
 /// out.
 BenchRows BenchStability();
-/// Energy of closed ways, simulated tracing against the clock, on one core and on all.
+/// Energy of closed paths, simulated tracing against the clock, on one core and on all.
 BenchRows BenchTracing();
 
 }  // namespace moontrace

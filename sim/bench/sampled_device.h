@@ -53,7 +53,7 @@ class SampledDevice {
 
   SampledModel model_;
   std::array<TickMotion, 3> motion_;
-  std::array<glm::dvec3, kMostDelay> late_;  ///< forces on their way, a ring of ticks
+  std::array<glm::dvec3, kMostDelay> late_;  ///< forces that have yet to act, a ring of ticks
   long tick_ = 0;
   glm::dvec3 taken_{0, 0, 0};
   glm::dvec3 felt_{0, 0, 0};

@@ -15,7 +15,7 @@ namespace moontrace {
 namespace {
 
 constexpr double kLetter = 0.012;      ///< size of the letters [m]
-constexpr double kMeanDepth = 0.0025;  ///< of the random way below the paper [m]
+constexpr double kMeanDepth = 0.0025;  ///< of the random path below the paper [m]
 
 /// One groove of 12 mm letters in the default style, w = 0.1165 em, D = w/2, r = 0.2 w, up the
 /// page.
@@ -107,8 +107,8 @@ double StirInGroove(const DeviceProfile& profile, const HandModel& hand) {
   return glm::length(high - low);
 }
 
-// The bound. The hand goes its way p(t) with velocity v; the rendering answers with a force F that
-// is held for a period T and acts t late. Work given to the hand is the integral of F v.
+// The bound. The hand follows a path p(t) with velocity v; the rendering answers with a force F
+// that is held for a period T and acts t late. Work given to the hand is the integral of F v.
 //
 // Let f be the force that a passive rendering would give without holding and delay: its work is at
 // most what it had stored. F differs from f by what f changes over the lateness tau(t), t to t + T.
@@ -151,9 +151,9 @@ EnergyOut EnergyOverRandomMotion(const DeviceProfile& profile, const HandModel& 
   for (int n = 0; n < static_cast<int>(seconds / options.tick); ++n) {
     const glm::dvec3 p = at(n), next = at(n + 1);
     rig.Follow(p, next);
-    const glm::dvec3 way = moves * (next - p);
-    const double taken = profile.limits.damping * glm::dot(way, way) / options.tick;
-    given += glm::dot(rig.device().felt(), way) - taken;
+    const glm::dvec3 travel = moves * (next - p);
+    const double taken = profile.limits.damping * glm::dot(travel, travel) / options.tick;
+    given += glm::dot(rig.device().felt(), travel) - taken;
     out.taken += taken;
     least = std::min(least, given);
     out.net = std::max(out.net, given - least);

@@ -17,15 +17,15 @@ double WallLimit(double damping, double period, double delay);
 /// taken without steps.
 double GreatestStableWall(SampledModel model);
 
-/// How far the tip still stirs [m] 2.7 s after it was put down in a groove of 12 mm letters at
+/// How far the tip still moves [m] 2.7 s after it was put down in a groove of 12 mm letters at
 /// SceneFor(profile), pressed down by 1 N and leaning on a flank with the hand's spring.
 double StirInGroove(const DeviceProfile& profile, const HandModel& hand);
 
-/// What a device and its rendering put out over a random way of the hand.
+/// What a device and its rendering put out over a random path of the hand.
 struct EnergyOut {
   double net = 0;    ///< greatest energy given between two moments, less what damping took [J]
   double bound = 0;  ///< what it stays below [J]
-  double taken = 0;  ///< by the damping, over the whole way [J]
+  double taken = 0;  ///< by the damping, over the whole path [J]
 };
 /// Moves the tip for `seconds` over, into and out of the groove, by sums of sines of 0.3 to 8 Hz
 /// drawn by `seed`. `stiffness` of the coupling [N/m]. See the source for the bound.

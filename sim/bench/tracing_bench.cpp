@@ -18,18 +18,18 @@ namespace moontrace {
 
 namespace {
 
-/// Work along a closed way through `corners` by the trapezoid rule on steps of 0.1 um [J].
+/// Work along a closed path through `corners` by the trapezoid rule on steps of 0.1 um [J].
 double WorkOfALap(const Surface& surface, const TextureField& field,
                   const std::vector<glm::dvec3>& corners) {
   double work = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec3 from = corners[i], way = corners[(i + 1) % corners.size()] - from;
-    const int steps = 1 + static_cast<int>(glm::length(way) / 0.1e-6);
+    const glm::dvec3 from = corners[i], side = corners[(i + 1) % corners.size()] - from;
+    const int steps = 1 + static_cast<int>(glm::length(side) / 0.1e-6);
     glm::dvec3 force = Touch(surface, field, from).force_P;
     for (int k = 1; k <= steps; ++k) {
       const glm::dvec3 next =
-          Touch(surface, field, from + (static_cast<double>(k) / steps) * way).force_P;
-      work += glm::dot(0.5 * (force + next), way) / steps;
+          Touch(surface, field, from + (static_cast<double>(k) / steps) * side).force_P;
+      work += glm::dot(0.5 * (force + next), side) / steps;
       force = next;
     }
   }

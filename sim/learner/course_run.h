@@ -25,8 +25,8 @@ struct CourseRunSetup {
   std::int64_t begin = 946684800;  ///< Unix time [s]: 1 January 2000, so that runs are alike
   std::vector<Trial> history;      ///< trials that came before, of the records
   std::size_t step_limit = 2000;   ///< trials in one step after which it is stuck
-  std::function<void(const Trial&)> keep;  ///< told each trial to be kept; may be empty
-  /// Told each sentence that is news of progress, and the day, from 1; may be empty.
+  std::function<void(const Trial&)> keep;  ///< called with each trial to be kept; may be empty
+  /// Called with each sentence that is news of progress, and the day, from 1; may be empty.
   std::function<void(const lesson_action::Say&, int day)> news;
   std::function<void()> check;  ///< called between trials; may throw to stop
 };

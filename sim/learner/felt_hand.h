@@ -37,7 +37,7 @@ class FeltHand {
     const GuidancePlan* push = nullptr;   ///< none: no push
     std::uint64_t seed = 1;               ///< of tremor and drift
   };
-  /// Follows the path to its end and `each` tick tells.
+  /// Follows the path to its end; `each` is called with every tick.
   void Do(const Work& work, const std::function<void(const HandTick&)>& each);
 
   Pose X_WP() const { return scene_.X_WP(); }
@@ -51,7 +51,7 @@ class FeltHand {
   double seconds_ = 0;
 };
 
-/// Where the hand believes it was, of each `every`th tick: what touch is told.
+/// Where the hand believes it was, at each `every`th tick: what the sense of touch has to go by.
 class FeltTrack {
  public:
   FeltTrack(const Proprioception& sense, double tick, std::uint64_t seed, std::size_t every = 3);

@@ -23,26 +23,26 @@ class PlanClock {
     const HandPoint& b = points[next_];
     const double share = b.time > a.time ? (time - a.time) / (b.time - a.time) : 1;
     p_W_ = a.p_D + std::clamp(share, 0.0, 1.0) * (b.p_D - a.p_D);
-    way_W_ = b.p_D - a.p_D;
+    travel_W_ = b.p_D - a.p_D;
   }
   const Plan::Span& span() const { return plan_.spans[span_]; }
   glm::dvec3 p_W() const { return p_W_; }
-  glm::dvec3 way_W() const { return way_W_; }  ///< direction of travel, zero at rest
+  glm::dvec3 travel_W() const { return travel_W_; }  ///< direction of travel, zero at rest
 
  private:
   const Plan& plan_;
   std::size_t next_ = 0, span_ = 0;
-  glm::dvec3 p_W_{0, 0, 0}, way_W_{0, 0, 0};
+  glm::dvec3 p_W_{0, 0, 0}, travel_W_{0, 0, 0};
 };
 
 /// How far the tip went along with an error of aim: 1 where it had all of it. Only what lies across
-/// the way counts, since a hand lags along it.
+/// the path counts, since a hand lags along it.
 class FeltError {
  public:
-  void Add(glm::dvec2 off, glm::dvec2 error, glm::dvec2 way) {
-    const double length = glm::length(way);
+  void Add(glm::dvec2 off, glm::dvec2 error, glm::dvec2 travel) {
+    const double length = glm::length(travel);
     if (length > 1e-9) {
-      const glm::dvec2 across(-way.y / length, way.x / length);
+      const glm::dvec2 across(-travel.y / length, travel.x / length);
       along_ += glm::dot(off, across) * glm::dot(error, across);
       whole_ += glm::dot(error, across) * glm::dot(error, across);
     } else {
@@ -125,10 +125,11 @@ TracedItem SimulatedLearner::Trace(const std::string& item, const ItemPage& page
               now.guidance_P);
     if (span.phase != TracePhase::kStroke) return;
     const glm::dvec2 p_P(FromWorld(X_WP, clock.p_W()));
-    // A flank that the tip leans on tells of the error as well; a push from elsewhere hides it.
+    // The force of a flank that the tip leans on shows the error as well; a push from elsewhere
+    // hides it.
     const glm::dvec2 flank(now.force_P - now.guidance_P);
     const glm::dvec2 off = glm::dvec2(now.tip_P) - p_P - skill.flank_share / stiffness_ * flank;
-    felt.Add(off, aim.Beginner(p_P), glm::dvec2(TurnFromWorld(X_WP, clock.way_W())));
+    felt.Add(off, aim.Beginner(p_P), glm::dvec2(TurnFromWorld(X_WP, clock.travel_W())));
   });
   TracedItem result;
   meter.Fill(result.measured);

@@ -36,7 +36,7 @@ class SimulatedLearner {
   TracedItem Trace(const std::string& item, const ItemPage& page, const GuidancePlan* push);
   /// The same trial again as far as it taught, from the error that was felt in it.
   void Relive(const std::string& item, double felt_error);
-  /// Explores a page and tells what it felt.
+  /// Explores a page and returns what it felt.
   FeltShape Feel(const ItemPage& page);
   /// Time passes without practice.
   void Wait(double days);

@@ -26,8 +26,8 @@ std::vector<StudyPlace> PlacesOf(const StudyProtocol& protocol, int shard, int s
 std::size_t RowsOf(const StudyProtocol& protocol, const StudyPlace& place);
 
 /// Runs the trials of one learner that are not among `rows`, its first ones; `each` is given every
-/// new row as soon as it is finished, and may throw to stop. What the learner had learnt is told
-/// again from the rows' felt errors. Throws InputError: rows of another study.
+/// new row as soon as it is finished, and may throw to stop. What the learner had learnt is relived
+/// from the rows' felt errors. Throws InputError: rows of another study.
 void RunStudyLearner(const StudyProtocol& protocol, const StudyPlace& place,
                      const std::vector<StudyRow>& rows,
                      const std::function<void(const StudyRow&)>& each);

@@ -20,7 +20,7 @@ ButtonAction Change(ButtonState& state, bool hold_to_feel) noexcept {
   const bool waiting = state.presses == 1;  // a short press that a long one followed
   state.presses = 0;
   if (state.spent) return ButtonAction::kNone;
-  if (!hold_to_feel) return ButtonAction::kStop;  // held over a gap in which nobody looked
+  if (!hold_to_feel) return ButtonAction::kStop;  // held while no tick read it
   return waiting ? ButtonAction::kSay : ButtonAction::kNone;
 }
 

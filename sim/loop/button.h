@@ -24,12 +24,12 @@ inline constexpr double kButtonHeld = 0.4;
 /// A second press that begins within this time of a release makes a double press [s].
 inline constexpr double kButtonDouble = 0.3;
 
-/// Reads the buttons at `time` [s, ascending] and tells what they mean; each action is told once.
+/// Reads the buttons at `time` [s, ascending] and returns what they mean; each action once.
 ///
-/// First button (bit 0): released within 0.4 s = say, told 0.3 s after the release because a second
-/// press may follow; two such presses = bookmark, told on the second release; held 0.4 s = stop,
-/// told while it is still held. Second button (bit 1): stop, told on the tick it goes down, bounce
-/// or not. Further buttons mean nothing here.
+/// First button (bit 0): released within 0.4 s = say, returned 0.3 s after the release because a
+/// second press may follow; two such presses = bookmark, on the second release; held 0.4 s = stop,
+/// while it is still held. Second button (bit 1): stop, on the tick it goes down, bounce or not.
+/// Further buttons mean nothing here.
 ///
 /// `hold_to_feel`: the first button means "let me feel" for as long as it is held (the caller reads
 /// that from the bit itself, so that letting go is never late): holding it is no stop then; short

@@ -20,7 +20,7 @@ SceneOptions HeldBy(const DeviceLimits& limits, SceneOptions options, double pro
 }
 
 GuidanceGains HeldBy(const DeviceLimits& limits, GuidanceGains gains, double scale) {
-  // a force of the world is the device's, but the device's way is shorter by the scale
+  // the force is the same in the world and at the device, the device's travel is 1 / scale
   if (limits.stiffness > 0) {
     gains.stiffness = std::min(gains.stiffness, limits.stiffness / std::max(scale, 1.0));
   }

@@ -12,8 +12,8 @@ namespace moontrace {
 /// which caps at the peak, acts seldom.
 SceneOptions HeldBy(const DeviceLimits& limits, SceneOptions options, double proxy_mass);
 
-/// What a device holds of a push: stiffness no more than it renders stably where a way of the tip
-/// is `scale` ways of the device, the force within its peak.
+/// What a device holds of a push: a stiffness that it renders stably where the tip moves `scale`
+/// times as far as the device, and a force within its peak.
 GuidanceGains HeldBy(const DeviceLimits& limits, GuidanceGains gains, double scale);
 
 }  // namespace moontrace

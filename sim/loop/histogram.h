@@ -9,13 +9,13 @@
 
 namespace moontrace {
 
-/// Counts of durations, log-linear: 64 equal steps to each doubling, so that a percentile is told
-/// at most 1/64 too high and never too low. Fixed size; adding costs some nanoseconds and
-/// allocates nothing. One thread at a time.
+/// Counts of durations, log-linear: 64 equal steps to each doubling, so that a percentile is at
+/// most 1/64 too high and never too low. Fixed size; adding costs some nanoseconds and allocates
+/// nothing. One thread at a time.
 class Histogram {
  public:
-  /// One duration [us]. Below zero and what is no number count as zero; beyond 2^40 ns (18 minutes)
-  /// all is one.
+  /// One duration [us]. Negative values and NaN count as zero, values of 2^40 ns (18 minutes) and
+  /// more as 2^40 - 1 ns.
   void Add(double microseconds) noexcept {
     const double held = microseconds > 0 ? std::min(microseconds * 1e3, kGreatest) : 0;
     max_ = std::max(max_, held / 1e3);

@@ -77,7 +77,7 @@ void Loop::TickOn() {
     report_.lost_ticks += wake.lost;
     const double lateness = 1e-3 * static_cast<double>(wake.lateness);
     report_.lateness.Add(lateness);
-    // one that is taken between the two lines is told once more: no harm
+    // one that TakeLateness reads between the two lines is reported twice: no harm
     if (lateness > lateness_.load(std::memory_order_relaxed)) {
       lateness_.store(lateness, std::memory_order_relaxed);
     }
@@ -104,8 +104,8 @@ void Loop::Supervise() {
   int waited = 0, wait = 0, held = 0;  // [ms]
   while (SleepUnlessEnding(kPoll)) {
     // destroying and opening may block for long: here nobody waits for it
-    const std::unique_ptr<Device> worn = TakeWorn();
-    if (worn != nullptr) {
+    const std::unique_ptr<Device> detached = TakeDetached();
+    if (detached != nullptr) {
       lost = true;
       waited = 0;
       // one that was lost again at once is left alone for longer and longer
@@ -120,28 +120,28 @@ void Loop::Supervise() {
   }
 }
 
-std::unique_ptr<Device> Loop::TakeWorn() {
-  std::unique_ptr<Device> worn;
+std::unique_ptr<Device> Loop::TakeDetached() {
+  std::unique_ptr<Device> detached;
   {
     const std::lock_guard lock(mutex_);
-    worn.reset(mail_.worn.exchange(nullptr, std::memory_order_acquire));
-    asking_ = worn != nullptr;
+    detached.reset(mail_.detached.exchange(nullptr, std::memory_order_acquire));
+    asking_ = detached != nullptr;
   }
-  if (worn == nullptr) return worn;
-  std::string why = worn->WhyLost();
+  if (detached == nullptr) return detached;
+  std::string why = detached->WhyLost();
   {
     const std::lock_guard lock(mutex_);
     why_gone_ = std::move(why);
     asking_ = false;
   }
   answered_.notify_all();
-  return worn;
+  return detached;
 }
 
 std::string Loop::WhyGone() {
   std::unique_lock lock(mutex_);
   answered_.wait_for(lock, kLongestAnswer, [this] {
-    return !asking_ && mail_.worn.load(std::memory_order_acquire) == nullptr;
+    return !asking_ && mail_.detached.load(std::memory_order_acquire) == nullptr;
   });
   return why_gone_;
 }
@@ -150,7 +150,7 @@ void Loop::Reopen() {
   std::string why;
   try {
     std::unique_ptr<Device> device = source_(ending_);
-    mail_.fresh.store(device.release(), std::memory_order_release);
+    mail_.reopened.store(device.release(), std::memory_order_release);
   } catch (const std::exception& error) {
     if (ending_) return;
     why = error.what();
@@ -204,8 +204,8 @@ void Loop::End() {
   for (std::thread* thread : {&ticker_, &watcher_, &supervisor_}) {
     if (thread->joinable()) thread->join();
   }
-  delete mail_.fresh.exchange(nullptr);
-  TakeWorn();
+  delete mail_.reopened.exchange(nullptr);
+  TakeDetached();
   report_.late_loops = late_loops_;
   report_.samples_dropped = mail_.samples.dropped();
   report_.events_dropped = mail_.events.dropped();

@@ -41,8 +41,8 @@ struct LoopReport {
 };
 
 /// Sees a loop that falls silent: `Beat` by the loop each tick, `Look` by another thread each
-/// millisecond. It holds no device and gives no force; what it notices it leaves for the loop,
-/// whose next tick begins again from zero force with a ramp-in, and for whoever tells the learner.
+/// millisecond. It holds no device and gives no force. The loop learns at its next beat that it was
+/// silent, and begins again from zero force with a ramp-in; any thread may report the silence.
 ///
 /// Why that is enough: only the loop's thread may talk to a device, so a loop that hangs cannot be
 /// made to write zero by anyone else. What lets go then is nearer to the motors: the I/O threads
@@ -134,7 +134,7 @@ class Loop {
   void Watch();
   void Supervise();
   void Reopen();
-  std::unique_ptr<Device> TakeWorn();
+  std::unique_ptr<Device> TakeDetached();
   bool SleepUnlessEnding(int milliseconds);
 
   LoopOptions options_;
@@ -153,7 +153,7 @@ class Loop {
   std::atomic<bool> ending_{false};
   std::atomic<std::uint64_t> late_loops_{0};
   std::atomic<double> lateness_{0};  ///< see TakeLateness [us]
-  mutable std::mutex mutex_;  ///< never taken by the tick: for sleeping threads and what they tell
+  mutable std::mutex mutex_;         ///< never taken by the tick: for the two threads beside it
   std::condition_variable wake_;
   std::condition_variable answered_;
   std::string why_lost_, why_gone_;

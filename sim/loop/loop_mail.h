@@ -11,7 +11,7 @@
 
 namespace moontrace {
 
-/// A page change on its way through the tick.
+/// A page change, passed to the tick and back.
 struct PostedPage {
   const TextureField* field = nullptr;
   int substeps = 1;  ///< Scene::CheckField of it
@@ -21,15 +21,15 @@ struct PostedPage {
   std::unique_ptr<Device> device;  ///< in: the new one or none; out: the one it replaced
 };
 
-/// A plan of a push on its way to the tick; none: no push from now on.
+/// A plan of a push, passed to the tick and back; nullptr: no push from now on.
 struct PostedPush {
   const GuidancePlan* plan = nullptr;
 };
 
-/// Everything that goes between the tick and other threads. The tick takes and leaves, and never
-/// waits; whoever posts a pointer keeps what it points to until it comes back.
+/// Everything that passes between the tick and other threads. The tick never waits for them. The
+/// sender of a pointer keeps what it points to until the pointer comes back.
 struct LoopMail {
-  /// Queues hold so many seconds of samples: as long as a reader may sleep.
+  /// The queue holds this many seconds of samples: as long as a reader may sleep.
   static constexpr double kSampleSeconds = 2;
 
   explicit LoopMail(double rate)
@@ -39,8 +39,8 @@ struct LoopMail {
   std::atomic<PostedPage*> done_page{nullptr};          ///< from the tick
   std::atomic<const PostedPush*> wanted_push{nullptr};  ///< to the tick
   std::atomic<const PostedPush*> done_push{nullptr};    ///< from the tick: it is in use
-  std::atomic<Device*> fresh{nullptr};                  ///< to the tick: opened again
-  std::atomic<Device*> worn{nullptr};                   ///< from the tick: lost, to be destroyed
+  std::atomic<Device*> reopened{nullptr};               ///< to the tick: a lost device
+  std::atomic<Device*> detached{nullptr};               ///< from the tick: lost, to be destroyed
   std::atomic<bool> stop{false};                        ///< to the tick
   std::atomic<bool> go_on{false};                       ///< to the tick
   Mailbox<LoopSnapshot> snapshot;                       ///< from the tick

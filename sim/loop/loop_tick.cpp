@@ -14,16 +14,16 @@ namespace {
 /// The force goes to zero over this time before a page change; with the ramp-in of 0.25 s that
 /// follows, the whole change is felt for less than 0.3 s.
 constexpr double kFadeTime = 0.03;
-/// Lifted so far for so long, nothing is felt of a page that moves.
+/// A tip lifted this high for this long does not feel the page go back.
 constexpr double kLiftedHeight = 0.003;  ///< [m]
 constexpr double kLiftedTime = 0.2;      ///< [s]
-/// So long on plain paper a tip that cannot be lifted is between words, not between two strokes
-/// [s].
+/// After this time on plain paper a tip that cannot be lifted is between words, not between two
+/// strokes [s].
 constexpr double kPlainTime = 1;
-/// Less than any groove is deep; the grain of paper may be as much.
+/// Plain paper: less than the depth of any groove, no less than the grain of paper.
 constexpr double kPlainHeight = 20e-6;  ///< [m]
 constexpr double kPlainSlope = 0.1;
-constexpr double kToldEvery = 1;  ///< [s]
+constexpr double kReportEvery = 1;  ///< least time between two reports of one safety event [s]
 
 bool AllFinite(const DeviceState& state) noexcept {
   return IsFinite(state.p_D) && (!state.velocity_known || IsFinite(state.v_D));
@@ -46,7 +46,7 @@ LoopTick::LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Devic
       safety_(limits_, scene_.options().tick),
       tick_(scene_.options().tick) {
   scene_.SetField(field_);
-  told_at_.fill(-kToldEvery);
+  reported_at_.fill(-kReportEvery);
 }
 
 void LoopTick::Run(double time, bool late) noexcept {
@@ -79,10 +79,10 @@ void LoopTick::Run(double time, bool late) noexcept {
   const SafetyResult safe = safety_.Advance(input);
   Write(safe.force);
   if (flowing_) ReturnPage(felt);
-  // what sprang was not a hand: the proxy must not be drawn after it
+  // no hand jumps: the proxy must not be drawn after the tip
   if ((safe.events & (1U << static_cast<unsigned>(SafetyEvent::kJump))) != 0) Restart();
-  TellSafety(safe.events);
-  if (was_stopped_ && !safe.stopped) Tell(LoopEventKind::kWentOn);
+  ReportSafety(safe.events);
+  if (was_stopped_ && !safe.stopped) Report(LoopEventKind::kWentOn);
   was_stopped_ = safe.stopped;
   Publish(felt, safe, PushFelt(wanted, safe));
 }
@@ -100,7 +100,7 @@ LoopTick::Wanted LoopTick::Want(const TickResult& felt, bool silent) noexcept {
   return wanted;
 }
 
-/// Whether someone has asked for no force.
+/// Whether a stop or a released button asks for no force.
 bool LoopTick::IsSilent(const SafetyInput& input) const noexcept {
   return input.stop || input.hold || (was_stopped_ && !input.go_on);
 }
@@ -126,9 +126,9 @@ void LoopTick::TakeMail() noexcept {
     mail_.done_push.store(push, std::memory_order_release);
   }
   if (device_ != nullptr) return;
-  Device* fresh = mail_.fresh.exchange(nullptr, std::memory_order_acquire);
-  if (fresh == nullptr) return;
-  device_.reset(fresh);
+  Device* reopened = mail_.reopened.exchange(nullptr, std::memory_order_acquire);
+  if (reopened == nullptr) return;
+  device_.reset(reopened);
   begun_ = false;
   ramp_ = true;
   back_ = true;
@@ -175,9 +175,9 @@ void LoopTick::TakePage() noexcept {
     begun_ = false;
   }
   fade_ = 1;
-  unfelt_ = 0;
+  felt_nothing_for_ = 0;
   posted_ = nullptr;
-  Tell(LoopEventKind::kPageChanged);
+  Report(LoopEventKind::kPageChanged);
   mail_.done_page.store(&posted, std::memory_order_release);
 }
 
@@ -187,7 +187,7 @@ DeviceStatus LoopTick::Read() noexcept {
   if (status == DeviceStatus::kOk) begun_ = true;
   if (status == DeviceStatus::kOk && back_) {
     back_ = false;
-    Tell(LoopEventKind::kDeviceBack);
+    Report(LoopEventKind::kDeviceBack);
   }
   velocity_.Advance(elapsed_, status == DeviceStatus::kOk, state_.p_D);
   if (status == DeviceStatus::kLost) Lose();
@@ -218,10 +218,10 @@ void LoopTick::HandleButtons(double time, SafetyInput& input) noexcept {
     case ButtonAction::kNone:
       break;
     case ButtonAction::kSay:
-      Tell(LoopEventKind::kSay);
+      Report(LoopEventKind::kSay);
       break;
     case ButtonAction::kBookmark:
-      Tell(LoopEventKind::kBookmark);
+      Report(LoopEventKind::kBookmark);
       break;
     case ButtonAction::kStop:
       input.stop = true;
@@ -235,12 +235,13 @@ void LoopTick::Write(glm::dvec3 f_D) noexcept {
   if (written_ == DeviceStatus::kLost) Lose();
 }
 
-/// A lost device is given zero once more, for what that is worth, and handed to who destroys it.
+/// A lost device is given zero once more, in case it still listens, and passed to the supervising
+/// thread, which destroys it.
 void LoopTick::Lose() noexcept {
   device_->Write({0, 0, 0});
   written_ = DeviceStatus::kOk;
   begun_ = false;
-  mail_.worn.store(device_.release(), std::memory_order_release);
+  mail_.detached.store(device_.release(), std::memory_order_release);
 }
 
 /// The next tick of the scene begins at the tip, whatever was before.
@@ -251,8 +252,8 @@ void LoopTick::Restart() noexcept {
   flowing_ = false;
 }
 
-/// Whether neither the page as it lies nor the page back in its place is felt: a tip in the air, or
-/// one that cannot be lifted (a stick without an axis for it) on plain paper here and there.
+/// Whether the tip feels neither the page as it lies nor the page back in its place: it is in the
+/// air, or it cannot be lifted (a stick without an axis for that) and is on plain paper of both.
 bool LoopTick::FeelsNothing(const TickResult& felt) const noexcept {
   const glm::dvec3 home_P = FromWorld(scene_.X_WP(), ToWorld(home_, state_).p_D);
   if (limits_.measures.z) return std::min(felt.tip_P.z, home_P.z) > kLiftedHeight;
@@ -267,19 +268,19 @@ bool LoopTick::FeelsNothing(const TickResult& felt) const noexcept {
 }
 
 /// After a change under a resting hand the page may lie partly beyond the device's reach. It goes
-/// back while nothing of it is felt.
+/// back to its place while the tip feels neither.
 void LoopTick::ReturnPage(const TickResult& felt) noexcept {
   if (place_.origin_W == home_.origin_W) return;
-  unfelt_ = FeelsNothing(felt) ? unfelt_ + tick_ : 0;
+  felt_nothing_for_ = FeelsNothing(felt) ? felt_nothing_for_ + tick_ : 0;
   const bool can_lift = limits_.measures.z || state_.p_D.z > 0;
-  if (unfelt_ < (can_lift ? kLiftedTime : kPlainTime)) return;
+  if (felt_nothing_for_ < (can_lift ? kLiftedTime : kPlainTime)) return;
   place_ = home_;
   ramp_ = true;
   Restart();
-  Tell(LoopEventKind::kPageBack);
+  Report(LoopEventKind::kPageBack);
 }
 
-void LoopTick::Tell(LoopEventKind kind) noexcept {
+void LoopTick::Report(LoopEventKind kind) noexcept {
   LoopEvent event;
   event.kind = kind;
   event.time = time_;
@@ -288,15 +289,15 @@ void LoopTick::Tell(LoopEventKind kind) noexcept {
   mail_.events.Push(event);
 }
 
-void LoopTick::TellSafety(std::uint32_t events) noexcept {
-  const std::uint32_t begun = events & ~told_;
-  told_ = events;
+void LoopTick::ReportSafety(std::uint32_t events) noexcept {
+  const std::uint32_t begun = events & ~reported_;
+  reported_ = events;
   for (std::size_t i = 0; i < kSafetyEvents; ++i) {
     const auto kind = static_cast<SafetyEvent>(i);
-    const bool by_hand = kind == SafetyEvent::kStopped;  // each is somebody's, and is answered
+    const bool by_hand = kind == SafetyEvent::kStopped;  // asked for: every one is reported
     if ((begun & (1U << i)) == 0) continue;
-    if (!by_hand && time_ - told_at_[i] < kToldEvery) continue;
-    told_at_[i] = time_;
+    if (!by_hand && time_ - reported_at_[i] < kReportEvery) continue;
+    reported_at_[i] = time_;
     LoopEvent event;
     event.safety = kind;
     event.time = time_;
@@ -318,7 +319,7 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe,
   snapshot.tip_P = felt.tip_P;
   snapshot.proxy_P = felt.proxy_P;
   snapshot.force_D = safe.force;
-  // who holds a device without motors is told what the page would do
+  // of a device without motors: what the page would do
   snapshot.force_P = glm::any(limits_.pushes)
                          ? TurnFromWorld(scene_.X_WP(), place_.R_WD * safe.force)
                          : felt.force_P;

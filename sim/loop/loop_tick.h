@@ -18,8 +18,8 @@
 
 namespace moontrace {
 
-/// The guiding push of a running loop: the plan in use and what it remembers. Allocates nothing,
-/// throws nothing.
+/// The guiding push of a running loop: the plan in use and its state. Allocates nothing, throws
+/// nothing.
 class LoopPush {
  public:
   /// Another plan, from its beginning; nullptr: no push. It must outlive its use here.
@@ -27,8 +27,8 @@ class LoopPush {
     plan_ = plan;
     state_ = GuidanceState{};
   }
-  /// One tick of `tick` [s]. `felt`: force can be felt now; else nothing is pushed, the way stands
-  /// still, and there is a ramp-in afterwards. `tip_P` [m], `v_P` [m/s].
+  /// One tick of `tick` [s]. `felt`: force can be felt now; else there is no push, its target on
+  /// the path stands still, and a ramp-in follows. `tip_P` [m], `v_P` [m/s].
   GuidanceResult Advance(bool felt, glm::dvec3 tip_P, glm::dvec3 v_P, double tick) noexcept {
     if (felt && plan_ != nullptr) return Guide(*plan_, state_, tip_P, v_P, tick);
     Pause();
@@ -36,7 +36,7 @@ class LoopPush {
     none.target_P = glm::dvec2(tip_P);
     return none;
   }
-  /// The tip is elsewhere, or force has ended: there is a ramp-in afterwards.
+  /// The tip is elsewhere, or force has ended: a ramp-in follows.
   void Pause() noexcept {
     state_.ramp = 0;
     state_.begun = false;
@@ -89,8 +89,8 @@ class LoopTick {
   void Restart() noexcept;
   bool FeelsNothing(const TickResult& felt) const noexcept;
   void ReturnPage(const TickResult& felt) noexcept;
-  void Tell(LoopEventKind kind) noexcept;
-  void TellSafety(std::uint32_t events) noexcept;
+  void Report(LoopEventKind kind) noexcept;
+  void ReportSafety(std::uint32_t events) noexcept;
   glm::dvec3 PushFelt(const Wanted& wanted, const SafetyResult& safe) const noexcept;
   void Publish(const TickResult& felt, const SafetyResult& safe, glm::dvec3 push_P) noexcept;
 
@@ -125,10 +125,10 @@ class LoopTick {
   bool back_ = false;  ///< a lost device was opened again, and has not been read
   bool ramp_ = true;   ///< the next tick begins a ramp-in
   bool was_stopped_ = false;
-  double unfelt_ = 0;  ///< for so long nothing of the page would be felt [s]
+  double felt_nothing_for_ = 0;  ///< for how long FeelsNothing has been true [s]
   ButtonState buttons_;
-  std::uint32_t told_ = 0;  ///< safety events of the last tick
-  std::array<double, kSafetyEvents> told_at_{};
+  std::uint32_t reported_ = 0;  ///< safety events of the last tick
+  std::array<double, kSafetyEvents> reported_at_{};
 };
 
 }  // namespace moontrace

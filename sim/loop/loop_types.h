@@ -18,7 +18,7 @@ namespace moontrace {
 /// velocities are scaled, forces are not.
 struct DevicePlace {
   glm::dmat3 R_WD{1.0};
-  double scale = 1;              ///< way in the world per way of the device
+  double scale = 1;              ///< distance in the world per distance of the device
   glm::dvec3 origin_W{0, 0, 0};  ///< of D [m]
 };
 
@@ -42,7 +42,7 @@ struct LoopOptions {
   bool hold_to_feel = false;  ///< force only while the first button is held
 };
 
-/// What happened, to be told. Safety events are told when they begin, at most once a second each.
+/// What happened. A safety event is reported when it begins, at most once a second.
 enum class LoopEventKind : std::uint8_t {
   kSafety,       ///< see `safety`
   kDeviceBack,   ///< a lost device was opened again

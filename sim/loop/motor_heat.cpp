@@ -10,7 +10,7 @@ MotorHeat::MotorHeat(double peak, double continuous, double time_constant,
                      double longest_hold) noexcept
     : peak_(peak > 0 && std::isfinite(peak) ? peak : 0) {
   if (continuous == std::numeric_limits<double>::infinity()) return;
-  if (!(continuous > 0)) {  // also not a number
+  if (!(continuous > 0)) {  // also NaN
     peak_ = 0;
   } else if (!(time_constant > 0)) {
     peak_ = std::min(peak_, continuous);
@@ -32,7 +32,7 @@ void MotorHeat::Advance(double force, double elapsed) noexcept {
 
 double MotorHeat::Ceiling() const noexcept {
   if (continuous_ <= 0) return peak_;
-  // beyond 1 after a stall that nothing could see: below the continuous force, until it has cooled
+  // h may pass 1 over a stall of the loop: below the continuous force, until it has cooled
   const double square = cold_square_ * (1 - heat_) + continuous_ * continuous_ * heat_;
   return std::min(peak_, std::sqrt(std::max(0.0, square)));
 }

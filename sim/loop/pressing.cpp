@@ -20,8 +20,7 @@ DeviceState Pressed(const DeviceState& world, const Pose& X_WP, const TickResult
     tip_P.z = kLifted;
   } else if (options.rendering == Rendering::kProxy && options.coupling_stiffness > 0) {
     tip_P.z = (last != nullptr ? last->proxy_P.z : 0) - press / options.coupling_stiffness;
-  } else {  // no proxy: the tip itself lies in the page, as deep as the press takes it on level
-            // paper
+  } else {  // no proxy: the tip itself, as deep as the press takes it on level paper
     tip_P.z = field.SampleAt(tip_P).displacement - press / options.surface.stiffness;
   }
   DeviceState pressed = world;

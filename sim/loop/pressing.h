@@ -23,7 +23,7 @@ struct Pressing {
   }
 };
 
-/// A tip whose height nobody measures, at the height where it presses with `press` [N]; 0 lifts it.
+/// A tip whose height is not measured, at the height where it presses with `press` [N]; 0 lifts it.
 /// `world` is the reading in the world's frame; `last` is the tick before, nullptr if there was
 /// none or the tip has been elsewhere since. Velocity is known behind it.
 DeviceState Pressed(const DeviceState& world, const Pose& X_WP, const TickResult* last,

@@ -27,7 +27,7 @@ bool AllFinite(const SafetyInput& input) noexcept {
          (!input.device.velocity_known || IsFinite(input.device.v_D));
 }
 
-/// Not below zero; what is no number gives nothing.
+/// Zero for negative values and NaN.
 double Sane(double value) noexcept { return value > 0 ? value : 0; }
 
 }  // namespace
@@ -49,7 +49,7 @@ Safety::Safety(const DeviceLimits& limits, double tick, double ramp_time) noexce
   last_.fill(-1);
 }
 
-/// Time since the last tick; a clock that stands still, runs back or is no number counts a tick.
+/// Time since the last tick; one tick if the clock stands still, runs back or is not finite.
 double Safety::Elapsed(double time) noexcept {
   const double passed = time - time_;
   const bool sane = begun_ && std::isfinite(passed) && passed > 0;
@@ -150,8 +150,7 @@ glm::dvec3 Safety::Shape(glm::dvec3 wanted, std::uint32_t& events) noexcept {
   return force;
 }
 
-/// Whether the learner should be told that the motors rest: begins when a warm motor had to be
-/// spared, ends when all have cooled.
+/// Whether the motors rest: from when a warm motor had to be spared until all have cooled.
 bool Safety::IsResting(bool hot) noexcept {
   double warmest = 0;
   for (const MotorHeat& motor : heat_) warmest = std::max(warmest, motor.heat());
@@ -169,7 +168,8 @@ void Safety::Count(std::uint32_t events) noexcept {
 
 SafetyResult Safety::Advance(const SafetyInput& input) noexcept {
   const double elapsed = Elapsed(input.time);
-  clock_ += std::min(elapsed, 1.0);  // it counts occurrences: a leap is no matter, overflow is
+  // it only tells occurrences apart: a leap is harmless, overflow is not
+  clock_ += std::min(elapsed, 1.0);
   for (std::size_t i = 0; i < 3; ++i) {
     heat_[i].Advance(force_[static_cast<int>(i)], elapsed);
   }

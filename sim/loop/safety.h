@@ -12,11 +12,11 @@
 
 namespace moontrace {
 
-/// What the safety stage did; each is counted, logged and told once a second at most. An event that
+/// What the safety stage did; each is counted, and reported once a second at most. An event that
 /// goes on, or comes again within 0.1 s, is one occurrence and is counted once.
 enum class SafetyEvent : std::uint8_t {
-  kNotANumber,  ///< force or position was no number
-  kJump,        ///< the tip moved absurdly far, or says that it moves absurdly fast
+  kNotANumber,  ///< a force or position was NaN or infinite
+  kJump,        ///< the tip moved farther, or reports a higher velocity, than a hand can
   kForceCap,    ///< more than the device's peak was asked for
   kRateCap,     ///< a rise was slowed
   kPowerCap,    ///< more power than the device may give
@@ -25,7 +25,7 @@ enum class SafetyEvent : std::uint8_t {
   kDeviceLost,
   kNotReady,      ///< the device says that its motors are off
   kPhysicsFault,  ///< MuJoCo warned, or the scene failed to zero
-  kStopped,       ///< stop was asked for; zero until someone agrees to go on
+  kStopped,       ///< stop was asked for; zero until the learner agrees to go on
   kLateLoop,      ///< no tick for so long that the watchdog has let the device go
   kStuck,         ///< reports go on, but the position does not answer to force (still_tip.h)
 };
@@ -67,10 +67,9 @@ inline constexpr double kWatchdogTime = 0.005;
 /// The last stage before the device: a pure function of its state and input, without allocation,
 /// lock or exception. It lies above the field's own cap and acts seldom. In this order:
 ///
-/// 1. Zero at once for what is no number, a jump, silence, a stuck position, a device lost or not
-///    ready, a fault of the scene, a late loop, a stop, a button let go (`hold`), and until a first
-///    report has come.
-///    When the cause is gone the force ramps in again.
+/// 1. Zero at once for a value that is not finite, a jump, silence, a stuck position, a device lost
+///    or not ready, a fault of the scene, a late loop, a stop, a button let go (`hold`), and until
+///    a first report has come. When the cause is gone the force ramps in again.
 /// 2. Ramp-in: times 3u^2 - 2u^3 of the share u of the ramp's time that has passed; and times the
 ///    share that is left while a tip that stands still is asked to answer.
 /// 3. On each axis by itself: the ceiling (peak, or what a warm motor may give), then the rate: a

@@ -9,7 +9,7 @@ namespace moontrace {
 /// Less is hardly felt: a device that falls silent or sticks is judged under more only [N].
 inline constexpr double kFeltForce = 0.2;
 
-/// Finds a device whose position has stuck: reports keep coming, and all tell the very same place.
+/// Finds a device whose position has stuck: reports keep coming, all of the very same place.
 ///
 /// A hand that rests on a device of coarse steps looks the same, so stillness alone is no fault.
 /// What tells them apart is the answer to a change of force. A tip at rest under a force F is held
@@ -33,7 +33,7 @@ class StillTip {
   /// A tick of `elapsed` [s] in which a report of `p_D` came (`fresh`) or none did. `force` [N] is
   /// the size of what is wanted on the axes that push.
   void Advance(double elapsed, bool fresh, glm::dvec3 p_D, double force) noexcept;
-  /// No force is given, for another reason: nothing is asked of the tip.
+  /// No force is given, for another reason: the tip is not judged.
   void Pause() noexcept;
   /// Another device, or the same elsewhere.
   void Restart() noexcept { *this = StillTip(limits_); }
@@ -49,7 +49,7 @@ class StillTip {
   bool begun_ = false;
   glm::dvec3 p_D_{0, 0, 0};  ///< last reported [m]
   double waited_ = 0;        ///< since the last report [s]
-  double still_ = 0;         ///< for how long reports have told `p_D_` under a judged force [s]
+  double still_ = 0;         ///< for how long reports have given `p_D_` under a judged force [s]
   double share_ = 1;
   bool stuck_ = false;
 };

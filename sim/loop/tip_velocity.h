@@ -5,10 +5,10 @@
 namespace moontrace {
 
 /// The tip's velocity from readings that come as the device likes. A device that reads slower than
-/// the loop ticks stands still between its readings: differences tick by tick would be nothing,
-/// then many times too much, and a damper would beat on the hand with that. Here the way between
-/// two readings is spread over the time between them and stands until the next one; where none
-/// comes it fades, as the tip can have moved less than that since.
+/// the loop ticks stands still between its readings: differences from tick to tick would be
+/// zero, then many times too great, and a damper would beat on the hand with them. Here the
+/// distance between two readings is spread over the time between them, and the velocity stands
+/// until the next one; where none comes it fades, as the tip can have moved less than that since.
 class TipVelocity {
  public:
   /// A tick of `elapsed` [s]; `fresh`: the device gave a new position `p` [m].
@@ -24,7 +24,7 @@ class TipVelocity {
     const double time = since_ > step_time_ ? since_ : step_time_;
     v_ = time > 0 ? step_ / time : glm::dvec3(0, 0, 0);
   }
-  /// The next reading is of another place: no way leads there.
+  /// The next reading is of another place, not of a movement there.
   void Restart() noexcept { *this = TipVelocity(); }
 
   glm::dvec3 v() const noexcept { return v_; }  ///< [m/s]

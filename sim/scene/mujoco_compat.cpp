@@ -67,7 +67,7 @@ std::unique_ptr<mjVFS, DeleteVfs> MakeVfs(const std::string& path, const std::st
   mj_defaultVFS(bare.get());
   std::unique_ptr<mjVFS, DeleteVfs> vfs(bare.release());
   const int size = static_cast<int>(xml.size());
-#if mjVERSION_HEADER >= 313  // mj_addBufferVFS appeared in 3.1.3, the older way went in 3.2.0
+#if mjVERSION_HEADER >= 313  // mj_addBufferVFS appeared in 3.1.3, the older functions went in 3.2.0
   const bool added = mj_addBufferVFS(vfs.get(), path.c_str(), xml.data(), size) == 0;
 #else
   const bool added = mj_makeEmptyFileVFS(vfs.get(), path.c_str(), size) == 0;

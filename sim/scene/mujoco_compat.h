@@ -7,9 +7,9 @@
 
 namespace moontrace {
 
-/// Everything that differs between MuJoCo 2.2.2 (Debian 12) and 3.x, and MuJoCo's process-wide
-/// habits that a program for the blind cannot have: waiting for Enter after an error, and a log
-/// file in the user's folder.
+/// Everything that differs between MuJoCo 2.2.2 (Debian 12) and 3.x, and what replaces two
+/// process-wide defaults of MuJoCo: to wait for Enter after an error, which a blind person cannot
+/// see, and to write a log file into the user's folder.
 
 struct DeleteModel {
   void operator()(mjModel* m) const noexcept { mj_deleteModel(m); }
@@ -45,8 +45,8 @@ bool KeepAwake(mjModel& m) noexcept;
 /// What the model asks for stays as it is.
 void SkipIdleStages(mjModel& m) noexcept;
 
-/// How often MuJoCo found a number in the state that is not finite or absurd, and (by default)
-/// reset itself without a word.
+/// How often MuJoCo found a value in the state that is not finite or too great, and (by default)
+/// reset itself silently.
 int BadStateCount(const mjData& d) noexcept;
 
 /// The bytes of a model's texture, red, green, blue, rows from the top down, to be changed before

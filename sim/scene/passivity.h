@@ -8,7 +8,7 @@ namespace moontrace {
 ///   G = work done on the hand and on the page's body so far + energy stored now.
 ///
 /// What is passive never lets G rise: whatever it gives it takes from its store or from work done
-/// on it before. The work over a tick is the force that was held times the way gone while it was
+/// on it before. The work over a tick is the force that was held times the travel while it was
 /// held, so the energy that sampling and holding create is seen, as the hand gets it. Trivially
 /// copyable.
 class PassivityObserver {

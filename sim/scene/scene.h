@@ -39,8 +39,8 @@ class Scene {
   /// SetField for the tick: unchecked, without an allocation, lock or exception. `substeps` is what
   /// CheckField gave for this field. The next tick starts afresh, see Restart.
   void SwapField(const TextureField* field, int substeps) noexcept;
-  /// The next tick starts afresh, as the first did: the proxy at the tip, nothing wound up. For a
-  /// tip that was moved by something else than a hand: another device, another place of the page.
+  /// The next tick starts afresh, as the first did: the proxy at the tip, no spring stretched. For
+  /// a tip that was not moved by a hand: another device, another place of the page.
   void Restart() noexcept;
 
   /// One tick: coupling and page force into qfrc_applied between mj_step1 and mj_step2, removed

@@ -16,7 +16,7 @@ using TickWatch =
     std::function<void(double time, const TickResult& felt, const GuidanceResult& push)>;
 
 /// A guiding push on top of what a scene's ticks answer: for simulated trials and their replay,
-/// which must do the very same. The tip's velocity is the way of one tick over its time.
+/// which must do the very same. The tip's velocity is its travel in one tick over the tick's time.
 class ScenePush {
  public:
   ScenePush(GuidancePlan plan, double tick) : plan_(std::move(plan)), tick_(tick) {}

@@ -101,9 +101,9 @@ void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
   if (memory.started == 0 || memory.stored_jumped != 0) {
     memory.observer.Rebase(stored);
   } else {
-    const glm::dvec3 page_way = ToWorld(step.X_WP, memory.touch_P) - memory.touch_W;
+    const glm::dvec3 page_travel = ToWorld(step.X_WP, memory.touch_P) - memory.touch_W;
     const double work = glm::dot(memory.device_force_W, tip_W - memory.tip_W) -
-                        glm::dot(memory.page_force_W, page_way);
+                        glm::dot(memory.page_force_W, page_travel);
     memory.observer.Add(work, stored);
   }
   memory.stored_jumped = 0;
@@ -184,8 +184,9 @@ TickResult Scene::Impl::Tick(const DeviceState& input) noexcept {
   glm::dvec3 page_W{0, 0, 0};
   StepForces step;
   for (int i = 1; i <= substeps; ++i) {
-    const glm::dvec3 way_W = tip_W - from_W;
-    step = Compute(i == substeps ? tip_W : from_W + static_cast<double>(i) / substeps * way_W, v_W);
+    const glm::dvec3 travel_W = tip_W - from_W;
+    step =
+        Compute(i == substeps ? tip_W : from_W + static_cast<double>(i) / substeps * travel_W, v_W);
     if (i == 1) Observe(tip_W, step);
     Integrate(step);
     pull_W += step.pull_W;

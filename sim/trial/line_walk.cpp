@@ -14,7 +14,7 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 constexpr std::size_t kRingPlaces = 12;  // at which links may meet a ring (LinkPage)
 constexpr double kHop = 0.5;             // grooves this near run into each other [w]
 constexpr double kHopInFill = 1.5;       // within a filled area there is no wall [w]
-constexpr double kHopCost = 3;           // a hop is as long as this many times its way in a groove
+constexpr double kHopCost = 3;           // of a hop, times its length: grooves are preferred
 
 double LengthOf(const std::vector<Piece>& pieces) {
   double length = 0;
@@ -40,7 +40,7 @@ Piece Cut(const Piece& piece, double from, double to) {
   return Line{PointAt(piece, from), PointAt(piece, to)};
 }
 
-void Append(const std::vector<Piece>& pieces, double from, double to, std::vector<Piece>& way) {
+void Append(const std::vector<Piece>& pieces, double from, double to, std::vector<Piece>& path) {
   std::vector<Piece> parts;
   double begin = 0;
   const double low = std::min(from, to), high = std::max(from, to);
@@ -52,7 +52,7 @@ void Append(const std::vector<Piece>& pieces, double from, double to, std::vecto
     begin += length;
   }
   if (from > to) std::reverse(parts.begin(), parts.end());
-  way.insert(way.end(), parts.begin(), parts.end());
+  path.insert(path.end(), parts.begin(), parts.end());
 }
 
 /// A groove that can be followed: a stroke or a link, with places along it.
@@ -101,8 +101,8 @@ class GrooveGraph {
   /// Where a stroke begins to be traced if nothing leads to it.
   std::size_t StartOf(std::size_t stroke) const { return tracks_[stroke].first; }
 
-  /// The way from a place to where a stroke may begin, and that place; kNone if there is none.
-  std::size_t WayTo(std::size_t from, std::size_t stroke, std::vector<Piece>& way) {
+  /// The path from a place to where a stroke may begin, and that place; kNone if there is none.
+  std::size_t PathTo(std::size_t from, std::size_t stroke, std::vector<Piece>& path) {
     const Track& target = tracks_[stroke];
     const auto is_target = [&](std::size_t place) {
       return places_[place].track == stroke && (target.ring || place == target.first);
@@ -112,7 +112,7 @@ class GrooveGraph {
     std::vector<std::size_t> steps = {reached};
     while (steps.back() != from) steps.push_back(by_[steps.back()]);
     std::reverse(steps.begin(), steps.end());
-    Write(steps, way);
+    Write(steps, path);
     return reached;
   }
 
@@ -247,12 +247,12 @@ class GrooveGraph {
   }
 
   /// Runs of steps along one track become parts of it, hops become lines.
-  void Write(const std::vector<std::size_t>& steps, std::vector<Piece>& way) const {
+  void Write(const std::vector<std::size_t>& steps, std::vector<Piece>& path) const {
     for (std::size_t i = 0; i + 1 < steps.size();) {
       const Place& here = places_[steps[i]];
       const Place& next = places_[steps[i + 1]];
       if (here.track != next.track) {
-        if (glm::distance(here.p_P, next.p_P) > 1e-9) way.push_back(Line{here.p_P, next.p_P});
+        if (glm::distance(here.p_P, next.p_P) > 1e-9) path.push_back(Line{here.p_P, next.p_P});
         ++i;
         continue;
       }
@@ -265,7 +265,7 @@ class GrooveGraph {
              (places_[steps[end + 1]].s - s) * (s - here.s) > 0) {
         s = places_[steps[++end]].s;
       }
-      Append(track.pieces, here.s, s, way);
+      Append(track.pieces, here.s, s, path);
       i = end;
     }
   }
@@ -304,7 +304,7 @@ std::vector<Walk> LinkedWalks(const std::vector<IntendedStroke>& strokes, const 
         i > 0 && page.glyphs[strokes[i].glyph].line == page.glyphs[strokes[i - 1].glyph].line;
     WalkStep step;
     step.stroke = i;
-    const std::size_t reached = goes_on ? graph.WayTo(place, i, step.way_P) : kNone;
+    const std::size_t reached = goes_on ? graph.PathTo(place, i, step.path_P) : kNone;
     if (reached == kNone) walks.emplace_back();
     place = graph.Trace(reached == kNone ? graph.StartOf(i) : reached, step.trace_P);
     walks.back().push_back(std::move(step));

@@ -8,9 +8,9 @@
 
 namespace moontrace {
 
-/// One stroke of a walk, and the way to it over the page.
+/// One stroke of a walk, and the path to it over the page.
 struct WalkStep {
-  std::vector<Piece> way_P;    ///< over links and grooves already traced; empty where it begins
+  std::vector<Piece> path_P;   ///< over links and grooves already traced; empty where it begins
   std::vector<Piece> trace_P;  ///< the stroke itself; empty for a dot
   std::size_t stroke = 0;
 };
@@ -21,7 +21,7 @@ using Walk = std::vector<WalkStep>;
 /// Each stroke by itself, from its start: lifted from stroke to stroke.
 std::vector<Walk> SeparateWalks(const std::vector<IntendedStroke>& strokes);
 
-/// Goes through the strokes of `page` in writing order along the shortest ways in its grooves:
+/// Goes through the strokes of `page` in writing order along the shortest paths in its grooves:
 /// along links and the strokes of a letter, also back over those already traced; links and rings
 /// only in their direction of travel. A ring is traced once round from where it is reached. From
 /// groove to groove it goes where they run into each other. A walk ends where no groove leads to

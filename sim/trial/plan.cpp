@@ -50,10 +50,11 @@ Piece FrontOf(const Piece& piece, double length) {
   return Line{StartOf(piece), PointAt(piece, length)};
 }
 
-/// A way cut at its corners; a smooth closed one goes `beyond` its start.
-std::vector<std::vector<Piece>> RunsOf(const std::vector<Piece>& way, double width, double beyond) {
+/// A path cut at its corners; a smooth closed one goes `beyond` its start.
+std::vector<std::vector<Piece>> RunsOf(const std::vector<Piece>& path, double width,
+                                       double beyond) {
   std::vector<Piece> pieces;
-  for (const Piece& piece : way) {
+  for (const Piece& piece : path) {
     if (Length(piece) > 0) pieces.push_back(piece);
   }
   if (pieces.empty()) return {};
@@ -89,14 +90,14 @@ struct Lean {
     const double u = back > 0 ? std::clamp((s - hold) / back, 0.0, 1.0) : 1;
     return (1 - u * u * (3 - 2 * u)) * offset_P;
   }
-  /// Greatest growth of the way by leaning: the smooth step's slope is at most 3/2.
+  /// Greatest growth of the path's length by leaning: the smooth step's slope is at most 3/2.
   double Stretch() const {
     return back > 0 ? std::hypot(1.0, 1.5 * glm::length(offset_P) / back) : 1;
   }
 };
 
 /// Away from the leg that it came by.
-Lean LeanAfter(const std::vector<Piece>& before, const std::vector<Piece>& run, double way,
+Lean LeanAfter(const std::vector<Piece>& before, const std::vector<Piece>& run, double travelled,
                double width) {
   const glm::dvec2 came = TangentAt(before.back(), Length(before.back()));
   const glm::dvec2 goes = TangentAt(run.front(), 0);
@@ -107,7 +108,7 @@ Lean LeanAfter(const std::vector<Piece>& before, const std::vector<Piece>& run, 
   for (const Piece& piece : run) length += Length(piece);
   // Legs at a smaller angle part later.
   const double scale = std::min(width / across, length / (kLeanWidths + kReturnWidths));
-  return {kLeanShare * way / across * outwards, kLeanWidths * scale, kReturnWidths * scale};
+  return {kLeanShare * travelled / across * outwards, kLeanWidths * scale, kReturnWidths * scale};
 }
 
 /// Writes a plan from its beginning to its end.
@@ -119,7 +120,7 @@ class PlanWriter {
     AddPoint();
   }
 
-  /// The present phase ends here and now.
+  /// The present phase ends now.
   void EndSpan(TracePhase phase, std::size_t stroke) {
     const double begin = plan_.spans.empty() ? 0 : plan_.spans.back().end;
     if (time_ > begin) plan_.spans.push_back({begin, time_, phase, stroke});
@@ -151,25 +152,25 @@ class PlanWriter {
 
   /// Straight, with the least jerk (Flash and Hogan 1985), whose peak speed is 15/8 of the mean.
   void GoTo(glm::dvec3 to_P, double shortest) {
-    const glm::dvec3 from_P = p_P_, way_P = to_P - from_P;
-    const double duration = std::max(shortest, 1.875 * glm::length(way_P) / options_.air_speed);
+    const glm::dvec3 from_P = p_P_, travel_P = to_P - from_P;
+    const double duration = std::max(shortest, 1.875 * glm::length(travel_P) / options_.air_speed);
     const double begin = time_;
     const int count = static_cast<int>(std::ceil(duration / kStep));
     for (int i = 1; i <= count; ++i) {
       const double u = static_cast<double>(i) / count;
       time_ = begin + duration * u;
-      p_P_ = i == count ? to_P : from_P + u * u * u * (10 + u * (6 * u - 15)) * way_P;
+      p_P_ = i == count ? to_P : from_P + u * u * u * (10 + u * (6 * u - 15)) * travel_P;
       AddPoint();
     }
   }
 
   void Follow(const std::vector<Piece>& run, const Lean& lean) {
     if (lean.offset_P != glm::dvec2(0, 0)) GoTo(p_P_ + glm::dvec3(lean.offset_P, 0), kLeanTime);
-    const std::vector<double> way = TimeRun(run, options_.speed / lean.Stretch(), kStep);
+    const std::vector<double> arc_lengths = TimeRun(run, options_.speed / lean.Stretch(), kStep);
     const double begin = time_;
-    for (std::size_t i = 1; i < way.size(); ++i) {
+    for (std::size_t i = 1; i < arc_lengths.size(); ++i) {
       time_ = begin + kStep * static_cast<double>(i);
-      p_P_ = {PointOf(run, way[i]) + lean.At(way[i]), 0};
+      p_P_ = {PointOf(run, arc_lengths[i]) + lean.At(arc_lengths[i]), 0};
       AddPoint();
     }
   }
@@ -210,10 +211,10 @@ void Land(PlanWriter& writer, const IntendedStroke& to, std::size_t stroke,
 }
 
 void FollowRuns(PlanWriter& writer, const std::vector<std::vector<Piece>>& runs, double width) {
-  double way = 0;
+  double travelled = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    writer.Follow(runs[i], i > 0 ? LeanAfter(runs[i - 1], runs[i], way, width) : Lean{});
-    for (const Piece& piece : runs[i]) way += Length(piece);
+    writer.Follow(runs[i], i > 0 ? LeanAfter(runs[i - 1], runs[i], travelled, width) : Lean{});
+    for (const Piece& piece : runs[i]) travelled += Length(piece);
   }
 }
 
@@ -245,9 +246,9 @@ void FollowInwards(PlanWriter& writer, const std::vector<Piece>& part, double wi
 }
 
 /// Pieces cut so that none is longer than `most`.
-std::vector<Piece> CutShort(const std::vector<Piece>& way, double most) {
+std::vector<Piece> CutShort(const std::vector<Piece>& path, double most) {
   std::vector<Piece> parts;
-  for (const Piece& piece : way) {
+  for (const Piece& piece : path) {
     const double length = Length(piece);
     const double count = std::ceil(length / most);
     for (double i = 0; i < count; ++i) {
@@ -283,15 +284,15 @@ void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& s
 }
 
 /// Leaves a ring: along it as far as needed, then away from it.
-void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& way, double width) {
+void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& path, double width) {
   const auto in_ring = [&ring](const Piece& piece) {
     const Arc* arc = std::get_if<Arc>(&piece);
     return arc && glm::distance(arc->center, ring.center) < 1e-9 &&
            std::abs(arc->radius - ring.radius) < 1e-9;
   };
-  const auto away = std::find_if_not(way.begin(), way.end(), in_ring);
-  FollowInwards(writer, {way.begin(), away}, width);
-  const auto runs = RunsOf({away, way.end()}, width, 0);
+  const auto away = std::find_if_not(path.begin(), path.end(), in_ring);
+  FollowInwards(writer, {path.begin(), away}, width);
+  const auto runs = RunsOf({away, path.end()}, width, 0);
   if (runs.empty()) return;
   const glm::dvec2 start = StartOf(runs.front().front());
   const double hold = kRingLeanWidths * width;
@@ -310,11 +311,11 @@ void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedS
       Land(writer, stroke, step.stroke, options);
     } else {
       if (left != nullptr) {
-        LeaveRing(writer, *left, step.way_P, stroke.width);
+        LeaveRing(writer, *left, step.path_P, stroke.width);
       } else {
         // a link begins shallower than the stroke: a hand that has drifted would slide back in that
         if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));
-        FollowRuns(writer, RunsOf(step.way_P, stroke.width, 0), stroke.width);
+        FollowRuns(writer, RunsOf(step.path_P, stroke.width, 0), stroke.width);
       }
       writer.Rest(kEndRest);
       if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));

@@ -67,7 +67,7 @@ struct Record {
   std::string altered;
 };
 /// With `tolerant` an altered samples file is let through, so that a check can name the tick.
-/// Replay compares what Scene::Tick computed; only `altered` tells of other changes.
+/// Replay compares what Scene::Tick computed; only `altered` reports other changes.
 Record ReadRecord(const std::string& folder, bool tolerant = false);
 
 /// Runs the recorded inputs through a scene again, with the push that was recorded within the

@@ -27,7 +27,7 @@ inline constexpr std::size_t kRowBytes = sizeof(RecordColumns);
 
 RecordColumns ToColumns(const RecordRow& row) noexcept;
 
-/// The way back, equal to the bit. Throws InputError starting with `where` when a flag is neither 0
+/// The inverse, equal to the bit. Throws InputError starting with `where` when a flag is neither 0
 /// nor 1 or the buttons are no whole number of 32 bits.
 RecordRow FromColumns(const RecordColumns& columns, std::string_view where, std::size_t tick);
 

@@ -43,8 +43,8 @@ std::string NowUtc() {
   throw InputError(folder + ": exists and is not an empty folder; name another one");
 }
 
-/// Tells the disk of names made or changed in a folder. File systems that cannot do that are left
-/// to their own; the files themselves have been synced with every error checked.
+/// Syncs the names made or changed in a folder. Not every file system can do that, so errors are
+/// ignored; the files themselves have been synced with every error checked.
 void SyncFolder(const std::string& path) {
   const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;

@@ -38,7 +38,7 @@ std::vector<double> SpeedLimits(const std::vector<Piece>& run, double speed, dou
   return limits;
 }
 
-/// The fastest way within the limits that starts and ends at rest.
+/// The fastest motion within the limits that starts and ends at rest.
 Nodes FastestWithin(const std::vector<Piece>& run, double length, double speed) {
   const auto pieces = static_cast<std::size_t>(std::ceil(length / kNodeSpacing));
   const std::size_t count = std::max<std::size_t>(pieces, 2) + 1;
@@ -57,21 +57,21 @@ Nodes FastestWithin(const std::vector<Piece>& run, double length, double speed) 
 
 /// Arc length at every fine step until the end is reached.
 std::vector<double> Timed(const Nodes& nodes) {
-  std::vector<double> way;
+  std::vector<double> arc_lengths;
   double time = 0;  // at the node
   for (std::size_t i = 0; i + 1 < nodes.speed.size(); ++i) {
     const double v = nodes.speed[i], mean = (v + nodes.speed[i + 1]) / 2;
     const double duration = nodes.spacing / mean;
     const double acceleration = (nodes.speed[i + 1] - v) / duration;
-    for (double t = static_cast<double>(way.size()) * kFineStep; t < time + duration;
-         t = static_cast<double>(way.size()) * kFineStep) {
+    for (double t = static_cast<double>(arc_lengths.size()) * kFineStep; t < time + duration;
+         t = static_cast<double>(arc_lengths.size()) * kFineStep) {
       const double since = t - time;
-      way.push_back(nodes.spacing * static_cast<double>(i) +
-                    since * (v + acceleration * since / 2));
+      arc_lengths.push_back(nodes.spacing * static_cast<double>(i) +
+                            since * (v + acceleration * since / 2));
     }
     time += duration;
   }
-  return way;
+  return arc_lengths;
 }
 
 }  // namespace
@@ -80,15 +80,15 @@ std::vector<double> TimeRun(const std::vector<Piece>& run, double speed, double 
   double length = 0;
   for (const Piece& piece : run) length += Length(piece);
   if (!(length > 0)) return {0.0};
-  const std::vector<double> way = Timed(FastestWithin(run, length, speed));
+  const std::vector<double> arc_lengths = Timed(FastestWithin(run, length, speed));
   // The mean over the window up to each step: at rest before the first, at the end after the last.
   const std::size_t stride = static_cast<std::size_t>(std::max(1L, std::lround(step / kFineStep)));
   std::vector<double> reached;
   double sum = 0;
-  for (std::size_t i = 0; i < way.size() + kWindow; ++i) {
+  for (std::size_t i = 0; i < arc_lengths.size() + kWindow; ++i) {
     if (i % stride == 0) reached.push_back(sum / kWindow);
-    sum += i < way.size() ? way[i] : length;
-    if (i >= kWindow) sum -= i - kWindow < way.size() ? way[i - kWindow] : length;
+    sum += i < arc_lengths.size() ? arc_lengths[i] : length;
+    if (i >= kWindow) sum -= i - kWindow < arc_lengths.size() ? arc_lengths[i - kWindow] : length;
   }
   reached.front() = 0;
   reached.push_back(length);

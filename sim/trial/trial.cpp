@@ -34,7 +34,7 @@ class PhaseClock {
   std::size_t next_ = 0;
 };
 
-/// Keeps the tip's way at a spacing, and every change of phase or contact.
+/// Keeps the tip's path at a spacing, and every change of phase or contact.
 void Keep(std::vector<PathPoint>& path, const PathPoint& point, double spacing) {
   if (spacing <= 0) return;
   if (!path.empty()) {
@@ -106,7 +106,7 @@ class TrialPush {
     sum_ += glm::length(force_P_);
     return push;
   }
-  void Tell(TrialResult& result) const {
+  void Report(TrialResult& result) const {
     result.mean_guidance = ticks_ > 0 ? sum_ / static_cast<double>(ticks_) : 0;
     result.guidance_work = work_;
   }
@@ -158,7 +158,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
       setup.alive(static_cast<double>(n) / static_cast<double>(ticks));
     }
   }
-  push.Tell(result);
+  push.Report(result);
   result.lifts_within_lines = lifts.lifts();
   result.ticks = ticks;
   result.duration = static_cast<double>(ticks) * setup.scene.tick;

@@ -25,8 +25,8 @@
 
 namespace moontrace {
 
-/// A push as a trial is told of it: what people asked for, and what it comes to. With `mode` off or
-/// help 0 there is none.
+/// The push of a trial: what people asked for, and the gains that follow from it. None with `mode`
+/// off or help 0.
 struct TrialGuidance {
   GuidanceMode mode = GuidanceMode::kOff;
   double help = 0;      ///< 0-10, for people and records
@@ -52,14 +52,15 @@ struct TrialSetup {
   PlanOptions plan;        ///< `plan.press` counts, not the hand's
   TrialGuidance guidance;  ///< along the page's strokes; off: none
   std::uint64_t seed = 1;
-  double path_spacing = 0;  ///< keep the tip's way at this spacing for a picture [m]; 0 = keep none
+  double path_spacing = 0;  ///< of the tip's path kept for a picture [m]; 0: none is kept
   const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
-  std::function<void(double done)> alive;   ///< told each simulated second the share done, 0..1
-  TickWatch watch;                          ///< none: costs nothing
+  /// Called each simulated second with the share done, 0 to 1.
+  std::function<void(double done)> alive;
+  TickWatch watch;                                           ///< none: costs nothing
   double longest = std::numeric_limits<double>::infinity();  ///< ends then, if not before [s]
 };
 
-/// Asks for the trial to be recorded (sim/trial/record.h).
+/// How the trial is to be recorded (sim/trial/record.h).
 struct RecordRequest {
   std::string folder;
   std::string parameters_json;  ///< enough to build page and field again

@@ -45,8 +45,8 @@ TEST_F(LoopTickTest, ALostDeviceIsGivenZeroAtOnceAndHandedOver) {
   EXPECT_EQ(log_.last(), kZero);
   EXPECT_TRUE(Told(LoopEventKind::kSafety, SafetyEvent::kDeviceLost));
   EXPECT_FALSE(log_.destroyed);  // not by the tick: destroying may block
-  const std::unique_ptr<Device> worn(mail_.worn.exchange(nullptr));
-  EXPECT_NE(worn, nullptr);
+  const std::unique_ptr<Device> detached(mail_.detached.exchange(nullptr));
+  EXPECT_NE(detached, nullptr);
   Run(500);
   EXPECT_FALSE(Newest().present);
   EXPECT_EQ(Count(SafetyEvent::kDeviceLost), 1U);
@@ -55,10 +55,10 @@ TEST_F(LoopTickTest, ALostDeviceIsGivenZeroAtOnceAndHandedOver) {
 TEST_F(LoopTickTest, WorkGoesOnWithADeviceOpenedAgain) {
   Begin(PressedUntil(kSettled, Says(DeviceStatus::kLost)));
   Run(kSettled + 10);
-  const std::unique_ptr<Device> worn(mail_.worn.exchange(nullptr));
+  const std::unique_ptr<Device> detached(mail_.detached.exchange(nullptr));
   DeviceLog log;
   // back elsewhere: neither a jump nor a wound-up coupling
-  mail_.fresh = new ScriptedDevice(log, HoldAt({0.15, 0.12, -0.001}));
+  mail_.reopened = new ScriptedDevice(log, HoldAt({0.15, 0.12, -0.001}));
   Run(1);
   EXPECT_EQ(log.last(), kZero);
   EXPECT_TRUE(Told(LoopEventKind::kDeviceBack));

@@ -62,7 +62,7 @@ TEST(LineWalk, IsOneWayWithoutJumps) {
     glm::dvec2 at{0, 0};
     bool begun = false;
     for (const WalkStep& step : walk) {
-      for (const std::vector<Piece>* part : {&step.way_P, &step.trace_P}) {
+      for (const std::vector<Piece>* part : {&step.path_P, &step.trace_P}) {
         for (const Piece& piece : *part) {
           if (begun) {
             EXPECT_LT(glm::distance(StartOf(piece), at), 1e-6);
@@ -104,7 +104,7 @@ TEST(LineWalk, GoesBackOverGroovesAlreadyTracedToABranch) {
   ASSERT_EQ(walks.size(), 1u);
   ASSERT_EQ(walks[0].size(), 2u);
   // half of the first back, half of the second up; the crossing is met within half a width
-  EXPECT_NEAR(LengthOf(walks[0][1].way_P), 0.01, 2 * 0.5e-3);
+  EXPECT_NEAR(LengthOf(walks[0][1].path_P), 0.01, 2 * 0.5e-3);
 }
 
 }  // namespace
