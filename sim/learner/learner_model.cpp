@@ -1,7 +1,6 @@
 #include "sim/learner/learner_model.h"
 
 #include "textures/base/resources.h"
-#include "textures/base/toml_range.h"
 #include "textures/base/toml_reader.h"
 
 namespace moontrace {

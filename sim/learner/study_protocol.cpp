@@ -9,7 +9,6 @@
 #include "textures/base/digest.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
-#include "textures/base/toml_range.h"
 #include "textures/base/toml_reader.h"
 
 namespace moontrace {

@@ -11,7 +11,6 @@
 #include "sim/setup/writing_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
-#include "textures/base/text_pipe.h"
 #include "textures/base/utf8.h"
 #include "textures/script/fallback.h"
 #include "textures/script/script_library.h"

@@ -1,5 +1,7 @@
 #include "textures/base/toml_reader.h"
 
+#include <fmt/core.h>
+
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -300,6 +302,14 @@ std::string TomlTable::Where(const std::string& key) const {
 
 void TomlTable::Fail(const std::string& key, const std::string& problem) const {
   throw InputError(Where(key) + ": " + (key.empty() ? "" : OneLine(key) + ": ") + problem);
+}
+
+double InRange(const TomlTable& table, const std::string& key, double value, double low,
+               double high) {
+  if (!(value >= low && value <= high)) {
+    table.Fail(key, fmt::format("{:.6g} is out of range: give {:.6g} to {:.6g}", value, low, high));
+  }
+  return value;
 }
 
 }  // namespace moontrace

@@ -96,6 +96,11 @@ struct Magnitude {
   double height = 0;              ///< [m], >= 0
   glm::dvec2 gradient{0.0, 0.0};  ///< [m/m]
 };
+/// Displacement of the surface along its normal, and the derivative along x and y.
+struct Sample {
+  double displacement = 0;        ///< [m], below zero in grooves
+  glm::dvec2 gradient{0.0, 0.0};  ///< [m/m]
+};
 /// The element's own magnitude at `p`, in the element's frame; zero where it does not reach. The
 /// plain definition that the compiled field is tested against.
 Magnitude Evaluate(const Element& element, glm::dvec2 p);

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "textures/field/element.h"
-#include "textures/field/sample.h"
 #include "textures/field/sampled.h"
 
 namespace moontrace {

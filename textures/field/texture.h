@@ -5,7 +5,6 @@
 
 #include "textures/field/element.h"
 #include "textures/field/paper.h"
-#include "textures/field/sample.h"
 
 namespace moontrace {
 

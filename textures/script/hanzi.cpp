@@ -14,7 +14,6 @@
 
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
-#include "textures/base/text_pipe.h"
 #include "textures/base/utf8.h"
 #include "textures/script/character_script.h"
 #include "textures/script/polyline.h"

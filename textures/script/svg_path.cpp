@@ -9,7 +9,6 @@
 
 #include "textures/base/text_file.h"
 #include "textures/script/arc_fit.h"
-#include "textures/script/svg_arc.h"
 
 namespace moontrace {
 namespace {
@@ -23,6 +22,70 @@ constexpr double kRoundness = 1e-9;
 bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// An elliptical arc as SVG writes it: from end to end with radii, turn and two choices.
+struct SvgArc {
+  glm::dvec2 from{0, 0};
+  glm::dvec2 to{0, 0};
+  glm::dvec2 radii{0, 0};  ///< magnitudes, > 0
+  double turn = 0;         ///< of the ellipse's x axis [rad]
+  bool large = false;      ///< the longer way round
+  bool positive = false;   ///< towards growing angles
+};
+
+/// The same arc by its centre (SVG 1.1, appendix F.6.5; radii that are too small grow, F.6.6).
+struct EllipseArc {
+  glm::dvec2 center{0, 0};
+  glm::dvec2 radii{0, 0};
+  double turn = 0;   ///< [rad]
+  double start = 0;  ///< parameter angle [rad]
+  double sweep = 0;  ///< [rad], never zero
+};
+
+glm::dvec2 Turned(glm::dvec2 v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/// `from` and `to` must differ.
+EllipseArc ByCenter(const SvgArc& arc) {
+  // In the frame of the ellipse, scaled to a unit circle, the chord's midpoint is the origin.
+  glm::dvec2 radii = arc.radii;
+  glm::dvec2 half = Turned(0.5 * (arc.from - arc.to), -arc.turn) / radii;
+  const double half_length = glm::length(half);
+  if (half_length > 1) {
+    radii *= half_length;
+    half /= half_length;
+  }
+  const double rise = std::sqrt(std::max(0.0, 1 / glm::dot(half, half) - 1));
+  const double side = arc.large == arc.positive ? -1 : 1;
+  const glm::dvec2 center = side * rise * glm::dvec2(half.y, -half.x);
+  const glm::dvec2 first = half - center, last = -half - center;
+
+  EllipseArc out;
+  out.radii = radii;
+  out.turn = arc.turn;
+  out.center = 0.5 * (arc.from + arc.to) + Turned(center * radii, arc.turn);
+  out.start = std::atan2(first.y, first.x);
+  out.sweep = std::atan2(last.y, last.x) - out.start;
+  if (arc.positive && out.sweep <= 0) out.sweep += kTurn;
+  if (!arc.positive && out.sweep >= 0) out.sweep -= kTurn;
+  return out;
+}
+
+/// The arc over t in [0, 1].
+Curve CurveOf(const EllipseArc& arc) {
+  return {[arc](double t) {
+            const double angle = arc.start + t * arc.sweep;
+            const glm::dvec2 unit(std::cos(angle), std::sin(angle));
+            return arc.center + Turned(arc.radii * unit, arc.turn);
+          },
+          [arc](double t) {
+            const double angle = arc.start + t * arc.sweep;
+            const glm::dvec2 unit(-std::sin(angle), std::cos(angle));
+            return Turned(arc.sweep * arc.radii * unit, arc.turn);
+          }};
+}
 
 class PathReader {
  public:

@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "textures/typeset/arc_line_arc.h"
-
 namespace moontrace {
 namespace {
 

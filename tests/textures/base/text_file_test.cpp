@@ -1,4 +1,4 @@
-#include "textures/base/text_pipe.h"
+#include "textures/base/text_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "textures/base/error.h"
-#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {
