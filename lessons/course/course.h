@@ -12,11 +12,11 @@ namespace moontrace {
 /// What a person does at a step of a lesson.
 enum class StepKind {
   kExplore,      ///< feel the page freely; ends by "next"
-  kDemonstrate,  ///< the hand is led along each item, or the way is told where nothing can push
+  kDemonstrate,  ///< the hand is led along each item, or the path described where nothing can push
   kTrace,        ///< follow each item's strokes; scored
-  kRecognise,    ///< feel an item that is not told, and name it
+  kRecognise,    ///< feel an item that is not named, and name it
   kRead,         ///< read a text aloud or silently; ends by "next"
-  kTest          ///< as kRecognise, unguided and without being told until the end
+  kTest          ///< as kRecognise, unguided, and results come only at the end
 };
 
 /// "explore", "demonstrate", "trace", "recognise", "read", "test".
@@ -129,7 +129,7 @@ std::vector<CourseFault> CheckCourse(const Course& course, double smallest);
 /// Of these only the lessons that cannot be reached, each with the reason. Empty: all are reached.
 std::vector<CourseFault> CheckReach(const Course& course);
 
-/// How an item is called: the course's name for it, else itself.
+/// How an item is called: the course's name for it, otherwise itself.
 std::string_view NameOf(const Course& course, std::string_view item);
 
 }  // namespace moontrace

@@ -51,7 +51,7 @@ class LessonCheck {
   const Course& course_;
   CourseFaults& faults_;
   std::map<std::string, std::optional<Script>> scripts_;
-  std::set<std::string> broken_grades_;           ///< ids of lessons, told once
+  std::set<std::string> broken_grades_;           ///< ids of lessons, reported once
   std::map<std::string, std::string> teachers_;   ///< sign -> lesson that teaches it
   std::map<std::string, std::string> taught_in_;  ///< item, in small letters -> lesson
   std::set<std::string> taught_;                  ///< signs, so far

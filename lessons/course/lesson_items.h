@@ -19,7 +19,7 @@ std::optional<std::size_t> LessonIndex(const Course& course, std::string_view id
 /// The step at a place; null where the course has none there.
 const Step* StepAt(const Course& course, std::string_view lesson, std::size_t step);
 
-/// Items of a step: its own, else the lesson's new ones; none of kExplore and kRead. Empty texts
+/// Items of a step: its own, or the lesson's new ones; none of kExplore and kRead. Empty texts
 /// and repetitions are left out.
 std::vector<std::string> ItemsOf(const Lesson& lesson, const Step& step);
 
@@ -33,17 +33,17 @@ bool HasItem(const Course& course, std::string_view item);
 std::set<std::string> AllItems(const Course& course);
 
 /// What has to be shown of an item before it is sure: what the course practises with it, at any
-/// step without a size of its own, else at any step.
+/// step without a size of its own, otherwise at any step.
 struct Practice {
   bool traced = false;  ///< at a step kTrace
   bool named = false;   ///< at a step kRecognise or kTest that asks kName
 };
 Practice PracticeOf(const Course& course, std::string_view item);
 
-/// The lesson that teaches the item, else the first that asks for it; null: none.
+/// The lesson that teaches the item, otherwise the first that asks for it; null: none.
 const Lesson* HomeOf(const Course& course, std::string_view item);
 
-/// Its memory aid: of this lesson (null: none), else of any; empty: there is none.
+/// Its memory aid: of this lesson (null: none), otherwise of any; empty: there is none.
 std::string HintOf(const Course& course, const Lesson* lesson, std::string_view item);
 
 /// `a` and `b` of "a\nb"; of "a": a and nothing.

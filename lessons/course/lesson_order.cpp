@@ -57,7 +57,7 @@ LessonOrder OrderOf(const Course& course) {
 std::vector<std::size_t> CircleOf(const Course& course, std::size_t lesson) {
   const Places places = PlacesOf(course);
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  // Breadth first along the needs: the shortest way back to the lesson.
+  // Breadth first along the needs: the shortest path back to the lesson.
   std::vector<std::size_t> came_from(course.lessons.size(), kNone);
   std::vector<std::size_t> reached{lesson};
   for (std::size_t at = 0; at < reached.size(); ++at) {

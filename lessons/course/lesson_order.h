@@ -7,10 +7,10 @@
 
 namespace moontrace {
 
-/// The way through a course of a learner who does every lesson once; indices into Course::lessons.
+/// The order for a learner who does every lesson once, as indices into Course::lessons.
 struct LessonOrder {
-  /// Each lesson behind its needs: the next one in the course's order whose needs are done, else,
-  /// from the course's beginning, what was left over.
+  /// Each lesson behind its needs: the next one in the course's order whose needs are done;
+  /// otherwise, from the course's beginning, what was left over.
   std::vector<std::size_t> walk;
   /// Those that are never reached: a need is unknown, goes round in a circle, or is itself one of
   /// them. In the course's order.

@@ -37,7 +37,7 @@ std::optional<FadeRule::Kind> FadeKindOf(std::string_view name);
 /// - as needed: help' = f_R help + g_R e (Emken, Benitez, Reinkensmeyer 2007), e the error beyond
 ///   the dead zone. The robot forgets: with e = 0 help shrinks, and is 0 once below 0.05.
 ///
-/// Always 0 to 10. An error that is no number, or below 0, counts as none.
+/// Always 0 to 10. An error that is NaN, or below 0, counts as none.
 FadeState FadeHelp(const FadeRule& rule, FadeState state, double error_widths, bool good);
 
 }  // namespace moontrace

@@ -16,7 +16,7 @@ constexpr double kRampTime = 0.3;         ///< [s]
 constexpr double kRest = 0.15;            ///< at a stroke's end, before the next [s]
 constexpr double kLifted = 0.001;         ///< [m]
 constexpr double kSlideSpeed = 0.1;       ///< of the target while the tip rests [m/s]
-constexpr double kSlideShare = 2;         ///< of the tip's way, that it may go more
+constexpr double kSlideShare = 2;         ///< of the tip's path, that it may go more
 constexpr double kWindowWidths = 2;       ///< searched to either side
 constexpr double kSeekWidths = 12;        ///< of a stroke, from its start, while it is sought
 constexpr double kCaptureWidths = 1;      ///< the tip has come to a stroke
@@ -41,7 +41,7 @@ struct Tick {
   glm::dvec2 v{0, 0};  ///< [m/s]
   bool lifted = false;
   double time = 0;   ///< of a tick [s]
-  double slide = 0;  ///< the way that a target may go in it [m]
+  double slide = 0;  ///< how far a target may move in it [m]
 
   const GuidanceStroke& stroke() const noexcept { return path.strokes[state.stroke]; }
   double width() const noexcept { return stroke().width; }

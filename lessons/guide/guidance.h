@@ -40,7 +40,7 @@ struct GuidanceState {
 struct GuidanceResult {
   glm::dvec3 force_P{0, 0, 0};  ///< on the tip, in the page's plane [N]
   glm::dvec2 target_P{0, 0};    ///< nearest point of the stroke, or the bead [m]
-  double error = 0;             ///< signed offset, > 0 to the left of the way [m]
+  double error = 0;             ///< signed offset, > 0 to the left of the path [m]
 };
 
 /// One tick of a push: a pure function of plan, state, tip and time; allocates nothing, throws
@@ -51,9 +51,9 @@ struct GuidanceResult {
 ///
 /// - attract: -k (|e| - r0) e/|e| beyond r0, and -b of the velocity along e. The target is the
 ///   nearest point near the last one: a window of two widths of the same stroke is searched, and
-///   the target moves no more than twice the tip's way and 0.1 mm a tick (at 1 kHz). So it never
+///   the target moves no more than twice the tip's path and 0.1 mm a tick (at 1 kHz). So it never
 ///   jumps to a crossing stroke, and where the nearest point springs (the middle of a ring, the
-///   inside of a hairpin) it slides round: force is continuous along any continuous way of the tip.
+///   inside of a hairpin) it slides round: force is continuous on any continuous path of the tip.
 /// - rail: the same with r0 = 0 and its own gains.
 /// - bead: the same, e from a bead that moves along at its speed, waits while the tip is farther
 ///   than the leash and not ahead, and keeps up with a tip that is ahead: it never holds a hand

@@ -74,7 +74,7 @@ glm::dvec2 PointOf(const GuidancePart& part, double along) noexcept {
   return part.anchor + part.radius * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
-/// Where on the whole line or circle `p` is nearest, as way from the part's start [m].
+/// Where on the whole line or circle `p` is nearest, as arc length from the part's start [m].
 double FootOf(const GuidancePart& part, glm::dvec2 p) noexcept {
   const glm::dvec2 v = p - part.anchor;
   if (!part.is_arc) return glm::dot(v, part.direction);
@@ -157,7 +157,7 @@ std::shared_ptr<const GuidancePath> MakeRecordedPath(const std::vector<double>& 
                                                      const std::vector<glm::dvec3>& tips_P,
                                                      double width) {
   auto path = std::make_shared<GuidancePath>();
-  // What stays near the last point kept is no way: resting would make parts without length.
+  // What stays near the last point kept is left out: resting would make parts without length.
   const double spacing = width / 10;
   GuidanceStroke stroke;
   stroke.width = width;

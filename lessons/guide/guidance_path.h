@@ -35,7 +35,7 @@ struct GuidanceStroke {
 /// arc lengths, made ready so that a tick searches only near the last arc length. Frame P.
 struct GuidancePath {
   std::vector<GuidanceStroke> strokes;  ///< in writing order
-  /// Of a recorded path: where its bead is when. Times ascend from 0 [s]; else empty.
+  /// Of a recorded path: where its bead is when. Times ascend from 0 [s]; otherwise empty.
   std::vector<double> times;
   std::vector<glm::dvec2> points;
 
@@ -44,7 +44,7 @@ struct GuidancePath {
 
 /// Strokes as the path of a push; the bead moves at the gains' even speed.
 std::shared_ptr<const GuidancePath> MakeGuidancePath(const std::vector<IntendedStroke>& strokes);
-/// A recorded way of a hand, one tip a time [s, ascending]: the bead is led along it at its own
+/// The recorded path of a hand, one tip a time [s, ascending]: the bead is led along it at its own
 /// times; the tutor's stroke. `width` [m] of the groove gives dead zone and leash. What is not
 /// finite or does not ascend is left out.
 std::shared_ptr<const GuidancePath> MakeRecordedPath(const std::vector<double>& times,

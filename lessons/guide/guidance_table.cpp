@@ -24,7 +24,7 @@ struct Column {
   const char* key;
   double GuidanceGains::*member;
   double least, most;  ///< accepted
-  bool grows;          ///< with help; else it shrinks
+  bool grows;          ///< with help; otherwise it shrinks
 };
 constexpr Column kStiffness = {"stiffness_n_per_m", &GuidanceGains::stiffness, 20, 400, true};
 constexpr Column kDamping = {"damping_ns_per_m", &GuidanceGains::damping, 0, 10, true};

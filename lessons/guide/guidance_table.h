@@ -34,7 +34,7 @@ class GuidanceTable {
   /// Of the file that comes with the program; LackError where it is missing.
   static GuidanceTable Shipped();
 
-  /// Help between whole levels is interpolated; 0 (and what is no number) is no push at all, more
+  /// Help between whole levels is interpolated; 0 (and NaN) is no push at all, more
   /// than 10 is 10.
   GuidanceGains GainsOf(GuidanceMode mode, double help) const;
   /// Parameters of all fading rules; its kind counts for nothing.

@@ -15,8 +15,8 @@ struct Memory {
 };
 
 /// Memory after a review `days` after the last one (ignored at the first; below 1: the same day;
-/// what is negative or not a number counts as 0). Good does one short step, Easy all; Hard
-/// repeats it, Again goes back: to both of a new item, else to the last.
+/// what is negative or NaN counts as 0). Good does one short step, Easy all; Hard
+/// repeats it, Again goes back: to both of a new item, otherwise to the last.
 Memory Review(Memory memory, Rating rating, double days);
 
 /// Probability of recall `days` after the last review, 1 at once; 0 for what was never reviewed.

@@ -37,7 +37,7 @@ struct ItemChooser {
 ///   first.
 /// - test: at random, each once; practice before it comes again is as recognise.
 /// - recognise: an item enters when those before it are past the first size; two at least are there
-///   to be told apart, else a name could be given without feeling. Of those that are there, weak
+///   to be distinguished, so that a name needs feeling. Of those that are there, weak
 ///   ones come more often (in proportion to the share of wrong answers they may expect), none twice
 ///   in a row if another can come. What went wrong comes back after one other. A share `known` of
 ///   the questions asks what is known already, here or from earlier lessons; twice that while fewer

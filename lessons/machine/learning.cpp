@@ -18,8 +18,8 @@ namespace moontrace {
 namespace {
 
 constexpr double kDay = 86400;         ///< [s]
-constexpr std::size_t kRecent = 20;    ///< answers that tell how hard it is just now
-constexpr double kLargestError = 1e3;  ///< for fading, of what is not a number [groove widths]
+constexpr std::size_t kRecent = 20;    ///< answers that show how hard it is just now
+constexpr double kLargestError = 1e3;  ///< for fading, of NaN and infinity [groove widths]
 
 void AddLast(std::vector<bool>& values, bool value, std::size_t most) {
   values.push_back(value);

@@ -28,9 +28,9 @@ namespace moontrace {
 /// - A trial without an item is a mark: the step has ended (right), or was come to (not right).
 ///
 /// Trials that are guided or scaled teach nothing but where the learner is and how much help comes
-/// next (fading.h); those of items that the course has not, nothing but where. Numbers that are not
+/// next (fading.h); those of items missing from the course, nothing but where. Numbers that are not
 /// finite count as bad. Each answer to kName rates the item for FSRS: wrong Again, slower than
-/// `slow` Hard, faster than `quick` Easy (once a day), else Good.
+/// `slow` Hard, faster than `quick` Easy (once a day), otherwise Good.
 Progress Learn(const Course& course, Progress progress, const Trial& trial);
 
 /// Progress after all trials of a learner, in order of time.

@@ -24,7 +24,7 @@ ItemProgress ProgressOf(const Turn& turn, const std::string& item) {
   return found != turn.state.progress.items.end() ? found->second : ItemProgress{};
 }
 
-/// The mate of a pair: the course's, else another item that the learner knows; empty: none.
+/// The mate of a pair: the course's, otherwise another item that the learner knows; empty: none.
 std::string MateOf(Turn& turn, const std::string& item) {
   const auto mate = turn.course.mates.find(item);
   if (mate != turn.course.mates.end() && mate->second != item &&
@@ -123,7 +123,7 @@ bool IsOfStep(const Turn& turn) {
   return false;
 }
 
-/// The lesson whose script sets the item: the present one if it asks for it, else its home.
+/// The lesson whose script sets the item: the present one if it asks for it, otherwise its home.
 const Lesson* LessonOfItem(const Turn& turn) {
   return IsOfStep(turn) ? LessonNow(turn) : HomeOf(turn.course, turn.state.item);
 }

@@ -155,7 +155,7 @@ void Skip(Turn& turn) {
       if (StepNow(turn) != nullptr) EndStepNow(turn, *LessonNow(turn), *StepNow(turn));
       break;
     case StepKind::kDemonstrate: {
-      // Enough of it: the item has been told, and counts as introduced.
+      // Enough of it: the item has been named, and counts as introduced.
       Trial told = TrialOf(turn, {});
       told.help = 0;
       told.guidance = GuidanceMode::kOff;
@@ -165,7 +165,7 @@ void Skip(Turn& turn) {
     case StepKind::kTrace:
     case StepKind::kRecognise:
     case StepKind::kTest:
-      // A test does not tell what it was.
+      // A test does not say what it was.
       Say(turn, Sentence::kSkipped, state.task == StepKind::kTest ? "" : state.item);
       if (!state.review) state.skipped.push_back(ItemOfStep(turn));
       Remove(state.queue, state.item);

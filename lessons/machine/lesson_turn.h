@@ -27,7 +27,7 @@ void SayCount(Turn& turn, lesson_action::Sentence sentence, std::string_view tex
 void AwaitNow(Turn& turn, lesson_action::Await await);
 /// Takes the trial into progress, and has it kept.
 void Keep(Turn& turn, Trial trial);
-/// Keeps a mark of the way: the present step has ended, or the learner has come to a lesson.
+/// Keeps a trial as a mark: the present step has ended, or the learner has come to a lesson.
 void KeepStepEnd(Turn& turn);
 void KeepArrival(Turn& turn, const Lesson& lesson);
 /// The present lesson and step; null: none.
@@ -44,7 +44,7 @@ void PresentItem(Turn& turn, const std::string& item, StepKind task, bool review
 void PresentText(Turn& turn, const Step& step);
 /// Says again what is to be done.
 void Ask(Turn& turn);
-/// Shows the page anew, by the rules and what overrules them; the trial begins again.
+/// Shows the page again, by the rules and what overrules them; the trial begins again.
 void ShowPage(Turn& turn);
 /// Another push on the page that is shown, while it is felt.
 void ChangePush(Turn& turn);

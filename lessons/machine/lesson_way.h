@@ -11,7 +11,7 @@
 
 namespace moontrace {
 
-/// A learner's way through steps and lessons: when one has been finished and what comes after.
+/// The order of steps and lessons for a learner: when one is finished and what comes after it.
 
 /// Whether an item has shown what the present step asks of it:
 ///
@@ -23,7 +23,7 @@ namespace moontrace {
 ///   size, its last `attempts` answers here within the rule; in pairs (pick, same): the same;
 /// - test: asked once.
 ///
-/// Nothing of this comes by guided trials.
+/// Guided trials count for none of these.
 bool ItemFinished(const Course& course, const Progress& progress, const Step& step,
                   std::string_view text);
 
@@ -42,8 +42,8 @@ bool TestPassed(const Course& course, const Progress& progress);
 bool CourseDone(const Course& course, const Progress& progress);
 
 /// The lesson to go to from this one, none once all are done: the next in the course's order that
-/// is not done and whose needs are; else the next that is not done; else, from the course's
-/// beginning, what was left over, needs first.
+/// is not done and whose needs are; otherwise the next that is not done; otherwise, from the
+/// course's beginning, what was left over, needs first.
 std::optional<std::size_t> LessonAfter(const Course& course, const Progress& progress,
                                        std::string_view lesson);
 
@@ -51,8 +51,8 @@ std::optional<std::size_t> LessonAfter(const Course& course, const Progress& pro
 void MoveTo(Progress& progress, std::string_view lesson, std::size_t step);
 
 /// The present step has ended. A test whose items were all asked, too few of them named right,
-/// comes again once what was wrong is sure (Progress::practise). Else the next step comes; after
-/// the last one the lesson is done, unless one of its steps was left unfinished, and the next
+/// comes again once what was wrong is sure (Progress::practise). Otherwise the next step comes;
+/// after the last one the lesson is done, unless one of its steps was left unfinished, and the next
 /// lesson begins. At the end of the course the place is behind the last step.
 void EndStep(const Course& course, Progress& progress);
 

@@ -77,7 +77,7 @@ void ChangeHelp(Turn& turn, bool more) {
   state.probe = false;
   if (more && state.overrule.mode == GuidanceMode::kOff) state.overrule.mode.reset();
   state.overrule.help.reset();
-  if (HelpByRules(turn) != next) state.overrule.help = next;  // else the rules may choose again
+  if (HelpByRules(turn) != next) state.overrule.help = next;  // otherwise the rules may choose
   Say(turn, Sentence::kHelpNow, {}, {}, next);
   ChangePush(turn);
 }

@@ -29,7 +29,7 @@ bool NamedEnough(const MasteryRule& rule, const ItemProgress& item);
 /// Enough traces, and their mean coverage and error within the rule.
 bool TracedEnough(const MasteryRule& rule, const ItemProgress& item);
 
-/// A trace's coverage and error within the rule. What is not a number is outside it.
+/// A trace's coverage and error within the rule. NaN is outside it.
 bool GoodTrace(const MasteryRule& rule, const Trial& trial);
 
 /// Sure at standard size.
@@ -42,13 +42,13 @@ bool PastFirstSize(const ItemProgress& item);
 /// word), the largest size at which a letter of it is still worked on.
 std::size_t FirstSizeOf(const Course& course, const Progress& progress, std::string_view item);
 
-/// Size that a step asks for [m]: its own, else the item's present one; of two the larger.
+/// Size that a step asks for [m]: its own, otherwise the item's present one; of two the larger.
 double AskedSize(const Course& course, const Progress& progress, const Step* step,
                  const ItemPair& items);
 
 /// Takes in an unguided, unscaled trial at the item's present size that was good or not: the item
 /// goes a size down once sure, a size up after too many failures in a row. At the largest size
-/// those have it introduced anew, with the help of the beginning.
+/// it is introduced again then, with the help of the beginning.
 void AddEvidence(const Course& course, const Practice& practice, const Trial& trial, bool good,
                  ItemProgress& item);
 

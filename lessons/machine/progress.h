@@ -8,8 +8,8 @@
 
 namespace moontrace {
 
-/// What is known of a learner and one item. Evidence is of unguided trials only; guided ones tell
-/// how much help comes next.
+/// What is known of a learner and one item. Evidence is of unguided trials only; guided ones
+/// decide how much help comes next.
 struct ItemProgress {
   std::size_t size_step = 0;      ///< index into Course::sizes at which it is worked on
   std::vector<bool> named;        ///< last answers at this size, newest at the end

@@ -15,14 +15,14 @@ struct StaircaseRule {
   double start = 0;                           ///< level of the first trial; a lower level is harder
   double least = 0;                           ///< no level below it
   double most = 1e300;                        ///< nor above it
-  bool geometric = true;                      ///< steps are factors, > 1; else differences, > 0
+  bool geometric = true;                      ///< steps are factors, > 1, or differences, > 0
   std::vector<double> steps{1.5, 1.25, 1.1};  ///< one until each reversal; the last one stays
   int discard = 2;          ///< first reversals that do not count for the threshold
   int stop_reversals = 10;  ///< it ends after so many
   int stop_trials = 80;     ///< or after so many trials
 };
 
-/// One staircase: show `level()`, tell the answer by Add, until `done()`.
+/// One staircase: show `level()`, give the answer to Add, until `done()`.
 ///
 /// For letters that shrink until a hand no longer knows them: the level is the letters' size [m],
 /// `start` the largest, `least` what the device renders. A block of trials takes several

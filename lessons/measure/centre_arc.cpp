@@ -91,7 +91,7 @@ Piece Part(const Piece& piece, double begin, double end) {
   return Line{PointAt(piece, begin), PointAt(piece, end)};
 }
 
-/// The part around the middle that lies `rim` inside; the way to each end is halved to 1e-12.
+/// The part around the middle that lies `rim` inside; each end is found by bisection to 1e-12.
 Piece Trimmed(const Piece& piece, const std::vector<Piece>& outline, double rim) {
   const double length = Length(piece), middle = length / 2;
   const double depth = std::min(rim, 0.9 * Inside(outline, PointAt(piece, middle)));

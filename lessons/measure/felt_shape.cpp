@@ -13,11 +13,11 @@ constexpr double kPictureReach = 2.2;  // from its middle, in spreads
 constexpr double kFlatShare = 0.6;     // of the samples in contact lie deeper than the flat paper
 constexpr double kDeepShare = 0.002;   // of them lie deeper than what counts as the deepest
 constexpr double kLeastColumn = 0.5;   // rows of groove in a column that is not a gap
-constexpr double kReach = 1.2;         // of a touch to either side of the way, in cells
-constexpr double kLeastWay = 0.4;      // through a cell, in cells: less tells nothing of it
-constexpr double kLongestStep = 0.1;   // of the height: farther apart lay no way [share]
+constexpr double kReach = 1.2;         // of a touch to either side of the path, in cells
+constexpr double kLeastWay = 0.4;      // through a cell, in cells: less shows nothing of it
+constexpr double kLongestStep = 0.1;   // of the height: no path between what is farther [share]
 
-/// How much of the way through a cell of the page lay in a groove.
+/// How much of the path through a cell of the page lay in a groove.
 struct Map {
   int columns = 0;
   double cell = 0;  ///< [m]
@@ -93,7 +93,7 @@ void Spread(Values& values, int columns, int rows, double cells) {
   }
 }
 
-/// Weighs each sample by the way that the tip went, so that resting weighs nothing.
+/// Weighs each sample by the path that the tip went, so that resting weighs nothing.
 Map GrooveMap(const std::vector<FeltSample>& touching, double flat, double threshold,
               const FeelingRule& rule) {
   Map map = EmptyMap(touching);

@@ -19,8 +19,8 @@ struct FeltSample {
 struct FeltSign {
   static constexpr std::size_t kCells = 21;      ///< a side
   std::array<float, kCells * kCells> picture{};  ///< of length 1; row by row, from below
-  /// Where it lay and how large it was, by the height over which the hand has felt about: which
-  /// tells a comma from an apostrophe.
+  /// Where it lay and how large it was, by the height over which the hand has felt about:
+  /// this distinguishes a comma from an apostrophe.
   double height = 0.5, spread = 0;
   double width = 0;  ///< its greatest extent along the line, by the same height
 };

@@ -12,8 +12,8 @@ struct PageMetrics {
   double stroke_length = 0;
 };
 
-/// Totals of pages traced one after the other: what is told of strokes weighted by their length,
-/// what is told of time by duration, sums of counts and times, greatest of greatest values.
+/// Totals of pages traced one after the other: figures of strokes weighted by their length,
+/// figures of time by duration, sums of counts and times, greatest of greatest values.
 TraceMetrics MergedMetrics(const std::vector<PageMetrics>& pages);
 
 }  // namespace moontrace

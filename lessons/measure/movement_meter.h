@@ -14,7 +14,7 @@ namespace moontrace {
 std::vector<double> ZeroPhaseLowPass(const std::vector<double>& values, double rate, double cutoff);
 
 /// Measures the smoothness of one movement from samples that come one by one at any rate. They are
-/// averaged over 10 ms, put on an even 100 Hz grid, and when smoothness is asked for the way is
+/// averaged over 10 ms, put on an even 100 Hz grid, and when smoothness is asked for the path is
 /// low-passed at 10 Hz without delay (ZeroPhaseLowPass; conscious movement stays below that) before
 /// speeds are taken. Rate and filter are fixed, so that figures of any two trials compare.
 ///
@@ -34,17 +34,17 @@ class MovementMeter {
   /// `time` [s] must be one that it takes and `p` finite [m]; a time not later than the last one
   /// is left out.
   void Add(double time, glm::dvec2 p);
-  /// Begins anew.
+  /// Begins again.
   void Clear();
 
-  double duration() const;  ///< of what smoothness tells of [s]; 0 where that is too short
+  double duration() const;  ///< of what smoothness is measured on [s]; 0 where that is too short
   Smoothness Measure() const;
 
  private:
   void Close();
 
-  std::vector<glm::dvec2> grid_;  ///< the way, 10 ms apart [m]
-  double origin_ = 0;             ///< first sample; times below are told from it [s]
+  std::vector<glm::dvec2> grid_;  ///< the path, 10 ms apart [m]
+  double origin_ = 0;             ///< first sample; times below count from it [s]
   double last_ = 0;               ///< newest sample [s]
   bool any_ = false;
   double bin_end_ = 0;  ///< of the samples that are being averaged [s]
@@ -57,7 +57,7 @@ class MovementMeter {
 };
 
 /// Finds pauses from samples one by one: the tip's mean speed over more than 0.3 s stays below
-/// v0 = 2 mm/s (ours). Told by how far it gets, 0.6 mm, not by speeds from tick to tick: a hand
+/// v0 = 2 mm/s (ours). Judged by how far it gets, 0.6 mm, not by speeds from tick to tick: a hand
 /// trembles faster than it creeps.
 class PauseMeter {
  public:

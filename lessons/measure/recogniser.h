@@ -18,7 +18,7 @@ struct RecogniserRule {
   double newest_share = 0.2;   ///< of a shape felt again in what is remembered, at least
   double memory_days = 200;    ///< time constant with which a shape fades to what all share
   double same_at_least = 0.7;  ///< likeness from which two signs are held to be the same
-  double word_margin = 0.03;   ///< a word that was told is preferred to one spelt out by this much
+  double word_margin = 0.03;   ///< a word taught whole is preferred to one spelt out by this much
 };
 
 /// What the learner believes it felt.
@@ -33,18 +33,18 @@ class Recogniser {
  public:
   explicit Recogniser(RecogniserRule rule = {}) : rule_(rule) {}
 
-  /// This is how `label` feels, it was told, on this day. What gave no shape teaches nothing.
+  /// The learner is taught, on this day, how `label` feels. What gave no shape teaches nothing.
   void Remember(const std::string& label, const FeltShape& shape, double day);
-  /// The nearest of what was told; several signs are also read one by one by what single signs were
-  /// told. Where nothing was felt, any of them by `guess`. What was never told cannot be answered.
+  /// The nearest of what was taught; several signs are also read one by one, by the single signs
+  /// that were taught. Where nothing was felt, one of them by `guess`; never what was not taught.
   Naming Name(const FeltShape& shape, double day, std::uint64_t guess) const;
-  /// The same among what was told alone, nothing spelt out.
+  /// The same among what was taught alone, nothing spelt out.
   Naming NameTold(const FeltShape& shape, double day, std::uint64_t guess) const;
-  /// The nearer of two that were told; the one that was if only one was.
+  /// The nearer of two that were taught; the one that was if only one was.
   Naming Pick(const FeltShape& shape, const std::string& a, const std::string& b, double day,
               std::uint64_t guess) const;
   /// Whether the first half of the signs felt is like the second, and nearest to the same of what
-  /// was told; by `guess` where nothing was felt.
+  /// was taught; by `guess` where nothing was felt.
   bool AreSame(const FeltShape& shape, double day, std::uint64_t guess) const;
 
   bool Knows(const std::string& label) const { return memories_.count(label) > 0; }

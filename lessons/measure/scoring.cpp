@@ -26,7 +26,7 @@ struct TraceScorer::State {
   MovementMeter movement;
   std::size_t moving = 0;  ///< stroke of the movement
 
-  bool any = false;  ///< the rest tells of the sample before
+  bool any = false;  ///< the rest is of the sample before
   TraceSample last;
   bool last_counted = false;
   double last_error = 0, last_aside = 0;

@@ -6,14 +6,14 @@
 
 namespace moontrace {
 
-/// How far one way is from another, both as points in order [m]. Symmetric; 0 for the same points.
+/// How far one path is from another, both as points in order [m]. Symmetric; 0 for the same points.
 /// All zero where either has no point.
 struct ShapeDistance {
   /// Dynamic time warping: mean distance of the points matched in order so that it is least (Sakoe
   /// and Chiba 1978, symmetric form: a diagonal step counts twice, the sum is over both counts).
   double warped = 0;
-  double frechet = 0;    ///< discrete: shortest leash on which both ways can be walked
-  double hausdorff = 0;  ///< greatest distance of a point to the other way's points; no order
+  double frechet = 0;    ///< discrete: shortest leash on which both paths can be walked
+  double hausdorff = 0;  ///< greatest distance of a point to the other path's points; no order
 };
 ShapeDistance ShapeDistanceOf(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b);
 

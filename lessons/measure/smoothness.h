@@ -5,7 +5,7 @@
 
 namespace moontrace {
 
-/// How smooth one movement was. All zero where it was too short to tell.
+/// How smooth one movement was. All zero where it was too short to measure.
 struct Smoothness {
   double normalised_jerk = 0;  ///< dimensionless, >= 0; least, 720, for a minimum-jerk move
   double log_jerk = 0;         ///< log dimensionless jerk; closer to zero is smoother
@@ -14,10 +14,10 @@ struct Smoothness {
 };
 
 // Of a movement's speeds [m/s], taken at `rate` [Hz] from its start to its end. Jerk is that of
-// the speed along the way, so that a letter's curves do not count as jerk. Zero for fewer than 7
+// the speed along the path, so that a letter's curves do not count as jerk. Zero for fewer than 7
 // speeds and where nothing moved.
 
-/// Integral of the squared jerk x T^5 / D^2, T the time and D the length of the way.
+/// Integral of the squared jerk x T^5 / D^2, T the time and D the length of the path.
 double NormalisedJerk(const std::vector<double>& speeds, double rate);
 
 /// -ln(integral of the squared jerk x T^3 / greatest speed^2) (Balasubramanian, Melendez-Calderon,

@@ -36,7 +36,7 @@ class Spine {
   double length() const noexcept { return length_; }    ///< [m]
   glm::dvec2 start() const noexcept { return start_; }  ///< [m]
 
-  /// The nearest point of the spine: which way it goes there, and where `p` lies from it.
+  /// The nearest point of the spine: its direction there, and where `p` lies from it.
   struct Foot {
     glm::dvec2 tangent{1, 0};  ///< unit, in the sense of writing
     double aside = 0;          ///< of `p` from it along the normal, > 0 to the left [m]
@@ -62,7 +62,7 @@ class Spine {
   };
   static glm::dvec2 NearestOn(const Part& part, glm::dvec2 p, glm::dvec2& tangent) noexcept;
   static double CoverLine(const Part& part, glm::dvec2 p, double radius, CoveredLength& covered);
-  /// Exact only where it is below `nearest`; else some value not below it.
+  /// Exact only where it is below `nearest`; otherwise some value not below it.
   static double CoverArc(const Part& part, glm::dvec2 p, double radius, double nearest,
                          CoveredLength& covered);
 

@@ -50,8 +50,8 @@ struct StrokeTrace {
   bool landed = false;  ///< since the hand last came down on it
   bool out = false;     ///< beyond w/2 and not yet back within w/4
   double closest = std::numeric_limits<double>::infinity();  ///< of a dot [m]
-  glm::dvec2 mark{0, 0};  ///< where the way along or against it has been counted to [m]
-  std::size_t visit = 0;  ///< how manieth it was visited, from 1; 0: not
+  glm::dvec2 mark{0, 0};  ///< the path along or against it is counted up to here [m]
+  std::size_t visit = 0;  ///< its place in the order of visits, from 1; 0: not
   TipPath path;           ///< of the tip while following it
   TraceTally tally;
 };

@@ -52,7 +52,7 @@ void Include(TraceTally& sum, const Smoothness& smoothness, double time) {
 TraceMetrics MetricsOf(const TraceTally& tally) {
   TraceMetrics metrics;
   metrics.coverage = std::min(1.0, Ratio(tally.covered, tally.length));
-  // Touched without a way: a tip that rested in one place.
+  // Touched without a path: a tip that rested in one place.
   const bool moved = tally.way > 0;
   metrics.mean_error = moved ? tally.error_way / tally.way : tally.max_error;
   metrics.rms_error = moved ? std::sqrt(tally.square_way / tally.way) : tally.max_error;

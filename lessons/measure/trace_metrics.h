@@ -13,9 +13,9 @@ struct TraceMetrics {
   /// Share of the strokes' length that lies within w/4 of a sample, by the union of intervals. A
   /// dot counts one width w, covered when touched within w/4 of its centre.
   double coverage = 0;
-  /// Distance of the tip to its stroke [m], each bit weighed by the length of the tip's way in it,
+  /// Distance of the tip to its stroke [m], each bit weighed by the length of the tip's path in it,
   /// so that pausing weighs nothing. A dot's error is its closest approach and weighs one width.
-  /// Zero where nothing was touched: coverage tells.
+  /// Zero where nothing was touched: coverage shows that.
   double mean_error = 0;
   double rms_error = 0;
   double max_error = 0;
@@ -27,14 +27,14 @@ struct TraceMetrics {
   std::size_t lifts = 0;       ///< contact lost while following a stroke, and regained
   double entry_error = 0;      ///< greatest distance from the stroke's start at a landing [m]
 
-  double bias = 0;           ///< mean offset, > 0 to the left of the way, weighed as the errors [m]
+  double bias = 0;           ///< mean offset, > 0 to the left of the path, weighed as errors [m]
   double time_outside = 0;   ///< of the excursions, until back within w/4 [s]
   double contact_share = 0;  ///< of the duration, 0-1
   double mean_speed = 0;     ///< while following a stroke [m/s]
   std::size_t pauses = 0;    ///< in contact (PauseMeter, movement_meter.h)
   double pause_time = 0;     ///< [s]
   double mean_normal_force = 0, peak_normal_force = 0;  ///< across the page, in contact [N]
-  /// Way along the strokes less the way against them, as a share of both: 1 as written, -1
+  /// Path along the strokes less the path against them, as a share of both: 1 as written, -1
   /// backwards, 0 where nothing was followed.
   double direction = 0;
   /// Pairs of a letter's strokes that were visited in the order of writing less those that were
@@ -44,7 +44,7 @@ struct TraceMetrics {
   /// Mean over movements, each a stretch in contact along one stroke (movement_meter.h), weighed
   /// by time; peaks are summed. Zero where none was long enough.
   Smoothness smoothness;
-  /// Of the tip's way along each visited stroke from the stroke, both put on as many points a
+  /// Of the tip's path along each visited stroke from the stroke, both put on as many points a
   /// quarter of the groove's width apart (16 to 128): `warped` the mean weighed by length, the
   /// others the greatest.
   ShapeDistance shape;
@@ -59,7 +59,7 @@ double SpeedAccuracyCost(const TraceMetrics& metrics);
 struct TraceTally {
   double length = 0, covered = 0;  ///< intended [m]
   double way = 0;                  ///< of the tip, weight of the errors [m]
-  double error_way = 0;            ///< integral of the error over the way [m^2]
+  double error_way = 0;            ///< integral of the error over the path [m^2]
   double square_way = 0;           ///< of its square [m^3]
   double aside_way = 0;            ///< of the signed offset [m^2]
   double max_error = 0;

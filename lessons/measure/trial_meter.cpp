@@ -27,7 +27,7 @@ struct TrialMeter::State {
   bool touched = false;
   double first_touch = 0, last_touch = 0;  ///< [s]
 
-  bool any = false;  ///< the rest tells of the sample before
+  bool any = false;  ///< the rest is of the sample before
   glm::dvec3 tip_P{0, 0, 0}, guidance_P{0, 0, 0};
   double guided_time = 0;  ///< time in which a push was on [s]
   double impulse = 0;      ///< integral of the push's magnitude [N s]

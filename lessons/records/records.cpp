@@ -108,8 +108,8 @@ struct Records::Impl {
   }
 
   /// What was deleted is already zeros; cells that were moved before leave copies in the gaps of
-  /// pages, so the file is written anew. Told in the file, so that a program that is killed here
-  /// does it at its next start.
+  /// pages, so the file is written anew. The file notes this, so that after a kill the next
+  /// start does it.
   void Scrub() const {
     if (file.Number("SELECT count(*) FROM unfinished WHERE work = 'scrub'") == 0) return;
     file.Run("VACUUM");

@@ -55,7 +55,7 @@ struct DayFact {
   double smallest = 0;  ///< letters at which anything was named right, [m]; 0: none
 };
 
-/// All that a report tells, before words. Trials without an item are marks of the way and count
+/// All facts of a report, before words. Trials without an item (marks of steps and lessons) count
 /// nowhere; scaled ones count in `scaled` only.
 struct ReportFacts {
   std::vector<ItemFact> sure;      ///< at any size; small sizes first, then in the course's order
