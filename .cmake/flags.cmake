@@ -1,9 +1,11 @@
 # Warnings, sanitizers and floating-point rules, for our own targets only.
 add_library(moontrace_flags INTERFACE)
+# -Werror=switch, in every build: what handles each kind of a closed family has no default, so that a
+# kind that is added stops the compiler wherever it is forgotten.
 # -ffp-contract=off: replays are bit-equal, so no compiler may fuse a multiply and an add.
 # The other two change no result: nobody reads errno after sqrt or traps on floating-point flags.
 target_compile_options(moontrace_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off -fno-math-errno -fno-trapping-math
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror=switch -ffp-contract=off -fno-math-errno -fno-trapping-math
   $<$<BOOL:${MOONTRACE_WERROR}>:-Werror>)
 if(MOONTRACE_SANITIZE)
   target_compile_options(moontrace_flags INTERFACE

@@ -16,7 +16,7 @@ struct DeviceEntry {
   std::string path;     ///< of the HID node or plug-in
   std::string problem;  ///< why it cannot be opened and what mends it, one line; empty if it can
   std::string rule;     ///< of `problem`: the udev line that mends it, if one does
-  bool asked = false;   ///< its figures are its own answer, not its profile's word
+  bool asked = false;   ///< its figures come from the device, not from its profile
 };
 
 /// Every profile of a folder, by name. Throws DeviceError: no such folder, a broken profile.
@@ -30,17 +30,17 @@ std::vector<DeviceEntry> ListDevices(const std::string& profiles);
 /// PATH of `plugin:PATH`; empty if `name` is of another kind.
 std::string PluginPathOf(const std::string& name);
 
-/// How a device wants to be used.
+/// Which device to open, and how it will be used.
 struct DeviceRequest {
   std::string name;     ///< of an entry, or `plugin:PATH`
   double tick = 0.001;  ///< [s]
   double press = 1;     ///< for devices without a third axis [N]
-  /// If given, what opening found worth telling, one sentence; else left as it is.
+  /// If not null, receives a remark about the opening, one sentence; without one it stays as it is.
   std::string* remark = nullptr;
 };
 
-/// Opens a device; `profiles` as above. Throws DeviceError; an unknown name is told with the names
-/// that are there, nearest first.
+/// Opens a device; `profiles` as above. Throws DeviceError; for an unknown name the line lists the
+/// names that are there, nearest first.
 std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::string& profiles);
 
 /// The folder of device profiles that comes with the program.

@@ -17,22 +17,22 @@ struct DeviceState {
   std::uint32_t buttons = 0;  ///< bit i: button i is held
 };
 
-/// What a device holds and can do. Frame D.
+/// What a device can do and endure. Frame D.
 struct DeviceLimits {
   double peak_force = 3;    ///< on one axis, for a moment [N]
   double stiffness = 1000;  ///< greatest it renders stably [N/m]
   double damping = 3;       ///< of the device and the hand on it [N s/m]
   int late_ticks = 1;       ///< whole ticks between a force and its effect
 
-  /// On one axis, for ever [N]; the motors' heat grows with force squared and is lost with the time
-  /// constant `heat_time` [s]. Infinite and 0: it does not heat.
+  /// On one axis, continuously [N]; the motors' heat grows with force squared and is lost with the
+  /// time constant `heat_time` [s]. Infinite and 0: it does not heat.
   double continuous_force = std::numeric_limits<double>::infinity();
   double heat_time = 0;
   double peak_power = std::numeric_limits<double>::infinity();  ///< given to the hand [W]
   double force_rate = 3000;  ///< greatest change of a rising force [N/s], at least 3000
   double silence = 0.25;     ///< longest wait for a report while force is felt [s]
-  /// Longest that reports may tell the very same position while force is felt, before the force is
-  /// taken back to see whether the tip answers [s]; infinite: it cannot stick.
+  /// Longest that reports may give the very same position while force is felt; then the force is
+  /// reduced to see whether the tip moves [s]. Infinite: it cannot stick.
   double still = std::numeric_limits<double>::infinity();
   double friction = 0;  ///< Coulomb, on the tip [N]; 0 where it is unknown
   double dead_man = 0;  ///< after which the device itself lets go [s]; 0: it never does by itself
@@ -58,8 +58,8 @@ class Device {
   /// Leaves `state` as it is unless kOk.
   virtual DeviceStatus Read(DeviceState& state) noexcept = 0;
   virtual DeviceStatus Write(glm::dvec3 f_D) noexcept = 0;
-  /// Of a lost device: why, as far as more is known than that it is gone; a clause like "the
-  /// plug-in hung". For whoever destroys it, not for the tick: may wait up to a second.
+  /// Why a lost device was lost, as a clause like "the plug-in hung"; empty if nothing more is
+  /// known than that it is gone. Not for the tick: may wait up to a second.
   virtual std::string WhyLost() { return {}; }
 };
 

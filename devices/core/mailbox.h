@@ -7,8 +7,8 @@
 
 namespace moontrace {
 
-/// The newest value from one thread to one other: three places, of which each side holds one and
-/// the third changes hands. Neither side ever waits; older values are overwritten.
+/// The newest value from one thread to one other: three slots, of which each side holds one and the
+/// third is exchanged. Neither side ever waits; older values are overwritten.
 template <class T>
 class Mailbox {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -17,7 +17,7 @@ enum class DeviceKind { kPid, kWoodenHaptics, kRawHid, kPuck, kPlugin };
 /// One axis of a device as one axis of frame D.
 struct AxisMap {
   std::uint16_t usage = 0;  ///< HID usage of the generic desktop page, 0x30 X to 0x38 wheel
-  double sign = 1;          ///< -1: it grows the other way
+  double sign = 1;          ///< -1: it grows in the opposite direction
 };
 
 /// kPid: how a stick becomes the tip, and what presses the tip onto the page.
@@ -25,12 +25,12 @@ struct StickMap {
   enum class Press { kSetting, kButton, kAxis };
   AxisMap right{0x30, 1};  ///< x of frame D
   AxisMap away{0x31, -1};  ///< y of frame D: HID's Y grows towards the person
-  /// At the tip when the magnitude is greatest [N]; where it is unknown, rather too much: then the
-  /// true force is below the wanted one. The tip's way between an axis's ends is the workspace.
+  /// Force at the tip at the greatest magnitude [N]. If it is unknown, a value too high is safer:
+  /// the true force is then below the wanted one. Each axis, from end to end, spans the workspace.
   double full_force = 10;
   Press press = Press::kSetting;
   int press_button = 0;         ///< kButton: presses while held; 0 is the first
-  AxisMap press_axis{0x36, 1};  ///< kAxis: from its least, no press, to its most, the full one
+  AxisMap press_axis{0x36, 1};  ///< kAxis: its least is no press, its greatest the full one
 };
 
 /// kWoodenHaptics: three bodies A (turns about the upright), B and C (swing in the plane that A has
@@ -46,7 +46,7 @@ struct ArmGeometry {
   double peak_current = 0;                 ///< [A]
   glm::dvec3 origin_M{0, 0, 0};            ///< middle of the workspace [m]
   std::array<double, 3> rest{};            ///< angles of A, B, C in which it is homed [rad]
-  std::size_t report_bytes = 8;            ///< of its input report; tells the generations apart
+  std::size_t report_bytes = 8;            ///< of its input report; differs between the generations
 };
 
 /// kPuck: how a deflected puck moves the tip.
@@ -54,12 +54,12 @@ struct PuckMap {
   double full_scale = 350;  ///< greatest count of an axis
   double dead_zone = 0;     ///< counts that are rest
   double top_speed = 0;     ///< of the tip at full deflection [m/s]
-  /// Which of the puck's translations (0, 1, 2) moves x, y, z of frame D, and which way.
+  /// Which of the puck's translations (0, 1, 2) moves x, y, z of frame D, and in which direction.
   std::array<int, 3> axis{0, 1, 2};
   std::array<double, 3> sign{1, 1, 1};
 };
 
-/// What is known of a device beforehand: `devices/profiles/NAME.toml`.
+/// What is known of a device in advance: `devices/profiles/NAME.toml`.
 struct DeviceProfile {
   std::string name;   ///< of the file, what `--device` takes
   std::string title;  ///< for people
@@ -71,7 +71,7 @@ struct DeviceProfile {
   std::vector<Id> ids;          ///< empty: recognised by its descriptor
   DeviceLimits limits;          ///< `stiffness` is the maker's figure here, see StableStiffness
   double rate = 1000;           ///< updates a second of all its forces [Hz]
-  double delay = 0.001;         ///< from force to motion and back, beside one period [s]
+  double delay = 0.001;         ///< from force to motion and back, on top of one period [s]
   double position_step = 0;     ///< resolution [m]
   double force_step = 0;        ///< resolution [N]
   double coulomb_friction = 0;  ///< f_c [N]

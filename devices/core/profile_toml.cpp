@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <toml++/toml.h>
 #include <algorithm>
@@ -10,13 +10,14 @@
 #include "devices/core/device_error.h"
 #include "devices/core/profile.h"
 #include "devices/core/toml_file.h"
+#include "textures/base/enum_names.h"
 #include "textures/base/nearest_word.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
 constexpr std::size_t kMostIds = 64;
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// A number of the file, in the file's unit.
 struct Number {
@@ -35,18 +36,37 @@ struct Triple {
   double least, most;
 };
 
-struct KindName {
-  const char* name;
-  DeviceKind kind;
-  const char* table;  ///< of its own keys, or nothing
-};
-constexpr KindName kKinds[] = {
-    {"pid", DeviceKind::kPid, "stick"},
-    {"wooden-haptics", DeviceKind::kWoodenHaptics, "arm"},
-    {"raw-hid", DeviceKind::kRawHid, nullptr},
-    {"puck", DeviceKind::kPuck, "puck"},
-    {"plugin", DeviceKind::kPlugin, nullptr},
-};
+constexpr std::string_view NameOf(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::kPid:
+      return "pid";
+    case DeviceKind::kWoodenHaptics:
+      return "wooden-haptics";
+    case DeviceKind::kRawHid:
+      return "raw-hid";
+    case DeviceKind::kPuck:
+      return "puck";
+    case DeviceKind::kPlugin:
+      return "plugin";
+  }
+  return {};
+}
+
+/// The table of a kind's own keys, or nothing.
+std::string_view TableOf(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::kPid:
+      return "stick";
+    case DeviceKind::kWoodenHaptics:
+      return "arm";
+    case DeviceKind::kPuck:
+      return "puck";
+    case DeviceKind::kRawHid:
+    case DeviceKind::kPlugin:
+      break;
+  }
+  return {};
+}
 
 struct AxisName {
   const char* name;
@@ -148,7 +168,7 @@ std::vector<std::string> KeysOf(const Entries& entries, std::vector<std::string>
   return others;
 }
 
-/// "x", "-slider": an axis and the way it grows.
+/// "x", "-slider": an axis and the direction in which it grows.
 AxisMap ReadAxis(const Reader& reader, const toml::table& table, const char* key) {
   const toml::node& node = reader.Require(table, key);
   std::string text = reader.TextAt(node, key);
@@ -176,14 +196,14 @@ void ReadStick(const Reader& reader, const toml::table& table, StickMap& stick) 
   stick.right = ReadAxis(reader, table, "right_axis");
   stick.away = ReadAxis(reader, table, "away_axis");
   const toml::node& press = reader.Require(table, "press");
-  const std::string way = reader.TextAt(press, "press");
-  if (way == "setting") {
+  const std::string presser = reader.TextAt(press, "press");
+  if (presser == "setting") {
     stick.press = StickMap::Press::kSetting;
-  } else if (way == "button") {
+  } else if (presser == "button") {
     stick.press = StickMap::Press::kButton;
     stick.press_button =
         static_cast<int>(reader.WholeAt(reader.Require(table, "press_button"), "press_button", 31));
-  } else if (way == "axis") {
+  } else if (presser == "axis") {
     stick.press = StickMap::Press::kAxis;
     stick.press_axis = ReadAxis(reader, table, "press_axis");
   } else {
@@ -297,14 +317,12 @@ std::vector<Number> ProfileNumbers(DeviceProfile& profile) {
   };
 }
 
-const KindName& ReadKind(const Reader& reader, const toml::table& table) {
+DeviceKind ReadKind(const Reader& reader, const toml::table& table) {
   const toml::node& node = reader.Require(table, "kind");
-  const std::string kind = reader.TextAt(node, "kind");
-  for (const KindName& entry : kKinds) {
-    if (kind == entry.name) return entry;
-  }
+  const std::optional<DeviceKind> kind = ValueNamed(reader.TextAt(node, "kind"), &NameOf);
+  if (kind) return *kind;
   reader.Fail(node.source(),
-              "kind is none of pid, wooden-haptics, raw-hid, puck, plugin: give one");
+              fmt::format("kind is none of {}: give one", fmt::join(AllNames(&NameOf), ", ")));
 }
 
 void CheckForces(const Reader& reader, const toml::table& table, const DeviceLimits& limits) {
@@ -323,12 +341,11 @@ void CheckForces(const Reader& reader, const toml::table& table, const DeviceLim
 }
 
 void ReadProfile(const Reader& reader, const toml::table& table, DeviceProfile& profile) {
-  const KindName& kind = ReadKind(reader, table);
-  profile.kind = kind.kind;
+  profile.kind = ReadKind(reader, table);
   const std::vector<Number> numbers = ProfileNumbers(profile);
   std::vector<std::string> known = {"title",  "kind",    "id",          "measures",
                                     "pushes", "buttons", "workspace_mm"};
-  if (kind.table != nullptr) known.emplace_back(kind.table);
+  if (!TableOf(profile.kind).empty()) known.emplace_back(TableOf(profile.kind));
   reader.CheckKeys(table, KeysOf(numbers, known));
   profile.title = reader.TextAt(reader.Require(table, "title"), "title");
   ReadIds(reader, table, profile.ids);
@@ -338,7 +355,7 @@ void ReadProfile(const Reader& reader, const toml::table& table, DeviceProfile& 
   profile.limits.buttons =
       static_cast<int>(reader.WholeAt(reader.Require(table, "buttons"), "buttons", 32));
   if (table.get("workspace_mm") != nullptr) {
-    // The file tells the whole extent, the limits its edges around the middle.
+    // The file gives the whole extent, the limits the distance from the middle to each edge.
     reader.ReadTriples(table, {{"workspace_mm", &profile.limits.workspace_D.x, 0.5e-3, 1, 2000}});
   }
   CheckForces(reader, table, profile.limits);

@@ -16,7 +16,7 @@ namespace moontrace {
 /// 1. It does not skip. When the flank gives way the hand is F/K beyond it, and there the tip
 ///    lands: at most 0.25 em on, half way to the nearest stroke. F/K <= 0.25 em.
 /// 2. It feels slopes, not stairs. A flank, w/2 - r wide, spans at least five position steps.
-/// 3. It holds the hand. One that drifts sideways by 6 % of the way (devices/hand.toml) over a
+/// 3. It holds the hand. One that drifts sideways by 6 % of its path (devices/hand.toml) over a
 ///    stroke of one em, with 200 N/m, pulls with 12 N/m em. 12 N/m em <= F.
 ///
 /// 1 and 2 bound the size from below, 3 from above: a device whose force is too weak for the size

@@ -13,11 +13,11 @@
 namespace moontrace {
 namespace {
 
-/// A lifted tip hovers so far above the place that is meant: clear of any ridge [m].
+/// A lifted tip hovers so far above the aim: clear of any ridge [m].
 constexpr double kHover = 0.005;
-/// No faster does a hand go, however far a mouse springs [m/s].
+/// The hand goes no faster than this, however far a mouse jumps [m/s].
 constexpr double kFastest = 1;
-/// What is meant farther away than this is gone to through the air: no pen is drawn there [m].
+/// An aim farther away than this is approached through the air, without pressing [m].
 constexpr double kFar = 0.05;
 
 bool IsUsable(const StylusAim& aim) noexcept {
@@ -61,7 +61,7 @@ class AimedStylus final : public Device {
         relax_(MotionOver(1, hand.stiffness / hand.mass, 2 * std::sqrt(hand.stiffness / hand.mass),
                           tick)),
         forces_(static_cast<std::size_t>(hand.late_ticks) + 1, glm::dvec3(0, 0, 0)) {
-    tip_.x = meant_.x = kHover * up_;
+    tip_.x = intent_.x = kHover * up_;
   }
 
   DeviceLimits Limits() const noexcept override {
@@ -93,8 +93,8 @@ class AimedStylus final : public Device {
   }
 
   bool IsPressing() const noexcept {
-    const glm::dvec3 way = aim_.p_D - meant_.x;
-    return aim_.press > 0 && glm::length(way - glm::dot(way, up_) * up_) <= kFar;
+    const glm::dvec3 offset = aim_.p_D - intent_.x;
+    return aim_.press > 0 && glm::length(offset - glm::dot(offset, up_) * up_) <= kFar;
   }
 
   /// The force written `late_ticks` ticks ago; keeps the one written now.
@@ -104,18 +104,18 @@ class AimedStylus final : public Device {
     return forces_[slot_];
   }
 
-  /// What the hand means goes to the aim as quickly as the hand can, without overshoot: a mouse
-  /// tells its place in jumps.
-  void Mean(bool pressing) noexcept {
+  /// Moves the intended point to the aim as quickly as the hand can, without overshoot: a mouse
+  /// reports its place in jumps.
+  void MoveIntent(bool pressing) noexcept {
     const glm::dvec3 aim = aim_.p_D + (pressing ? 0 : kHover) * up_;
-    const glm::dvec3 before = meant_.x;
-    meant_.x -= aim;
-    meant_.Advance(relax_, glm::dvec3(0, 0, 0));
-    meant_.x += aim;
-    const double haste = glm::length(meant_.v) / kFastest;
+    const glm::dvec3 before = intent_.x;
+    intent_.x -= aim;
+    intent_.Advance(relax_, glm::dvec3(0, 0, 0));
+    intent_.x += aim;
+    const double haste = glm::length(intent_.v) / kFastest;
     if (haste > 1) {
-      meant_.v /= haste;
-      meant_.x = before + tick_ * meant_.v;
+      intent_.v /= haste;
+      intent_.x = before + tick_ * intent_.v;
     }
     Motion<double> press{press_.x - aim_.press, press_.v};
     press.Advance(relax_, 0);
@@ -126,21 +126,21 @@ class AimedStylus final : public Device {
   void Advance() noexcept {
     const glm::dvec3 force = ArrivingForce();
     const bool pressing = IsPressing();
-    const glm::dvec3 before = meant_.x;
-    Mean(pressing);
-    // spring and damper hang on a point that goes evenly from where it was to where it is
-    const glm::dvec3 speed = (meant_.x - before) / tick_;
+    const glm::dvec3 before = intent_.x;
+    MoveIntent(pressing);
+    // the spring and damper are fixed to a point that moves evenly over the tick
+    const glm::dvec3 speed = (intent_.x - before) / tick_;
     Motion<glm::dvec3> hung{tip_.x - before, tip_.v - speed};
     hung.Advance(held_, force);
-    hung = {hung.x + meant_.x, hung.v + speed};
+    hung = {hung.x + intent_.x, hung.v + speed};
     if (pressing) {
       Motion<double> height{glm::dot(tip_.x, up_), glm::dot(tip_.v, up_)};
       height.Advance(pressed_, glm::dot(force, up_) - press_.x);
       hung.x += (height.x - glm::dot(hung.x, up_)) * up_;
       hung.v += (height.v - glm::dot(hung.v, up_)) * up_;
-      // the hand lifts from where it is
-      meant_.x += (height.x - glm::dot(meant_.x, up_)) * up_;
-      meant_.v -= glm::dot(meant_.v, up_) * up_;
+      // when the press ends, the hand lifts from where it is
+      intent_.x += (height.x - glm::dot(intent_.x, up_)) * up_;
+      intent_.v -= glm::dot(intent_.v, up_) * up_;
     }
     tip_ = hung;
   }
@@ -151,14 +151,14 @@ class AimedStylus final : public Device {
   double damping_ = 0;
   int late_ticks_ = 0;
   TickMotion held_, pressed_, relax_;
-  std::vector<glm::dvec3> forces_;  ///< on their way, a ring [N]
+  std::vector<glm::dvec3> forces_;  ///< not yet arrived, a ring buffer [N]
   std::size_t slot_ = 0;
   std::uint64_t ticks_ = 0;
   StylusAim aim_;
   glm::dvec3 written_{0, 0, 0};
-  Motion<glm::dvec3> tip_;    ///< [m], [m/s]
-  Motion<glm::dvec3> meant_;  ///< the point that the tip hangs on [m], [m/s]
-  Motion<double> press_;      ///< on its way to the aim's [N], [N/s]
+  Motion<glm::dvec3> tip_;     ///< [m], [m/s]
+  Motion<glm::dvec3> intent_;  ///< the point that the spring pulls the tip to [m], [m/s]
+  Motion<double> press_;       ///< approaches the aim's [N], [N/s]
 };
 
 }  // namespace

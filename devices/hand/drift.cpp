@@ -3,12 +3,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
-namespace {
-
-constexpr double kTurn = 6.283185307179586476925;
-
-}  // namespace
 
 Drift::Drift(double share, double wavelength, const TickMotion& relax, std::uint64_t seed)
     : reach_(share * wavelength / kTurn),
@@ -34,7 +31,7 @@ void Drift::Travel(glm::dvec2 step) noexcept {
   rest_ += aside_ * (left_ - left);  // a turn does not move the offset at once
   left_ = left;
   travelled_ += length;
-  // The integral of the sine over this bit of way, in closed form.
+  // The integral of the sine over this bit of path, in closed form.
   const double cosine = std::cos(wave_number_ * travelled_ + phase_);
   aside_ += reach_ * (cosine_ - cosine);
   cosine_ = cosine;

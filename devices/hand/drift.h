@@ -8,17 +8,18 @@
 
 namespace moontrace {
 
-/// Sideways drift that a hand does not notice: each bit of way travelled on the page carries it
-/// aside by share * sin(2 pi s / wavelength + phase) of that bit, s the length travelled since the
-/// hand began to press, the phase by the seed and new at each approach. The sum stands across the
-/// present direction of travel; where that turns, the offset follows as quickly as the hand can.
+/// Sideways drift that a hand does not notice: each bit of path travelled on the page moves it
+/// sideways by share * sin(2 pi s / wavelength + phase) of that length, with s the length travelled
+/// since the hand began to press and a phase drawn anew at each approach. The sum is perpendicular
+/// to the present direction of travel; where that turns, the offset follows as quickly as the hand
+/// can.
 class Drift {
  public:
   /// `share` [m/m], `wavelength` > 0 [m]; `relax` is the motion by which the offset follows a turn,
   /// and dies away while the hand does not press.
   Drift(double share, double wavelength, const TickMotion& relax, std::uint64_t seed);
 
-  /// The hand begins to press: no offset, no way travelled, a new phase.
+  /// The hand begins to press: no offset, no path travelled, a new phase.
   void Begin() noexcept;
   /// A tick of pressing in which the aim has moved by `step` [m] in the page's plane.
   void Travel(glm::dvec2 step) noexcept;

@@ -16,8 +16,8 @@
 namespace moontrace {
 namespace {
 
-/// Columns: two directions across the press and the way up, right-handed. The first is the x axis
-/// as nearly as it can be, so that a page tilted about x is felt as a level one is.
+/// Columns: two directions across the press, and up out of the page, right-handed. The first is the
+/// x axis as nearly as it can be, so that a page tilted about x is felt as a level one is.
 glm::dmat3 FrameFor(glm::dvec3 press_direction) {
   const glm::dvec3 up = -glm::normalize(press_direction);
   glm::dvec3 across = glm::dvec3(1, 0, 0) - up.x * up;
@@ -123,7 +123,7 @@ class SimulatedStylus final : public Device {
     return forces_[slot_];
   }
 
-  /// One axis on spring and damper whose other end goes evenly from `from` to `to`.
+  /// Moves one axis on a spring and damper whose other end moves evenly from `from` to `to`.
   void Follow(int axis, double from, double to, double force) noexcept {
     const double aim_speed = (to - from) / tick_;
     double x = p_[axis] - from;
@@ -179,7 +179,7 @@ class SimulatedStylus final : public Device {
   bool repeats_ = false;
   double lap_begin_ = 0;            ///< when the path began last, repetitions counted [s]
   std::vector<HandPoint> points_;   ///< in the frame of FrameFor
-  std::vector<glm::dvec3> forces_;  ///< on their way, a ring
+  std::vector<glm::dvec3> forces_;  ///< not yet arrived, a ring buffer
   std::size_t slot_ = 0;
   std::size_t next_ = 0;  ///< first point later than now
   std::uint64_t ticks_ = 0;

@@ -9,8 +9,8 @@ struct TickMotion {
   double vx = 0, vv = 1, vf = 0;
 };
 
-/// Solves m x'' = -k x - b x' + f over `tick` [s] in closed form, whichever way it is damped. Needs
-/// mass > 0 [kg], stiffness >= 0 [N/m], damping >= 0 [N s/m].
+/// Solves m x'' = -k x - b x' + f over `tick` [s] in closed form, for any damping. Needs mass > 0
+/// [kg], stiffness >= 0 [N/m], damping >= 0 [N s/m].
 TickMotion MotionOver(double mass, double stiffness, double damping, double tick);
 
 /// Moves one axis over the tick under the force `f` [N].

@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "textures/base/random.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kTurn = 6.283185307179586476925;
 /// One oscillator is anchored again every so many ticks, so each after 24 times as many: rotating
 /// by products drifts by some 1e-16 a tick, far below a nanometre in that time.
 constexpr std::uint64_t kAnchorTicks = 32;

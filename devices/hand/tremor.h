@@ -8,8 +8,8 @@
 namespace moontrace {
 
 /// Tremor of an aim: on each axis a sum of sinusoids of equal amplitude, one in each part of the
-/// band, frequencies and phases by the seed. Their mean square over a long time is rms^2 exactly.
-/// Phases stay exact however long it runs.
+/// band, with frequencies and phases drawn from the seed. Their mean square over a long time is
+/// rms^2 exactly. Phases stay exact however long it runs.
 class Tremor {
  public:
   static constexpr std::size_t kPerAxis = 8;

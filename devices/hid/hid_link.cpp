@@ -81,7 +81,7 @@ struct HidLink::Impl {
 
   std::atomic<bool> alive{true};
   std::atomic<bool> closing{false};
-  std::atomic<double> write_began{0};  // [s]; 0: none is under way
+  std::atomic<double> write_began{0};  // [s]; 0: no write is waiting
   std::atomic<int> running{2};
 };
 
@@ -120,7 +120,8 @@ void HidLink::Impl::ReadAll() noexcept {
       if (newest[i].size > 0) inputs[i].Put(newest[i]);
       newest[i].size = 0;
     }
-    if (drained == kMostDrained) std::this_thread::sleep_for(kPoll);  // a flood: others live too
+    if (drained == kMostDrained)
+      std::this_thread::sleep_for(kPoll);  // a flood of reports: other threads must run too
   }
 }
 

@@ -26,8 +26,8 @@ struct HidLinkOptions {
   /// not number its reports and every report goes into mailbox 0.
   std::vector<std::uint8_t> inputs;
   std::size_t outputs = 1;  ///< places of newest-value output reports
-  /// An output that has not changed is sent again after this time: what keeps a device's dead-man
-  /// quiet. 0: only changes are sent [s].
+  /// An output that has not changed is sent again after this time, so that the device's dead-man
+  /// does not let go [s]. 0: only changes are sent.
   double repeat_every = 0;
   /// Sent over and over at this period while the tick puts something (PID: effect operation start)
   /// [s].
@@ -55,10 +55,10 @@ class HidLink {
   void Put(std::size_t place, std::span<const std::uint8_t> report) noexcept;
   /// False once a read or write failed: the device is gone for good.
   bool IsAlive() const noexcept;
-  /// Reports that came with a number none of `inputs` has: such a device talks garbage.
+  /// Reports whose number is not among `inputs`: a device that sends them is faulty.
   std::uint32_t Strays() const noexcept;
-  /// How long the write that is under way has been waiting [s]; 0 if none is. A deaf device shows
-  /// here.
+  /// How long the present write has been blocked [s]; 0 if there is none. Grows when a device takes
+  /// no more reports.
   double WaitingWrite() const noexcept;
 
  private:

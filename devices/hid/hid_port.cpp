@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::size_t kMostDescriptor = 4096;  // [bytes], what the kernel takes
 
-/// hidapi keeps what went wrong at listing and opening in one place without a lock.
-std::mutex& Turn() {
+/// Guards listing and opening, whose errors hidapi keeps in one global without a lock.
+std::mutex& HidapiMutex() {
   static std::mutex turn;
   return turn;
 }
@@ -88,7 +88,7 @@ std::string RuleFor(const std::string& path, const std::vector<HidInfo>& list) {
 /// hidapi 0.13.1 writes into freed memory when it opens a file that is no HID node: only nodes and
 /// listed paths are passed on.
 hid_device* OpenNode(const std::string& path) {
-  const std::scoped_lock lock(Turn());
+  const std::scoped_lock lock(HidapiMutex());
   const bool is_node = path.rfind("/dev/hidraw", 0) == 0;
   if (!is_node && !IsListed(path, Enumerate())) {
     throw DeviceError(fmt::format("{}: no HID device: \"moontrace devices\" lists them", path));
@@ -130,7 +130,7 @@ hid_device* Native(void* handle) { return static_cast<hid_device*>(handle); }
 bool HidIsBuiltIn() { return true; }
 
 std::vector<HidInfo> ListHid() {
-  const std::scoped_lock lock(Turn());
+  const std::scoped_lock lock(HidapiMutex());
   return Enumerate();
 }
 

@@ -26,7 +26,7 @@ std::string_view SentenceOf(HomingStep step) {
       return "Move the arm a little, put it in its rest, hold it still for a second.";
     case HomingStep::kMove:
       return "Now move the tip up, to the right and towards you, 2 cm each.";
-    case HomingStep::kWrongWay:
+    case HomingStep::kWrongDirection:
       return "It moved the wrong way: move it, put it in its rest, hold it for a second.";
     case HomingStep::kDone:
       break;
@@ -46,7 +46,7 @@ HomingStep Homing::Advance(const ArmCounts& counts, double time) noexcept {
     first_ = still_ = counts;
     still_since_ = time;
   }
-  if (step_ == HomingStep::kRest || step_ == HomingStep::kWrongWay) {
+  if (step_ == HomingStep::kRest || step_ == HomingStep::kWrongDirection) {
     SeekRest(counts, time);
   } else if (step_ == HomingStep::kMove) {
     CheckSense(counts);
@@ -78,7 +78,7 @@ void Homing::CheckSense(const ArmCounts& counts) noexcept {
     is_done = is_done && is_checked;
     if (!is_checked && asked[i] <= -kChecked) {
       Reset();
-      step_ = HomingStep::kWrongWay;
+      step_ = HomingStep::kWrongDirection;
       return;
     }
   }

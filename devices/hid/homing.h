@@ -12,23 +12,23 @@ namespace moontrace {
 
 /// What the person is asked to do before an arm without absolute encoders may push.
 enum class HomingStep : std::uint8_t {
-  kRest,      ///< move it a little, then hold it still in its rest for a second
-  kMove,      ///< lift it, to the right and towards the person: the encoders' sense is checked
-  kWrongWay,  ///< it moved another way: as kRest, but say so
+  kRest,  ///< move it a little, then hold it still in its rest for a second
+  kMove,  ///< lift it, to the right and towards the person: the encoders' sense is checked
+  kWrongDirection,  ///< it moved in another direction: as kRest, after saying so
   kDone,
 };
 
 /// What to say; one line of at most 80 columns. Empty for kDone.
 std::string_view SentenceOf(HomingStep step);
 
-/// Finds the rest position: pure, fed with encoder counts. An arm that merely lies somewhere is not
-/// taken to be at rest: it must have been moved since, for a person to be there.
+/// Finds the rest position from encoder counts; pure. An arm that just lies somewhere is not taken
+/// to be at rest: it must have been moved before, which shows that a person is there.
 class Homing {
  public:
   static constexpr double kStillTime = 1;    ///< [s]
-  static constexpr int kStill = 16;          ///< counts that a hand trembles, about 1 mm
+  static constexpr int kStill = 16;          ///< counts within which a hand trembles, about 1 mm
   static constexpr int kMoved = 200;         ///< counts that are a motion, about 1 cm
-  static constexpr double kChecked = 0.015;  ///< way along each axis that shows the sense [m]
+  static constexpr double kChecked = 0.015;  ///< travel along each axis that shows the sense [m]
 
   explicit Homing(const ArmGeometry& arm) : arm_(arm) {}
   /// The counts at `time` [s], ascending.
@@ -51,10 +51,10 @@ class Homing {
   std::array<bool, 3> is_checked_{};
 };
 
-/// What a device that needs homing is as well (dynamic_cast from Device). Until kDone its Read says
-/// kNotReady, and again if it finds itself where no arm can be; the tick that feeds Read and Write
-/// drives the homing, so nothing more is needed than to say SentenceOf(NextStep()) when it changes.
-/// Commands and the loop's reopening thread use OpenHomed (sim/session/device_opening.h).
+/// Second interface of a device that needs homing (dynamic_cast from Device). Until kDone its Read
+/// says kNotReady, and again if its angles become impossible. Read and Write drive the homing; the
+/// caller only has to say SentenceOf(NextStep()) when it changes. Commands and the loop's reopening
+/// thread use OpenHomed (sim/session/device_opening.h).
 class NeedsHoming {
  public:
   virtual ~NeedsHoming() = default;

@@ -17,14 +17,14 @@ bool PidReportsFit(const PidLayout& layout) noexcept;
 /// strong as the device allows. By its fixed direction a positive magnitude raises the axis's
 /// value.
 HidReport EncodeSetEffect(const PidLayout& layout, int block, int axis, double duration) noexcept;
-/// `share` of the greatest magnitude, -1 to 1; what is no number counts as 0.
+/// `share` of the greatest magnitude, -1 to 1; NaN counts as 0.
 HidReport EncodeConstantForce(const PidLayout& layout, int block, double share) noexcept;
 /// pid::kStart or pid::kStop.
 HidReport EncodeOperation(const PidLayout& layout, int block, HidUsage operation) noexcept;
 HidReport EncodeBlockFree(const PidLayout& layout, int block) noexcept;
 /// pid::kEnable, kDisable, kStopAll or kReset.
 HidReport EncodeControl(const PidLayout& layout, HidUsage command) noexcept;
-/// The full gain: profiles count on it.
+/// Sets full gain, which the profiles assume.
 HidReport EncodeDeviceGain(const PidLayout& layout) noexcept;
 /// Feature: asks for a block for a constant force.
 HidReport EncodeCreateEffect(const PidLayout& layout) noexcept;
@@ -37,12 +37,12 @@ struct PidBlockLoad {
 PidBlockLoad DecodeBlockLoad(const PidLayout& layout,
                              std::span<const std::uint8_t> report) noexcept;
 
-/// A state report. What a device does not tell is as it should be.
+/// A state report. What a device does not report is taken to be in order.
 struct PidState {
   bool is_paused = false, is_enabled = true, has_power = true;
-  bool safety = false;  ///< the standard does not say which way round
+  bool safety = false;  ///< the standard does not say which value is the safe one
   bool is_playing = false;
-  int block = 0;  ///< that `is_playing` speaks of; 0: not told
+  int block = 0;  ///< that `is_playing` is about; 0: not reported
 };
 PidState DecodeState(const PidLayout& layout, std::span<const std::uint8_t> report) noexcept;
 

@@ -17,10 +17,11 @@
 namespace moontrace {
 namespace {
 
-constexpr double kRenewEvery = 0.015;   // [s], well within an effect's duration
-constexpr double kUnboundReach = 0.05;  // from the middle to the end where no workspace is told [m]
-constexpr double kLifted = 0.01;        // any height above the page [m]
-constexpr double kAtRest = 0.02;        // share of a pressing axis that is no press
+constexpr double kRenewEvery = 0.015;  // [s], well within an effect's duration
+constexpr double kUnboundReach =
+    0.05;                         // from the middle to the end where no workspace is known [m]
+constexpr double kLifted = 0.01;  // any height above the page [m]
+constexpr double kAtRest = 0.02;  // share of a pressing axis that is no press
 
 constexpr std::size_t kEnablePlace = 2;  // of the link's outputs, after the two motors
 
@@ -70,7 +71,7 @@ class PidDevice final : public Device {
         newest_(plan_.inputs.size()),
         safety_at_opening_(plan_.setup.state.safety),
         is_ready_(IsReady(plan_.setup.state)) {
-    // Once more through the link: a state that was told between set-up and here would be missed.
+    // Once more through the link: a state reported between set-up and here would be missed.
     if (plan_.layout.control.command.Offers(pid::kEnable)) {
       link_.Put(kEnablePlace, EncodeControl(plan_.layout, pid::kEnable).span());
     }
@@ -108,7 +109,7 @@ class PidDevice final : public Device {
                link_.WaitingWrite() > plan_.limits.silence;
   }
 
-  /// True if the position or a button was told.
+  /// True if the position or a button was reported.
   bool TakeReports() noexcept {
     bool is_fresh = false;
     for (std::size_t i = 0; i < newest_.size(); ++i) {

@@ -22,8 +22,8 @@ namespace moontrace {
 /// switch has moved since it was opened; kLost once it is unplugged, takes no reports for
 /// limits.silence, or sends reports that its descriptor does not know.
 ///
-/// `tick` [s]. `autocentre`, if given, is told what became of the device's own centring spring, one
-/// sentence. Blocks while opening. Throws DeviceError.
+/// `tick` [s]. `autocentre`, if given, receives one sentence about the device's own centring
+/// spring. Blocks while opening. Throws DeviceError.
 std::unique_ptr<Device> MakePidDevice(const HidInfo& info, const DeviceProfile& profile,
                                       double tick, double press, std::string* autocentre = nullptr);
 

@@ -81,13 +81,13 @@ void FindEffect(const HidDescriptor& d, PidLayout& out) {
     effect.direction[i] = BitsOf(*report, kOrdinal | (1 + i), pid::kPage | 0x57);
     out.motors[i] = effect.axis_enable[i].IsThere();
   }
-  if (!out.motors[0] && !out.motors[1]) {  // axes not told apart: as many as directions
+  if (!out.motors[0] && !out.motors[1]) {  // axes not named: as many as directions
     out.motors = {true, effect.direction[1].IsThere()};
   }
 }
 
 void FindForce(const HidDescriptor& d, PidLayout& out) {
-  // Periodic effects have a magnitude too: the collection tells them apart.
+  // Periodic effects have a magnitude too: the collection distinguishes them.
   const auto* const report =
       ReportWith(d, HidReportType::kOutput, pid::kPage | 0x70, pid::kPage | 0x73);
   if (report == nullptr) return;

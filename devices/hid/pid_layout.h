@@ -22,7 +22,7 @@ inline constexpr HidUsage kEnable = kPage | 0x97, kDisable = kPage | 0x98, kStop
                           kReset = kPage | 0x9a;
 }  // namespace pid
 
-/// One of several usages, as the device wants it told: by a number (array) or by a bit of its own.
+/// A choice among usages in the device's encoding: by a number (array) or by one bit for each.
 struct HidChoice {
   struct Option {
     HidUsage usage = 0;

@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 
 constexpr int kLoadTries = 60;  // as the kernel's own driver
 constexpr milliseconds kBetweenTries(2);
-constexpr milliseconds kStateWait(500);  // not every device tells its state
+constexpr milliseconds kStateWait(500);  // not every device reports its state
 constexpr milliseconds kDrainTime(20);
 constexpr int kLateReports = 100;  // read after the time is over; a queue holds fewer
 
@@ -58,7 +58,7 @@ class Setup {
     if (layout_.control.command.Offers(command)) Send(EncodeControl(layout_, command));
   }
 
-  /// Asks for a block; a device that hands out none is told which to use.
+  /// Asks for an effect block; a device that allocates none gets a number of ours.
   int Create(int axis) {
     if (!layout_.create.report.IsThere()) return axis + 1;
     if (!handle_.SendFeature(EncodeCreateEffect(layout_).span())) Fail("refuses a constant force");
@@ -102,7 +102,7 @@ class Setup {
 
   /// PID has no report for it. A firmware with a centring spring of its own keeps it as an effect
   /// in the lowest block, so the first block it hands out is the next (the kernel's driver goes by
-  /// the same sign): that effect is stopped, and read back where states tell the block.
+  /// the same sign): that effect is stopped, and read back where state reports name the block.
   void SwitchAutocentreOff() {
     const int first = out_.blocks[0] != 0 ? out_.blocks[0] : out_.blocks[1];
     const auto least = static_cast<int>(layout_.load.block.least);

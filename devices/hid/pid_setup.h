@@ -12,7 +12,7 @@ namespace moontrace {
 /// A PID device made ready: one constant force of zero plays on each motor axis.
 struct PidSetup {
   std::array<int, 2> blocks{};  ///< of HID's X, Y; 0: no motor there
-  PidState state;               ///< last told, or as it should be if nothing was
+  PidState state;               ///< last reported; all in order if nothing was
   std::string autocentre;       ///< what became of its own centring spring, one sentence
 };
 

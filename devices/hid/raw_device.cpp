@@ -15,7 +15,7 @@ namespace moontrace {
 namespace {
 
 constexpr double kKeepAlive = 0.005;    // [s]
-constexpr double kLongestWrite = 0.25;  // a device that takes nothing for so long is deaf [s]
+constexpr double kLongestWrite = 0.25;  // a device that takes nothing for so long is lost [s]
 
 HidReport ToReport(const RawOutput& output) {
   const auto bytes = EncodeRawOutput(output);

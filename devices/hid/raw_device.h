@@ -14,15 +14,15 @@ namespace moontrace {
 bool OffersRawProtocol(const HidInfo& info);
 
 /// Asks the device at `path` what it is. Blocks up to seconds. Throws DeviceError: it cannot be
-/// opened, does not answer, or tells figures that the protocol forbids.
+/// opened, does not answer, or reports figures that the protocol forbids.
 RawHello ReadRawHello(const std::string& path);
 
-/// What the device tells of itself goes before its profile; the lesser peak force counts.
+/// The profile with the figures that the device reports itself; of the two peak forces the lower.
 DeviceProfile WithHello(DeviceProfile profile, const RawHello& hello);
 
 /// Opens a device that speaks raw_protocol.md; limits for ticks of `tick` [s]. Throws as
-/// ReadRawHello. A wrong report, or writes that wait longer than a quarter of a second, and it is
-/// lost; a report whose sequence did not advance is no new data.
+/// ReadRawHello. It is lost after a wrong report or a write that is blocked for 0.25 s; a report
+/// whose sequence did not advance is no new data.
 std::unique_ptr<Device> MakeRawDevice(const HidInfo& info, const DeviceProfile& profile,
                                       double tick);
 

@@ -11,7 +11,7 @@ namespace moontrace {
 /// transport (USB, Bluetooth, virtual): the HID parent is called BUS:VVVV:PPPP.NNNN.
 std::string UdevRule(const DeviceProfile::Id& id);
 
-/// The file that takes such a line, and the command that makes it count; root's both.
+/// The file for such a line, and the command that puts it into effect; both need root.
 inline constexpr const char* kUdevFile = "/etc/udev/rules.d/70-moontrace-hid.rules";
 inline constexpr const char* kUdevReload = "udevadm control --reload-rules";
 

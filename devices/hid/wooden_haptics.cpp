@@ -5,12 +5,11 @@
 #include <glm/glm.hpp>
 
 #include "devices/core/little_endian.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
-constexpr double kDegree = kTurn / 360;
 constexpr int kButtonOffset = 10000;  // added to encoder d while the button is held
 
 /// Frame M, x towards the person and y to the right, into D, x to the right and y away.

@@ -35,16 +35,16 @@ ArmAngles AnglesAt(const ArmGeometry& arm, const ArmCounts& counts, const ArmCou
 /// current, all are lowered alike: the direction stays. What is not finite gives no current.
 ArmCurrents CurrentsFor(const ArmGeometry& arm, const ArmAngles& angles, glm::dvec3 f_D) noexcept;
 
-/// Whether an arm can stand like this: A and B within 100 degrees of the middle, C from 40 degrees
-/// inwards to level with the ceiling, the tip in front of the base. An arm homed elsewhere than in
-/// its rest leaves this sooner or later.
+/// Whether an arm can have these angles: A and B within 100 degrees of the middle, C from 40
+/// degrees inwards to level with the ceiling, the tip in front of the base. An arm homed elsewhere
+/// than in its rest leaves this sooner or later.
 bool IsReachable(const ArmGeometry& arm, const ArmAngles& angles) noexcept;
 
 /// An input report.
 struct ArmReport {
   ArmCounts counts{};
   bool button = false;
-  std::optional<std::uint16_t> counter;  ///< one more with each report, where the device tells it
+  std::optional<std::uint16_t> counter;  ///< one more with each report, where the device sends it
 };
 
 /// Nothing if the report has not the size of the arm's generation.

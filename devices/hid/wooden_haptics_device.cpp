@@ -14,8 +14,8 @@
 namespace moontrace {
 namespace {
 
-constexpr double kKeepAlive = 0.005;    // [s]; the arm answers reports, without ours it is silent
-constexpr double kLongestWrite = 0.25;  // a device that takes nothing for so long is deaf [s]
+constexpr double kKeepAlive = 0.005;    // [s]; the arm only sends reports in answer to ours
+constexpr double kLongestWrite = 0.25;  // a device that takes nothing for so long is lost [s]
 
 // No hand turns a body faster; beyond this and a first tenth of a radian the counts are garbage.
 constexpr double kFastestTurn = 50;  // [rad/s]

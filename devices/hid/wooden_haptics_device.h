@@ -13,9 +13,9 @@ namespace moontrace {
 bool FitsArm(const HidInfo& info, const DeviceProfile& profile);
 
 /// Opens a WoodenHaptics or Polhem arm; limits for ticks of `tick` [s]. Throws DeviceError if it
-/// cannot be opened. It must be homed (homing.h) and gives no force before. A report of another
-/// size, or angles that leap, and it is lost; angles that no arm can have, and it must be homed
-/// again.
+/// cannot be opened. It must be homed (homing.h) and gives no force before. It is lost after a
+/// report of another size or after angles that jump; after angles that no arm can have it must be
+/// homed again.
 std::unique_ptr<Device> MakeWoodenHaptics(const HidInfo& info, const DeviceProfile& profile,
                                           double tick);
 

@@ -167,10 +167,10 @@ bool PluginProcess::HasEnded(int milliseconds) const noexcept {
 }
 
 int PluginProcess::Reap() noexcept {
-  kill(pid_,
-       SIGKILL);  // one that closed its end of the lifeline lives on; an ended one is no worse
+  // It may live on with its end of the lifeline closed; if it has ended, this does no harm.
+  kill(pid_, SIGKILL);
   int status = 0;
-  // Not for ever: a driver may keep its process within the kernel.
+  // Not for ever: a driver may block the process within the kernel.
   for (int tries = 0; tries < 1000 && waitpid(pid_, &status, WNOHANG) == 0; ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

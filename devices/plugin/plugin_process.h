@@ -26,7 +26,7 @@ class PluginProcess {
   PluginProcess(const PluginProcess&) = delete;
   PluginProcess& operator=(const PluginProcess&) = delete;
 
-  /// As the plug-in told it: not checked yet.
+  /// As the plug-in gave it, not yet checked.
   const moontrace_description& description() const noexcept { return helper_->description; }
 
   void Put(const plugin_wire::Command& command) noexcept { program_->command.Put(command); }
@@ -61,7 +61,7 @@ class PluginProcess {
   ::pid_t pid_ = -1;
   std::atomic<bool> lost_{false};
   std::atomic<bool> closing_{false};
-  std::string ended_how_;  ///< the watcher's, until `is_over_`
+  std::string ended_how_;  ///< the watcher thread's, until `is_over_`
   std::atomic<bool> is_over_{false};
   std::thread watcher_;
 };

@@ -2,47 +2,49 @@
 
 #include <fmt/core.h>
 
-#include <array>
-#include <utility>
+#include "textures/base/enum_names.h"
 
 namespace moontrace {
 namespace {
 
-constexpr std::array<std::pair<StepKind, std::string_view>, 6> kKinds{
-    {{StepKind::kExplore, "explore"},
-     {StepKind::kDemonstrate, "demonstrate"},
-     {StepKind::kTrace, "trace"},
-     {StepKind::kRecognise, "recognise"},
-     {StepKind::kRead, "read"},
-     {StepKind::kTest, "test"}}};
-
-constexpr std::array<std::pair<Question, std::string_view>, 3> kQuestions{
-    {{Question::kName, "name"}, {Question::kPick, "pick"}, {Question::kSame, "same"}}};
-
-template <class Value, std::size_t kSize>
-std::string_view NameIn(const std::array<std::pair<Value, std::string_view>, kSize>& all,
-                        Value value) {
-  for (const auto& entry : all) {
-    if (entry.first == value) return entry.second;
+constexpr std::string_view NameOfKind(StepKind kind) {
+  switch (kind) {
+    case StepKind::kExplore:
+      return "explore";
+    case StepKind::kDemonstrate:
+      return "demonstrate";
+    case StepKind::kTrace:
+      return "trace";
+    case StepKind::kRecognise:
+      return "recognise";
+    case StepKind::kRead:
+      return "read";
+    case StepKind::kTest:
+      return "test";
   }
   return {};
 }
 
-template <class Value, std::size_t kSize>
-std::optional<Value> ValueIn(const std::array<std::pair<Value, std::string_view>, kSize>& all,
-                             std::string_view name) {
-  for (const auto& entry : all) {
-    if (entry.second == name) return entry.first;
+constexpr std::string_view NameOfQuestion(Question question) {
+  switch (question) {
+    case Question::kName:
+      return "name";
+    case Question::kPick:
+      return "pick";
+    case Question::kSame:
+      return "same";
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace
 
-std::string_view NameOf(StepKind kind) { return NameIn(kKinds, kind); }
-std::optional<StepKind> StepKindOf(std::string_view name) { return ValueIn(kKinds, name); }
-std::string_view NameOf(Question question) { return NameIn(kQuestions, question); }
-std::optional<Question> QuestionOf(std::string_view name) { return ValueIn(kQuestions, name); }
+std::string_view NameOf(StepKind kind) { return NameOfKind(kind); }
+std::optional<StepKind> StepKindOf(std::string_view name) { return ValueNamed(name, &NameOfKind); }
+std::string_view NameOf(Question question) { return NameOfQuestion(question); }
+std::optional<Question> QuestionOf(std::string_view name) {
+  return ValueNamed(name, &NameOfQuestion);
+}
 
 std::string_view NameOf(const Course& course, std::string_view item) {
   const auto found = course.names.find(std::string(item));

@@ -34,7 +34,7 @@ enum class Question {
 std::string_view NameOf(Question question);
 std::optional<Question> QuestionOf(std::string_view name);
 
-/// Where something stands in a file, from 1; 0: it does not.
+/// Line and column of a value in a file, from 1; 0 where it does not stand in the file.
 struct SourcePlace {
   std::size_t line = 0, column = 0;
 };
@@ -48,9 +48,9 @@ struct Step {
   StepKind kind = StepKind::kExplore;
   Question question = Question::kName;
   std::string say;                 ///< said when it begins; may be empty
-  std::vector<std::string> items;  ///< of all kinds but kExplore and kRead; empty: the lesson's new
-  std::string text;                ///< of kExplore and kRead: what lies on the page
-  /// Letters of this step [m]; none: the learner's, by mastery.
+  std::vector<std::string> items;  ///< not for kExplore, kRead; empty: the lesson's new ones
+  std::string text;                ///< for kExplore and kRead: the text on the page
+  /// Size of this step's letters [m]; none: the learner's present size, by mastery.
   std::optional<double> size;
   std::size_t line = 0, column = 0;  ///< in the lesson's file, from 1
 };
@@ -80,9 +80,9 @@ struct MasteryRule {
   double target = 0.85;       ///< share right that the choice of items aims at
   double known =
       0.25;          ///< share of questions that ask what is sure already; twice that below target
-  int reviews = 20;  ///< items due that a session begins with, at most
-  double quick = 5;  ///< named faster: easy, for the schedule of reviews [s]
-  double slow = 30;  ///< named slower: hard [s]
+  int reviews = 20;  ///< due items reviewed at a session's start, at most
+  double quick = 5;  ///< a faster answer rates Easy in the review schedule [s]
+  double slow = 30;  ///< a slower answer rates Hard [s]
 };
 
 /// How help fades, see fading.h. `rule`: "manual", "linear", "gate", "as-needed".
@@ -92,7 +92,8 @@ struct FadeSettings {
   int probe_every = 4;  ///< one unguided trial in so many
 };
 
-/// A course: lessons in order, what they have in common. From one TOML file and one file a lesson.
+/// A course: its lessons in order and what they have in common. Read from one TOML file and one
+/// file per lesson.
 struct Course {
   std::string id, title, file, language, script;
   double grade = 1;           ///< of the script on its pages
@@ -100,8 +101,8 @@ struct Course {
   MasteryRule mastery;
   FadeSettings fade;
   double break_after = 25 * 60;              ///< a break is proposed [s]
-  std::map<std::string, std::string> names;  ///< item -> how it is called: "," -> "comma"
-  std::map<std::string, std::string> mates;  ///< item -> the one it is most easily taken for
+  std::map<std::string, std::string> names;  ///< item -> its spoken name: "," -> "comma"
+  std::map<std::string, std::string> mates;  ///< item -> the one it is most easily confused with
   std::vector<Lesson> lessons;
   SourcePlaces places;
 };
@@ -126,10 +127,10 @@ std::string LineOf(const CourseFault& fault);
 /// renders. Empty: sound.
 std::vector<CourseFault> CheckCourse(const Course& course, double smallest);
 
-/// Of these only the lessons that cannot be reached, each with the reason. Empty: all are reached.
+/// Of these faults only the lessons that cannot be reached, each with the reason; empty if all can.
 std::vector<CourseFault> CheckReach(const Course& course);
 
-/// How an item is called: the course's name for it, otherwise itself.
+/// The name of an item: the course's name for it, otherwise its text.
 std::string_view NameOf(const Course& course, std::string_view item);
 
 }  // namespace moontrace

@@ -9,11 +9,11 @@
 #include "lessons/course/lesson_order.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kMillimetres = 1e3;
 constexpr std::size_t kMostCompared = 2000;
 
 std::string Quoted(std::string_view text) { return fmt::format("'{}'", OneLine(text, 40)); }
@@ -67,10 +67,10 @@ void CheckNeeds(const Course& course, std::size_t index, const std::vector<std::
     faults.Add(lesson, "needs", "unreachable: what it needs is unreachable itself; mend that");
     return;
   }
-  std::string way;
-  for (const std::size_t at : circle) way += OneLine(course.lessons[at].id, 40) + " needs ";
+  std::string chain;
+  for (const std::size_t at : circle) chain += OneLine(course.lessons[at].id, 40) + " needs ";
   faults.Add(lesson, "needs",
-             fmt::format("unreachable: needs go round in a circle: {}{}; take one need out", way,
+             fmt::format("unreachable: needs go round in a circle: {}{}; take one need out", chain,
                          OneLine(lesson.id, 40)));
 }
 

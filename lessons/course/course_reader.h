@@ -8,14 +8,14 @@
 
 namespace moontrace {
 
-/// A course as far as it could be read, and all that could not.
+/// A course as far as it could be read, and what is wrong with the rest.
 struct CourseReading {
   Course course;
   std::vector<CourseFault> faults;
   std::vector<std::string> unlisted;  ///< lessons' files beside it that the course does not list
 };
 
-/// Reads a course and its lessons like LoadCourse, but goes on behind a fault: a lesson with one
+/// Reads a course and its lessons like LoadCourse, but continues after a fault: a lesson with one
 /// keeps what could be read of it, a lesson without a file is left out. Throws InputError where
 /// there is no course at all: an unknown name (with the nearest shipped one), no such file.
 CourseReading ReadCourse(const std::string& name_or_path);
@@ -34,7 +34,7 @@ std::vector<std::string> ShippedCourses();
 Course ParseCourse(std::string_view toml, const std::string& file,
                    std::vector<std::string>& lessons, std::vector<CourseFault>& faults);
 
-/// Reads one lesson; id, file and what it does not say of script and grade are the course's.
+/// Reads one lesson; script and grade are the course's where the lesson gives none.
 Lesson ParseLesson(std::string_view toml, const std::string& file, const Course& course,
                    std::vector<CourseFault>& faults);
 

@@ -7,11 +7,11 @@
 #include <iterator>
 
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kMillimetre = 1e-3;
 // Letters below 1 mm cannot be set (typeset.h); a sheet ends at 5 m, a hand's reach long before.
 constexpr double kLeastSize = 1, kMostSize = 300;  // [mm]
 

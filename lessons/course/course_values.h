@@ -12,11 +12,12 @@
 
 namespace moontrace {
 
-/// Values of course and lesson files, read and held to their bounds. What reads one throws
-/// InputError: file:line:column, cause, cure.
+/// Readers of values in course and lesson files, with their bounds. All throw InputError:
+/// file:line:column, cause, cure.
 
-/// Most lessons of a course, steps of a lesson, items of a list, entries of a table; bytes of an
-/// item, of a title, a name or a hint, of a text. They bound what a hostile file can cost.
+/// At most so many lessons of a course, steps of a lesson, items of a list, entries of a table;
+/// bytes of an item, of a title, a name or a hint, of a text. They limit what a hostile file can
+/// cost.
 constexpr std::size_t kMostLessons = 200, kMostSteps = 100, kMostItems = 100, kMostEntries = 500,
                       kMostItem = 64, kMostLine = 600, kMostCourseText = 20000;
 
@@ -34,16 +35,16 @@ void ReadItems(const TomlTable& table, const std::string& key, std::size_t most,
 /// A size of letters in millimetres that stands at `key`, in metres.
 double ReadSize(const TomlTable& table, const std::string& key, double size_mm);
 
-/// Nothing but spaces and line ends.
+/// Whether a text holds nothing but spaces and line ends.
 bool IsBlank(std::string_view text);
 
-/// Gathers what is wrong with one file, so that a reader can go on behind a fault.
+/// Collects what is wrong with one file, so that a reader can continue after a fault.
 class FaultList {
  public:
   FaultList(std::string file, std::vector<CourseFault>& faults)
       : file_(std::move(file)), faults_(faults) {}
 
-  /// Does the work; what an InputError says is noted.
+  /// Runs `work`; records the message of an InputError that it throws.
   template <class Work>
   void Try(const Work& work) {
     try {
@@ -53,7 +54,7 @@ class FaultList {
     }
   }
 
-  /// The keys of a table that nobody has asked for.
+  /// Records the keys of a table that no getter has asked for.
   void AddUnknown(const TomlTable& table) {
     for (const std::string& line : table.Unknown()) Add(line);
   }

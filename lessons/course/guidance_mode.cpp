@@ -1,23 +1,36 @@
 #include "lessons/course/guidance_mode.h"
 
-#include <array>
+#include "textures/base/enum_names.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kNames = {"off",  "attract", "rail",
-                                                    "bead", "amplify", "corridor"};
+constexpr std::string_view NameOfMode(GuidanceMode mode) {
+  switch (mode) {
+    case GuidanceMode::kOff:
+      return "off";
+    case GuidanceMode::kAttract:
+      return "attract";
+    case GuidanceMode::kRail:
+      return "rail";
+    case GuidanceMode::kBead:
+      return "bead";
+    case GuidanceMode::kAmplify:
+      return "amplify";
+    case GuidanceMode::kCorridor:
+      return "corridor";
+  }
+  return {};
+}
+static_assert(CountNamed(&NameOfMode) == kGuidanceModeCount);
 
 }  // namespace
 
-std::string_view NameOf(GuidanceMode mode) { return kNames[static_cast<std::size_t>(mode)]; }
+std::string_view NameOf(GuidanceMode mode) { return NameOfMode(mode); }
 
 std::optional<GuidanceMode> GuidanceModeOf(std::string_view name) {
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] == name) return static_cast<GuidanceMode>(i);
-  }
-  return std::nullopt;
+  return ValueNamed(name, &NameOfMode);
 }
 
 }  // namespace moontrace

@@ -8,7 +8,7 @@
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {
@@ -22,7 +22,7 @@ SourcePlace PlaceOf(const SourcePlaces& places, const std::string& key) {
   return found == places.end() ? SourcePlace{} : found->second;
 }
 
-/// All that pages of a script may have to hold, so that of a large one only that is read.
+/// All texts that are set in a script, so that only their characters of a large script are read.
 std::string AllTexts(const Course& course, const std::string& script) {
   std::string text;
   for (const Lesson& lesson : course.lessons) {

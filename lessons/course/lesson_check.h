@@ -9,15 +9,16 @@
 #include <vector>
 
 #include "lessons/course/course.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
-/// What is wrong with a course, gathered by the keys of its files.
+/// Collects what is wrong with a course, each fault at a key of one of its files.
 class CourseFaults {
  public:
   explicit CourseFaults(const Course& course) : course_(course) {}
-  /// At a key of the course's file, of a lesson's; of the whole file where the key has no place.
+  /// At a key of the course's file or of a lesson's; at the file as a whole where the key is not in
+  /// it.
   void Add(const std::string& key, std::string what);
   void Add(const Lesson& lesson, const std::string& key, std::string what);
   std::vector<CourseFault> Take() { return std::move(faults_); }
@@ -34,7 +35,7 @@ class LessonCheck {
  public:
   LessonCheck(const Course& course, CourseFaults& faults);
 
-  /// The next lesson; of one that is never reached nothing has to be taught.
+  /// Checks the next lesson. In one that is never `reached` nothing has to be taught before.
   void Check(const Lesson& lesson, bool reached);
 
  private:

@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
-/// What a text is written with.
+/// The signs that a text is written with.
 struct SignUse {
-  std::vector<std::string> signs;     ///< names, in order, each as often as it stands
+  std::vector<std::string> signs;     ///< names, in the order of the text, with repetitions
   std::vector<std::string> missing;   ///< characters without a form in the script, each once
   std::vector<std::string> untaught;  ///< characters and groups whose sign is not taught, each once
 };

@@ -1,8 +1,8 @@
 #include "lessons/guide/fading.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
+
+#include "textures/base/enum_names.h"
 
 namespace moontrace {
 
@@ -11,7 +11,19 @@ namespace {
 /// Less help than this is none: a factor below 1 alone would never reach zero.
 constexpr double kLeastHelp = 0.05;
 
-constexpr std::array<std::string_view, 4> kNames = {"manual", "linear", "gate", "as-needed"};
+constexpr std::string_view NameOf(FadeRule::Kind kind) {
+  switch (kind) {
+    case FadeRule::Kind::kManual:
+      return "manual";
+    case FadeRule::Kind::kLinear:
+      return "linear";
+    case FadeRule::Kind::kGate:
+      return "gate";
+    case FadeRule::Kind::kAsNeeded:
+      return "as-needed";
+  }
+  return {};
+}
 
 FadeState FadeByGate(const FadeRule& rule, FadeState state, bool good) {
   if (!good) {
@@ -33,10 +45,7 @@ double HelpAsNeeded(const FadeRule& rule, double help, double error_widths) {
 }  // namespace
 
 std::optional<FadeRule::Kind> FadeKindOf(std::string_view name) {
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] == name) return static_cast<FadeRule::Kind>(i);
-  }
-  return std::nullopt;
+  return ValueNamed(name, &NameOf);
 }
 
 FadeState FadeHelp(const FadeRule& rule, FadeState state, double error_widths, bool good) {

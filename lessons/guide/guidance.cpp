@@ -6,17 +6,17 @@
 
 #include "lessons/guide/guidance_path.h"
 #include "textures/base/finite.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr double kTurn = 6.283185307179586476925;
 constexpr double kRampTime = 0.3;         ///< [s]
 constexpr double kRest = 0.15;            ///< at a stroke's end, before the next [s]
 constexpr double kLifted = 0.001;         ///< [m]
-constexpr double kSlideSpeed = 0.1;       ///< of the target while the tip rests [m/s]
-constexpr double kSlideShare = 2;         ///< of the tip's path, that it may go more
+constexpr double kSlideSpeed = 0.1;       ///< of the target, added to a share of the tip's [m/s]
+constexpr double kSlideShare = 2;         ///< of the tip's speed that a target may add
 constexpr double kWindowWidths = 2;       ///< searched to either side
 constexpr double kSeekWidths = 12;        ///< of a stroke, from its start, while it is sought
 constexpr double kCaptureWidths = 1;      ///< the tip has come to a stroke
@@ -32,7 +32,7 @@ glm::dvec2 Held(glm::dvec2 force, double cap) noexcept {
   return size > cap ? force * (cap / size) : force;
 }
 
-/// One tick: what every step of it needs.
+/// One tick: what all functions below need.
 struct Tick {
   const GuidancePlan& plan;
   const GuidancePath& path;
@@ -57,14 +57,14 @@ double Slid(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
 }
 
-glm::dvec2 WayPoint(const Tick& t) noexcept {
-  const glm::dvec2 way = PointAt(t.stroke(), 0) - t.state.from_P;
-  const double length = glm::length(way);
-  return length > 0 ? t.state.from_P + way * (t.state.bead / length) : t.state.from_P;
+glm::dvec2 TransitPoint(const Tick& t) noexcept {
+  const glm::dvec2 to_start = PointAt(t.stroke(), 0) - t.state.from_P;
+  const double length = glm::length(to_start);
+  return length > 0 ? t.state.from_P + to_start * (t.state.bead / length) : t.state.from_P;
 }
 
 glm::dvec2 TargetOf(const Tick& t) noexcept {
-  if (t.state.on_way) return WayPoint(t);
+  if (t.state.in_transit) return TransitPoint(t);
   if (!t.has_bead()) return PointAt(t.stroke(), t.state.s);
   return t.path.recorded() ? RecordedPointAt(t.path, t.state.time)
                            : PointAt(t.stroke(), t.state.bead);
@@ -81,19 +81,19 @@ void MoveBead(const Tick& t, glm::dvec2 bead_P, double foot, double length) noex
   bead = std::min(bead, length);
 }
 
-void FollowWay(const Tick& t) noexcept {
+void FollowTransit(const Tick& t) noexcept {
   GuidanceState& state = t.state;
-  const glm::dvec2 way = PointAt(t.stroke(), 0) - state.from_P;
-  const double length = glm::length(way);
+  const glm::dvec2 to_start = PointAt(t.stroke(), 0) - state.from_P;
+  const double length = glm::length(to_start);
   const double foot =
-      length > 0 ? std::clamp(glm::dot(t.p - state.from_P, way) / length, 0.0, length) : 0;
-  MoveBead(t, WayPoint(t), foot, length);
+      length > 0 ? std::clamp(glm::dot(t.p - state.from_P, to_start) / length, 0.0, length) : 0;
+  MoveBead(t, TransitPoint(t), foot, length);
   if (state.bead < length) return;
-  state.on_way = false;
+  state.in_transit = false;
   state.bead = state.s = 0;
 }
 
-/// Looks whether the tip has come to the stroke; until then the target slides back to its start.
+/// Checks whether the tip has come to the stroke; until then the target slides back to its start.
 void Seek(const Tick& t) noexcept {
   GuidanceState& state = t.state;
   const GuidanceStroke& stroke = t.stroke();
@@ -144,7 +144,7 @@ void Leave(const Tick& t) noexcept {
     return;
   }
   state.from_P = TargetOf(t);
-  state.on_way = t.leads();
+  state.in_transit = t.leads();
   ++state.stroke;
   state.captured = state.at_end = false;
   state.s = state.bead = state.rest = 0;
@@ -183,8 +183,8 @@ void FollowBead(const Tick& t) noexcept {
 
 /// Where the push leads to after this tick, for the modes that lead.
 void Lead(const Tick& t) noexcept {
-  if (t.state.on_way) {
-    FollowWay(t);
+  if (t.state.in_transit) {
+    FollowTransit(t);
     return;
   }
   t.state.captured ? FollowStroke(t) : Seek(t);

@@ -12,7 +12,7 @@ namespace moontrace {
 
 struct GuidancePath;  // guidance_path.h
 
-/// Everything of a push that does not change while it lasts; immutable, shared by threads.
+/// Everything about a push that does not change while it lasts; immutable, shared by threads.
 struct GuidancePlan {
   GuidanceMode mode = GuidanceMode::kOff;
   GuidanceGains gains;
@@ -21,12 +21,12 @@ struct GuidancePlan {
 
 /// What a push remembers from tick to tick. A fresh one begins at the first stroke's start.
 struct GuidanceState {
-  std::size_t stroke = 0;   ///< that is followed, or that it is on its way to
-  bool on_way = false;      ///< from the stroke before to `stroke`
+  std::size_t stroke = 0;   ///< that is followed, or whose start the push leads to
+  bool in_transit = false;  ///< leading from the end of the last stroke to the start of this one
   bool captured = false;    ///< the tip has come to `stroke`
   bool at_end = false;      ///< and has followed it to its end
   double s = 0;             ///< arc length on it, of the nearest point [m]
-  double bead = 0;          ///< arc length of the bead on it, or on the way [m]
+  double bead = 0;          ///< arc length of the bead on it; in transit, on the line there [m]
   double rest = 0;          ///< since `at_end` [s]
   double ramp = 0;          ///< 0-1, rises over 0.3 s
   double phase = 0;         ///< of the corridor's cue, in turns, 0 to 1
@@ -34,7 +34,7 @@ struct GuidanceState {
   bool done = false;        ///< the last stroke has been followed to its end
   bool begun = false;       ///< `tip_P` is known
   glm::dvec2 tip_P{0, 0};   ///< in the last tick [m]
-  glm::dvec2 from_P{0, 0};  ///< where the way begins [m]
+  glm::dvec2 from_P{0, 0};  ///< where the transit began [m]
 };
 
 struct GuidanceResult {
@@ -52,7 +52,7 @@ struct GuidanceResult {
 /// - attract: -k (|e| - r0) e/|e| beyond r0, and -b of the velocity along e. The target is the
 ///   nearest point near the last one: a window of two widths of the same stroke is searched, and
 ///   the target moves no more than twice the tip's path and 0.1 mm a tick (at 1 kHz). So it never
-///   jumps to a crossing stroke, and where the nearest point springs (the middle of a ring, the
+///   jumps to a crossing stroke, and where the nearest point jumps (the middle of a ring, the
 ///   inside of a hairpin) it slides round: force is continuous on any continuous path of the tip.
 /// - rail: the same with r0 = 0 and its own gains.
 /// - bead: the same, e from a bead that moves along at its speed, waits while the tip is farther
@@ -61,7 +61,7 @@ struct GuidanceResult {
 /// - amplify: +k e, shrinking to zero over half a width at the letter's box (of its strokes, one
 ///   width larger); zero outside.
 /// - corridor: a vibration of 100 Hz along e beyond the corridor's edge, growing over half a width,
-///   of which nothing is left in the mean.
+///   with a mean of zero.
 ///
 /// From stroke to stroke, in writing order: a stroke is taken up where the tip comes within one
 /// width of its start; until then attract, rail and bead draw to the start. It is done once its end

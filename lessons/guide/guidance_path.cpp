@@ -10,32 +10,11 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kTurn = 6.283185307179586476925;
 constexpr double kLeastLength = 1e-9;  ///< a shorter piece, or a shorter gap, is none [m]
 
-GuidancePart LinePart(glm::dvec2 from, glm::dvec2 to) {
-  GuidancePart part;
-  part.anchor = from;
-  part.length = glm::distance(from, to);
-  if (part.length > 0) part.direction = (to - from) / part.length;
-  return part;
-}
-
-GuidancePart ArcPart(const Arc& arc) {
-  GuidancePart part;
-  part.is_arc = true;
-  part.anchor = arc.center;
-  part.radius = arc.radius;
-  part.start = arc.start;
-  part.sense = arc.sweep < 0 ? -1 : 1;
-  part.length = arc.radius * std::min(std::abs(arc.sweep), kTurn);
-  return part;
-}
-
-void Append(GuidanceStroke& stroke, GuidancePart part) {
-  part.offset = stroke.length;
-  stroke.length += part.length;
-  stroke.parts.push_back(part);
+void Append(GuidanceStroke& stroke, const Piece& piece) {
+  stroke.parts.push_back(PartOf(piece, stroke.length));
+  stroke.length += stroke.parts.back().length;
 }
 
 GuidanceStroke StrokeOf(const IntendedStroke& intended) {
@@ -46,20 +25,19 @@ GuidanceStroke StrokeOf(const IntendedStroke& intended) {
     if (Length(piece) < kLeastLength) continue;
     const glm::dvec2 start = StartOf(piece);
     if (!stroke.parts.empty() && glm::distance(end, start) > kLeastLength) {
-      Append(stroke, LinePart(end, start));
+      Append(stroke, Line{end, start});
     }
-    const Arc* arc = std::get_if<Arc>(&piece);
-    Append(stroke, arc != nullptr ? ArcPart(*arc) : LinePart(start, EndOf(piece)));
+    Append(stroke, piece);
     end = EndOf(piece);
   }
   if (stroke.parts.empty() && !intended.spine_P.empty()) {
     const glm::dvec2 dot = StartOf(intended.spine_P.front());
-    Append(stroke, LinePart(dot, dot));
+    Append(stroke, Line{dot, dot});
   }
   return stroke;
 }
 
-const GuidancePart& PartAt(const GuidanceStroke& stroke, double s) noexcept {
+const PathPart& PartAt(const GuidanceStroke& stroke, double s) noexcept {
   std::size_t low = 0, high = stroke.parts.size();  // the last part that begins at s or before
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
@@ -68,33 +46,21 @@ const GuidancePart& PartAt(const GuidanceStroke& stroke, double s) noexcept {
   return stroke.parts[low];
 }
 
-glm::dvec2 PointOf(const GuidancePart& part, double along) noexcept {
-  if (!part.is_arc) return part.anchor + along * part.direction;
-  const double angle = part.start + part.sense * along / part.radius;
-  return part.anchor + part.radius * glm::dvec2(std::cos(angle), std::sin(angle));
-}
-
 /// Where on the whole line or circle `p` is nearest, as arc length from the part's start [m].
-double FootOf(const GuidancePart& part, glm::dvec2 p) noexcept {
-  const glm::dvec2 v = p - part.anchor;
-  if (!part.is_arc) return glm::dot(v, part.direction);
-  const double turned = part.sense * (std::atan2(v.y, v.x) - part.start);
-  return part.radius * (turned - kTurn * std::floor(turned / kTurn));
+double FootOf(const PathPart& part, glm::dvec2 p) noexcept {
+  return part.is_arc ? part.radius * AngleTo(part, p) : glm::dot(p - part.anchor, part.direction);
 }
 
 }  // namespace
 
 glm::dvec2 PointAt(const GuidanceStroke& stroke, double s) noexcept {
-  const GuidancePart& part = PartAt(stroke, s);
-  return PointOf(part, std::clamp(s - part.offset, 0.0, part.length));
+  const PathPart& part = PartAt(stroke, s);
+  return PointAt(part, std::clamp(s - part.offset, 0.0, part.length));
 }
 
 glm::dvec2 TangentAt(const GuidanceStroke& stroke, double s) noexcept {
-  const GuidancePart& part = PartAt(stroke, s);
-  if (!part.is_arc) return part.direction;
-  const double along = std::clamp(s - part.offset, 0.0, part.length);
-  const double angle = part.start + part.sense * along / part.radius;
-  return part.sense * glm::dvec2(-std::sin(angle), std::cos(angle));
+  const PathPart& part = PartAt(stroke, s);
+  return TangentAt(part, std::clamp(s - part.offset, 0.0, part.length));
 }
 
 NearestPlace NearestWithin(const GuidanceStroke& stroke, glm::dvec2 p, double s, double from,
@@ -104,14 +70,13 @@ NearestPlace NearestWithin(const GuidanceStroke& stroke, glm::dvec2 p, double s,
   NearestPlace nearest;
   nearest.s = std::clamp(s, first, last);
   nearest.distance = glm::distance(p, PointAt(stroke, nearest.s));
-  const auto take = [&](const GuidancePart& part, double along) noexcept {
+  const auto take = [&](const PathPart& part, double along) noexcept {
     constexpr double kSame = 1e-12;
-    const double distance = glm::distance(p, PointOf(part, along));
+    const double distance = glm::distance(p, PointAt(part, along));
     if (distance < nearest.distance - kSame) nearest = {part.offset + along, distance};
   };
-  const GuidancePart* end = stroke.parts.data() + stroke.parts.size();
-  for (const GuidancePart* part = &PartAt(stroke, first); part != end && part->offset <= last;
-       ++part) {
+  const PathPart* end = stroke.parts.data() + stroke.parts.size();
+  for (const PathPart* part = &PartAt(stroke, first); part != end && part->offset <= last; ++part) {
     const double begin = std::clamp(first - part->offset, 0.0, part->length);
     const double finish = std::clamp(last - part->offset, 0.0, part->length);
     const double foot = FootOf(*part, p);
@@ -177,11 +142,11 @@ std::shared_ptr<const GuidancePath> MakeRecordedPath(const std::vector<double>& 
     path->points.push_back(tip);
     Include(box, tip);
     if (glm::distance(kept, tip) < spacing) continue;
-    Append(stroke, LinePart(kept, tip));
+    Append(stroke, Line{kept, tip});
     kept = tip;
   }
   if (path->points.empty()) return path;
-  if (stroke.parts.empty()) Append(stroke, LinePart(kept, kept));
+  if (stroke.parts.empty()) Append(stroke, Line{kept, kept});
   stroke.letter = Grown(box, width);
   path->strokes.push_back(stroke);
   return path;

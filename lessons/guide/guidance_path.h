@@ -7,28 +7,16 @@
 #include <vector>
 
 #include "lessons/measure/intended_strokes.h"
-#include "textures/field/element.h"
+#include "textures/field/path_part.h"
 
 namespace moontrace {
 
-/// A line or an arc of a stroke, made ready for one question a tick.
-struct GuidancePart {
-  bool is_arc = false;
-  double offset = 0;           ///< arc length of the stroke at its start [m]
-  double length = 0;           ///< [m]
-  glm::dvec2 anchor{0, 0};     ///< a line's start, an arc's centre [m]
-  glm::dvec2 direction{1, 0};  ///< of a line, unit
-  double radius = 0;           ///< of an arc [m]
-  double start = 0;            ///< of an arc [rad]
-  double sense = 1;            ///< of an arc: 1 counter-clockwise, -1 clockwise
-};
-
 /// One stroke of a path; without gaps.
 struct GuidanceStroke {
-  std::vector<GuidancePart> parts;  ///< at least one; a dot's has no length
-  double length = 0;                ///< [m]
-  double width = 0;                 ///< of the groove [m]
-  Box letter;                       ///< of all strokes of its letter, one width larger
+  std::vector<PathPart> parts;  ///< at least one; a dot's has no length
+  double length = 0;            ///< [m]
+  double width = 0;             ///< of the groove [m]
+  Box letter;                   ///< of all strokes of its letter, one width larger
 };
 
 /// Where a push leads: the centre lines of strokes in writing order, cut into lines and arcs with

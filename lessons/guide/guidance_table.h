@@ -37,7 +37,7 @@ class GuidanceTable {
   /// Help between whole levels is interpolated; 0 (and NaN) is no push at all, more
   /// than 10 is 10.
   GuidanceGains GainsOf(GuidanceMode mode, double help) const;
-  /// Parameters of all fading rules; its kind counts for nothing.
+  /// Parameters of all fading rules; the kind in it is not used.
   const FadeRule& fade() const { return fade_; }
 
  private:

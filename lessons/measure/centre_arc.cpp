@@ -5,28 +5,32 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <utility>
+
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kTurn = 6.283185307179586476925;
 constexpr double kSame = 1e-6;  ///< lengths that differ by this share are the same
 
 double Cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Whether all pieces lie on one circle, which then is the first piece's.
-bool IsCircle(const std::vector<Piece>& outline) {
-  const Arc* first = std::get_if<Arc>(&outline.front());
-  if (first == nullptr) return false;
-  for (const Piece& piece : outline) {
-    const Arc* arc = std::get_if<Arc>(&piece);
-    if (arc == nullptr || std::abs(arc->radius - first->radius) > kSame * first->radius ||
-        glm::length(arc->center - first->center) > kSame * first->radius) {
-      return false;
-    }
-  }
-  return true;
+bool IsSameCircle(const Arc& first, const Arc& arc) {
+  return std::abs(arc.radius - first.radius) <= kSame * first.radius &&
+         glm::length(arc.center - first.center) <= kSame * first.radius;
+}
+
+/// The first piece's centre, if that is an arc and all pieces lie on its circle.
+std::optional<glm::dvec2> CircleCentre(const std::vector<Piece>& outline) {
+  const std::optional<Arc> first = ArcOf(outline.front());
+  if (!first) return std::nullopt;
+  const bool circle = std::all_of(outline.begin(), outline.end(), [&first](const Piece& piece) {
+    const std::optional<Arc> arc = ArcOf(piece);
+    return arc && IsSameCircle(*first, *arc);
+  });
+  return circle ? std::optional(first->center) : std::nullopt;
 }
 
 /// The two corners farthest apart, as numbers of the pieces that begin there.
@@ -81,16 +85,6 @@ double Inside(const std::vector<Piece>& outline, glm::dvec2 p) {
   return nearest;
 }
 
-/// The part between arc lengths `begin` and `end`.
-Piece Part(const Piece& piece, double begin, double end) {
-  if (const Arc* arc = std::get_if<Arc>(&piece)) {
-    const double per_length = arc->sweep / Length(piece);
-    return Arc{arc->center, arc->radius, arc->start + per_length * begin,
-               per_length * (end - begin)};
-  }
-  return Line{PointAt(piece, begin), PointAt(piece, end)};
-}
-
 /// The part around the middle that lies `rim` inside; each end is found by bisection to 1e-12.
 Piece Trimmed(const Piece& piece, const std::vector<Piece>& outline, double rim) {
   const double length = Length(piece), middle = length / 2;
@@ -103,16 +97,15 @@ Piece Trimmed(const Piece& piece, const std::vector<Piece>& outline, double rim)
     }
     return in;
   };
-  return Part(piece, last_inside(0), last_inside(length));
+  return PartBetween(piece, last_inside(0), last_inside(length));
 }
 
 }  // namespace
 
 std::vector<Piece> CentreArc(const std::vector<Piece>& outline, double rim) {
   if (outline.empty()) return {};
-  if (IsCircle(outline)) {
-    const glm::dvec2 center = std::get<Arc>(outline.front()).center;
-    return {Line{center, center}};
+  if (const std::optional<glm::dvec2> centre = CircleCentre(outline)) {
+    return {Line{*centre, *centre}};
   }
   const auto [first, second] = Tips(outline);
   if (first == second) return {Line{StartOf(outline.front()), StartOf(outline.front())}};

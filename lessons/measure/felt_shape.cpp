@@ -14,7 +14,7 @@ constexpr double kFlatShare = 0.6;     // of the samples in contact lie deeper t
 constexpr double kDeepShare = 0.002;   // of them lie deeper than what counts as the deepest
 constexpr double kLeastColumn = 0.5;   // rows of groove in a column that is not a gap
 constexpr double kReach = 1.2;         // of a touch to either side of the path, in cells
-constexpr double kLeastWay = 0.4;      // through a cell, in cells: less shows nothing of it
+constexpr double kLeastPath = 0.4;     // through a cell, in cells: less shows nothing of it
 constexpr double kLongestStep = 0.1;   // of the height: no path between what is farther [share]
 
 /// How much of the path through a cell of the page lay in a groove.
@@ -35,7 +35,7 @@ double Quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-/// Those in contact, each moved to where the paper is that it presses in.
+/// The samples in contact, each lifted by how far its force presses plain paper in.
 std::vector<FeltSample> InContact(const std::vector<FeltSample>& samples, double softness) {
   std::vector<FeltSample> touching;
   for (const FeltSample& sample : samples) {
@@ -64,7 +64,7 @@ Map EmptyMap(const std::vector<FeltSample>& touching) {
 }
 
 /// How surely the paper gave way there, 0-1: by the depth, or by a push to the side.
-double GaveWay(const FeltSample& sample, double flat, double threshold, const FeelingRule& rule) {
+double Yielding(const FeltSample& sample, double flat, double threshold, const FeelingRule& rule) {
   const double sideways = glm::length(glm::dvec2(sample.force));
   const double slope = sideways / std::max(sample.force.z, rule.least_force);
   const double depth = flat - sample.tip.z;
@@ -93,12 +93,12 @@ void Spread(Values& values, int columns, int rows, double cells) {
   }
 }
 
-/// Weighs each sample by the path that the tip went, so that resting weighs nothing.
+/// Weighs each sample by the length of the tip's path there, so that resting weighs nothing.
 Map GrooveMap(const std::vector<FeltSample>& touching, double flat, double threshold,
               const FeelingRule& rule) {
   Map map = EmptyMap(touching);
   if (map.columns == 0) return map;
-  std::vector<double> way(map.groove.size(), 0.0);
+  std::vector<double> path(map.groove.size(), 0.0);
   for (std::size_t i = 1; i < touching.size(); ++i) {
     const glm::dvec2 p(touching[i].tip), before(touching[i - 1].tip);
     const double step = glm::distance(p, before);
@@ -108,12 +108,12 @@ Map GrooveMap(const std::vector<FeltSample>& touching, double flat, double thres
     const int row = std::clamp(static_cast<int>(at.y), 0, kRows - 1);
     const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
                       static_cast<std::size_t>(column);
-    way[cell] += step;
-    map.groove[cell] += step * GaveWay(touching[i], flat, threshold, rule);
+    path[cell] += step;
+    map.groove[cell] += step * Yielding(touching[i], flat, threshold, rule);
   }
-  Spread(way, map.columns, kRows, kReach);
+  Spread(path, map.columns, kRows, kReach);
   Spread(map.groove, map.columns, kRows, kReach);
-  for (std::size_t i = 0; i < way.size(); ++i) map.groove[i] /= way[i] + kLeastWay * map.cell;
+  for (std::size_t i = 0; i < path.size(); ++i) map.groove[i] /= path[i] + kLeastPath * map.cell;
   return map;
 }
 

@@ -37,4 +37,8 @@ std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& 
   return strokes;
 }
 
+double LengthOf(const IntendedStroke& stroke) {
+  return stroke.kind == StrokeKind::kDot ? stroke.width : Length(stroke.spine_P);
+}
+
 }  // namespace moontrace

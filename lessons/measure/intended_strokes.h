@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "textures/field/element.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -22,5 +22,8 @@ struct IntendedStroke {
 /// The strokes of a page in writing order.
 std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& script,
                                             const TypeStyle& style);
+
+/// Length of its centre line [m]; a dot counts as long as it is wide.
+double LengthOf(const IntendedStroke& stroke);
 
 }  // namespace moontrace

@@ -34,22 +34,22 @@ double LinkMeter::BeyondReach(std::size_t groove, glm::dvec2 p) const {
 }
 
 void LinkMeter::Choose(std::size_t from, std::size_t to) {
-  ways_ = {from, to, {}, {}};
+  passage_ = {from, to, {}, {}};
   for (std::size_t i = 0; i < strokes_.size(); ++i) {
     const std::size_t glyph = strokes_[i].glyph;
-    if (glyph == from || glyph == to) ways_.grooves.push_back(i);
+    if (glyph == from || glyph == to) passage_.grooves.push_back(i);
   }
   for (std::size_t i = 0; i < links_.links.size(); ++i) {
     const GrooveLink& link = links_.links[i];
     const bool joins = link.from == from && link.to == to;
     const bool within = link.from == link.to && (link.from == from || link.from == to);
-    if (joins) ways_.links.push_back(i);
-    if (joins || within) ways_.grooves.push_back(strokes_.size() + i);
+    if (joins) passage_.links.push_back(i);
+    if (joins || within) passage_.grooves.push_back(strokes_.size() + i);
   }
 }
 
 void LinkMeter::Add(const TraceSample& sample) {
-  if (sample.phase != TracePhase::kWay) {
+  if (sample.phase != TracePhase::kTravel) {
     chosen_ = false;
     any_ = any_ || sample.phase == TracePhase::kStroke;
     if (sample.phase == TracePhase::kStroke) last_ = sample.stroke;
@@ -58,15 +58,15 @@ void LinkMeter::Add(const TraceSample& sample) {
   if (!any_ || sample.stroke == last_) return;
   if (!chosen_) Choose(strokes_[last_].glyph, strokes_[sample.stroke].glyph);
   chosen_ = true;
-  if (!sample.in_contact || ways_.links.empty()) return;
+  if (!sample.in_contact || passage_.links.empty()) return;
   const glm::dvec2 p(sample.tip_P);
-  for (const std::size_t groove : ways_.grooves) {
+  for (const std::size_t groove : passage_.grooves) {
     if (BeyondReach(groove, p) <= 0) return;
   }
   const auto nearer = [&](std::size_t a, std::size_t b) {
     return BeyondReach(strokes_.size() + a, p) < BeyondReach(strokes_.size() + b, p);
   };
-  const std::size_t link = *std::min_element(ways_.links.begin(), ways_.links.end(), nearer);
+  const std::size_t link = *std::min_element(passage_.links.begin(), passage_.links.end(), nearer);
   if (is_left_[link]) return;
   is_left_[link] = true;
   left_.push_back({p, sample.time, sample.stroke});

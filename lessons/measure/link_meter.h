@@ -5,25 +5,25 @@
 
 #include "lessons/measure/intended_strokes.h"
 #include "lessons/measure/scoring.h"
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
 
 namespace moontrace {
 
-/// Finds the groove links that a tip left on its paths from stroke to stroke (kWay): there, in
+/// Finds the groove links that a tip left on its paths from stroke to stroke (kTravel): there, in
 /// contact, it was more than half the letters' groove away (as for TraceMetrics::excursions) from
 /// every link and stroke of the two letters. A path within one letter that has no link there is not
 /// looked at. Letters and their errors are the scorer's.
 class LinkMeter {
  public:
   LinkMeter(const std::vector<IntendedStroke>& strokes, const GrooveLinks& links);
-  /// In time order; what is not kWay gives the letter from which a path comes.
+  /// In time order; what is not kTravel gives the letter from which a path comes.
   void Add(const TraceSample& sample);
   /// One for each link that was left: where it first was.
   const std::vector<Excursion>& left() const { return left_; }
 
  private:
-  /// What may be followed on the path from one letter to another, or within one.
-  struct Ways {
+  /// The grooves that may be followed from one letter to another, or within one letter.
+  struct Passage {
     std::size_t from = 0, to = 0;
     std::vector<std::size_t> links;    ///< from the one to the other
     std::vector<std::size_t> grooves;  ///< those, and strokes and links within the two
@@ -38,7 +38,7 @@ class LinkMeter {
   std::vector<IntendedStroke> strokes_;
   GrooveLinks links_;
   std::vector<Groove> grooves_;  ///< strokes, then links
-  Ways ways_;                    ///< of the path that the tip is on
+  Passage passage_;              ///< that the tip is in now
   bool chosen_ = false, any_ = false;
   std::size_t last_ = 0;  ///< stroke that was followed last
   std::vector<bool> is_left_;

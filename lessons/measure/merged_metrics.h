@@ -6,7 +6,7 @@
 
 namespace moontrace {
 
-/// A page's total with what it weighs: the length of its strokes, a dot counting one width [m].
+/// A page's total and its weight: the length of its strokes, a dot counting one width [m].
 struct PageMetrics {
   TraceMetrics total;
   double stroke_length = 0;

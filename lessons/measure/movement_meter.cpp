@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
 namespace {
 
@@ -13,15 +15,13 @@ constexpr auto kFewest = static_cast<std::size_t>(MovementMeter::kShortest * Mov
 constexpr std::size_t kGapPoints = 12;  ///< at most, that one sample adds after a gap
 constexpr double kHair = 1e-6;          ///< [s]
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// y(n) = b (x(n) + 2 x(n-1) + x(n-2)) - a1 y(n-1) - a2 y(n-2), by the bilinear transform.
 struct Biquad {
   double b = 0, a1 = 0, a2 = 0;
 };
 
 Biquad Butterworth(double rate, double cutoff) {
-  const double k = std::tan(kPi * cutoff / rate);
+  const double k = std::tan(kTurn / 2 * cutoff / rate);
   const double scale = 1 / (1 + std::sqrt(2.0) * k + k * k);
   return {k * k * scale, 2 * (k * k - 1) * scale, (1 - std::sqrt(2.0) * k + k * k) * scale};
 }

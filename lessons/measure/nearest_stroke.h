@@ -8,12 +8,13 @@
 
 namespace moontrace {
 
-/// Which stroke a hand means that nobody made plans for: the one that is nearest to the tip, as
-/// long as it is no more than `reach` away. For scoring a person's own trace.
+/// Finds which stroke a person's hand means, for which there is no plan: the one nearest to the
+/// tip, if it is no more than `reach` away. For scoring a person's own trace.
 ///
-/// In the air, and farther from every stroke, the hand is under way (kAir). Coming into contact is
-/// an entry for the first 50 ms; from then on it follows. A stroke that is followed is kept while
-/// another is no nearer by a quarter of the groove's width, so that joints do not make it flicker.
+/// In the air, and farther from every stroke, the hand is between strokes (kAir). Coming into
+/// contact is an entry for the first 50 ms; from then on it follows. A stroke that is followed is
+/// kept while another is no nearer by a quarter of the groove's width, so that joints do not make
+/// it flicker.
 class NearestStroke {
  public:
   NearestStroke(const std::vector<IntendedStroke>& strokes, double reach);

@@ -64,10 +64,11 @@ double Recogniser::SignDistance(const FeltSign& felt, const FeltSign& known,
   return strength * distance + (1 - strength) * 0.5;
 }
 
-double Recogniser::ShapeDistance(const FeltShape& felt, const Ways& ways, double day) const {
-  const auto way = ways.find(felt.size());
-  if (way == ways.end()) return kNever;
-  const Memory& memory = way->second;
+double Recogniser::ShapeDistance(const FeltShape& felt, const Variants& variants,
+                                 double day) const {
+  const auto variant = variants.find(felt.size());
+  if (variant == variants.end()) return kNever;
+  const Memory& memory = variant->second;
   const double strength =
       std::exp(-std::max(0.0, day - memory.day) / (rule_.memory_days * memory.times));
   double sum = 0;
@@ -126,7 +127,7 @@ Naming Recogniser::SpellOut(const FeltShape& shape, double day, double& distance
   return naming;
 }
 
-Naming Recogniser::NameTold(const FeltShape& shape, double day, std::uint64_t guess) const {
+Naming Recogniser::NameTaught(const FeltShape& shape, double day, std::uint64_t guess) const {
   double best = kNever;
   const Naming naming = Nearest(shape, day, best);
   return std::isfinite(best) ? naming : Naming{Guess(guess), 0};
@@ -134,13 +135,13 @@ Naming Recogniser::NameTold(const FeltShape& shape, double day, std::uint64_t gu
 
 Naming Recogniser::Name(const FeltShape& shape, double day, std::uint64_t guess) const {
   double best = kNever;
-  const Naming told = Nearest(shape, day, best);
+  const Naming taught = Nearest(shape, day, best);
   if (shape.size() > 1) {
     double spelt = kNever;
     Naming letters = SpellOut(shape, day, spelt);
     if (spelt + rule_.word_margin < best) return letters;
   }
-  return std::isfinite(best) ? told : Naming{Guess(guess), 0};
+  return std::isfinite(best) ? taught : Naming{Guess(guess), 0};
 }
 
 Naming Recogniser::Pick(const FeltShape& shape, const std::string& a, const std::string& b,

@@ -38,8 +38,8 @@ class Recogniser {
   /// The nearest of what was taught; several signs are also read one by one, by the single signs
   /// that were taught. Where nothing was felt, one of them by `guess`; never what was not taught.
   Naming Name(const FeltShape& shape, double day, std::uint64_t guess) const;
-  /// The same among what was taught alone, nothing spelt out.
-  Naming NameTold(const FeltShape& shape, double day, std::uint64_t guess) const;
+  /// The same among whole taught items only: nothing is spelt out sign by sign.
+  Naming NameTaught(const FeltShape& shape, double day, std::uint64_t guess) const;
   /// The nearer of two that were taught; the one that was if only one was.
   Naming Pick(const FeltShape& shape, const std::string& a, const std::string& b, double day,
               std::uint64_t guess) const;
@@ -59,16 +59,16 @@ class Recogniser {
     int times = 0;
     double day = 0;
   };
-  /// How one thing felt, by the number of signs that it was felt as: a hand may take two for one.
-  using Ways = std::map<std::size_t, Memory>;
+  /// How one item felt, by the number of signs that were felt: a hand may take two for one.
+  using Variants = std::map<std::size_t, Memory>;
   double SignDistance(const FeltSign& felt, const FeltSign& known, double strength) const;
-  double ShapeDistance(const FeltShape& felt, const Ways& ways, double day) const;
+  double ShapeDistance(const FeltShape& felt, const Variants& variants, double day) const;
   std::string Guess(std::uint64_t guess) const;
   Naming Nearest(const FeltShape& shape, double day, double& best) const;
   Naming SpellOut(const FeltShape& shape, double day, double& distance) const;
 
   RecogniserRule rule_;
-  std::map<std::string, Ways> memories_;
+  std::map<std::string, Variants> memories_;
 };
 
 }  // namespace moontrace

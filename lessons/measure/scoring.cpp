@@ -36,7 +36,7 @@ struct TraceScorer::State {
   void AddLanding(StrokeTrace& stroke, const TraceSample& sample) const;
   void AddStroke(StrokeTrace& stroke, const TraceSample& sample);
   void AddExcursion(StrokeTrace& stroke, const TraceSample& sample, double error);
-  void AddWay(StrokeTrace& stroke, const TraceSample& sample, double error, double aside) const;
+  void AddPath(StrokeTrace& stroke, const TraceSample& sample, double error, double aside) const;
   void AddDirection(StrokeTrace& stroke, glm::dvec2 p, glm::dvec2 tangent) const;
   void AddMovement(const TraceSample& sample);
   void EndMovement();
@@ -73,7 +73,7 @@ void TraceScorer::State::AddPause(TraceTally& tally, const TraceSample& sample) 
 void TraceScorer::State::AddLanding(StrokeTrace& stroke, const TraceSample& sample) const {
   const bool same = any && last.phase == sample.phase && last.stroke == sample.stroke;
   // reached over the page: it goes on without landing
-  if (any && last.phase == TracePhase::kWay && last.in_contact) stroke.landed = true;
+  if (any && last.phase == TracePhase::kTravel && last.in_contact) stroke.landed = true;
   if (sample.phase == TracePhase::kEntry && !same) stroke.landed = false;
   if (!sample.in_contact || sample.phase == TracePhase::kLift) return;
   if (!stroke.landed) {
@@ -94,7 +94,7 @@ void TraceScorer::State::AddStroke(StrokeTrace& stroke, const TraceSample& sampl
   } else {
     const Spine::Foot foot = stroke.spine.FootOf(p);
     AddExcursion(stroke, sample, error);
-    AddWay(stroke, sample, error, foot.aside);
+    AddPath(stroke, sample, error, foot.aside);
     AddDirection(stroke, p, foot.tangent);
     AddMovement(sample);
     stroke.path.Add(p);
@@ -120,17 +120,18 @@ void TraceScorer::State::AddExcursion(StrokeTrace& stroke, const TraceSample& sa
   }
 }
 
-void TraceScorer::State::AddWay(StrokeTrace& stroke, const TraceSample& sample, double error,
-                                double aside) const {
+void TraceScorer::State::AddPath(StrokeTrace& stroke, const TraceSample& sample, double error,
+                                 double aside) const {
   if (!GoesOn(sample)) return;
   // Exact for an error that changes evenly between the two samples.
   TraceTally& tally = stroke.tally;
-  const double way = glm::length(glm::dvec2(sample.tip_P) - glm::dvec2(last.tip_P));
-  tally.way += way;
-  tally.error_way += way * (last_error + error) / 2;
-  tally.square_way += way * (last_error * last_error + last_error * error + error * error) / 3;
-  tally.aside_way += way * (last_aside + aside) / 2;
-  tally.followed += way;
+  const double step = glm::length(glm::dvec2(sample.tip_P) - glm::dvec2(last.tip_P));
+  tally.path_length += step;
+  tally.error_integral += step * (last_error + error) / 2;
+  tally.square_error_integral +=
+      step * (last_error * last_error + last_error * error + error * error) / 3;
+  tally.offset_integral += step * (last_aside + aside) / 2;
+  tally.followed += step;
   tally.follow_time += sample.time - last.time;
 }
 
@@ -177,7 +178,7 @@ void TraceScorer::Add(TraceSample sample) {
   State& state = *state_;
   const glm::dvec3 p = sample.tip_P;
   if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) sample.in_contact = false;
-  const bool apart = sample.phase == TracePhase::kAir || sample.phase == TracePhase::kWay;
+  const bool apart = sample.phase == TracePhase::kAir || sample.phase == TracePhase::kTravel;
   StrokeTrace* stroke = apart ? nullptr : &state.strokes.at(sample.stroke);
   TraceTally& tally = apart ? state.air : stroke->tally;
   state.AddForce(tally, sample);

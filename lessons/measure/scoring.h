@@ -12,8 +12,8 @@
 namespace moontrace {
 
 /// What the hand is doing: above the page; coming down, until it has settled; following a stroke;
-/// leaving the page; on its way from stroke to stroke without lifting.
-enum class TracePhase { kAir, kEntry, kStroke, kLift, kWay };
+/// leaving the page; travelling over the page from one stroke to the next without lifting.
+enum class TracePhase { kAir, kEntry, kStroke, kLift, kTravel };
 
 /// One tick as scoring sees it.
 struct TraceSample {
@@ -22,7 +22,7 @@ struct TraceSample {
   glm::dvec3 force_P{0, 0, 0};  ///< on the tip [N]
   bool in_contact = false;
   TracePhase phase = TracePhase::kAir;
-  std::size_t stroke = 0;  ///< index of the intended stroke, valid unless kAir; kWay: the next
+  std::size_t stroke = 0;  ///< index of the intended stroke, valid unless kAir; kTravel: the next
 };
 
 /// Where a sample left the groove: for pictures and words.
@@ -35,15 +35,15 @@ struct TraceScore {
   std::vector<TraceMetrics> letters;  ///< one per glyph of the page
   TraceMetrics total;
   std::vector<Excursion> left_at;  ///< the first 1000
-  /// Letters of which half was covered, by the time of all [1/s].
+  /// Letters of which half was covered, over the whole duration [1/s].
   double letters_per_second = 0;
 };
 
-/// Takes samples one by one in time order, so that nothing long need be kept. Metrics after
+/// Takes samples one by one in time order, so that no trace has to be kept. Metrics after
 /// `training-and-ux.md` 1.5. Memory is bounded by the strokes, however long the trace lasts, but
-/// for parts that are covered separately. For off the tick: Add allocates now and then, and where a
-/// movement ends it takes up to some milliseconds. A sample whose tip is not finite counts as out
-/// of contact.
+/// for parts that are covered separately. Not for the tick: Add allocates now and then, and takes
+/// up to some milliseconds where a movement ends. A sample whose tip is not finite counts as out of
+/// contact.
 class TraceScorer {
  public:
   /// Throws std::invalid_argument for a stroke whose glyph is not below `glyph_count`.

@@ -5,17 +5,18 @@
 #include <cmath>
 #include <numeric>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kFewest = 7;   ///< speeds: five of jerk, as the corrected integral needs
 constexpr double kSpectrumEnd = 10;  ///< [Hz]
 constexpr double kSpectrumThreshold = 0.05;
 constexpr int kSpectrumPadding = 4;
 constexpr double kPeakProminence = 0.05;  ///< of the greatest speed
 
-bool CanTell(const std::vector<double>& speeds, double rate) {
+bool IsLongEnough(const std::vector<double>& speeds, double rate) {
   return speeds.size() >= kFewest && rate > 0 &&
          *std::max_element(speeds.begin(), speeds.end()) > 0;
 }
@@ -81,20 +82,20 @@ std::size_t PaddedSize(std::size_t size) {
 }  // namespace
 
 double NormalisedJerk(const std::vector<double>& speeds, double rate) {
-  if (!CanTell(speeds, rate)) return 0;
-  const double way = Integral(speeds, 1 / rate);
-  return SquaredJerk(speeds, rate) * std::pow(TimeOf(speeds, rate), 5) / (way * way);
+  if (!IsLongEnough(speeds, rate)) return 0;
+  const double distance = Integral(speeds, 1 / rate);
+  return SquaredJerk(speeds, rate) * std::pow(TimeOf(speeds, rate), 5) / (distance * distance);
 }
 
 double LogJerk(const std::vector<double>& speeds, double rate) {
-  if (!CanTell(speeds, rate)) return 0;
+  if (!IsLongEnough(speeds, rate)) return 0;
   const double peak = *std::max_element(speeds.begin(), speeds.end());
   const double jerk = SquaredJerk(speeds, rate) * std::pow(TimeOf(speeds, rate), 3) / (peak * peak);
   return jerk > 0 ? -std::log(jerk) : 0;
 }
 
 double SpectralArc(const std::vector<double>& speeds, double rate) {
-  if (!CanTell(speeds, rate)) return 0;
+  if (!IsLongEnough(speeds, rate)) return 0;
   const auto size = static_cast<double>(PaddedSize(speeds.size()));
   const double end = std::min(kSpectrumEnd, rate / 2);
   const auto last_bin = static_cast<std::size_t>(end * size / rate);
@@ -102,7 +103,7 @@ double SpectralArc(const std::vector<double>& speeds, double rate) {
   const double greatest = std::accumulate(speeds.begin(), speeds.end(), 0.0);
   std::vector<double> spectrum;
   for (std::size_t k = 0; k <= last_bin; k += kAtOnce) {
-    for (const double amplitude : Amplitudes(speeds, k, 2 * kPi / size)) {
+    for (const double amplitude : Amplitudes(speeds, k, kTurn / size)) {
       spectrum.push_back(amplitude / greatest);
     }
   }
@@ -139,7 +140,7 @@ std::size_t SpeedPeaks(const std::vector<double>& speeds) {
 
 Smoothness SmoothnessOf(const std::vector<double>& speeds, double rate) {
   Smoothness smoothness;
-  if (!CanTell(speeds, rate)) return smoothness;
+  if (!IsLongEnough(speeds, rate)) return smoothness;
   smoothness.normalised_jerk = NormalisedJerk(speeds, rate);
   smoothness.log_jerk = LogJerk(speeds, rate);
   smoothness.spectral_arc = SpectralArc(speeds, rate);

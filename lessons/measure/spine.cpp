@@ -6,12 +6,9 @@
 #include <iterator>
 #include <limits>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
-namespace {
-
-constexpr double kTurn = 6.283185307179586476925;
-
-}  // namespace
 
 void CoveredLength::Add(double begin, double end) {
   if (!(end >= begin)) return;
@@ -41,24 +38,8 @@ double CoveredLength::Total() const noexcept {
 
 Spine::Spine(const std::vector<Piece>& pieces) {
   for (const Piece& piece : pieces) {
-    Part part;
-    part.offset = length_;
-    part.length = Length(piece);
-    part.from = StartOf(piece);
-    part.to = EndOf(piece);
-    if (const Arc* arc = std::get_if<Arc>(&piece)) {
-      part.is_arc = true;
-      part.anchor = arc->center;
-      part.radius = arc->radius;
-      part.start = arc->start;
-      part.sweep = std::min(std::abs(arc->sweep), kTurn);
-      part.clockwise = arc->sweep < 0;
-    } else {
-      part.anchor = part.from;
-      part.direction = TangentAt(piece, 0);
-    }
-    length_ += part.length;
-    parts_.push_back(part);
+    parts_.push_back({PartOf(piece, length_), StartOf(piece), EndOf(piece)});
+    length_ += parts_.back().path.length;
   }
   if (!parts_.empty()) start_ = parts_.front().from;
 }
@@ -79,35 +60,32 @@ Spine::Foot Spine::FootOf(glm::dvec2 p) const noexcept {
 }
 
 glm::dvec2 Spine::NearestOn(const Part& part, glm::dvec2 p, glm::dvec2& tangent) noexcept {
-  const glm::dvec2 v = p - part.anchor;
-  if (!part.is_arc) {
-    tangent = part.direction;
-    return part.anchor + std::clamp(glm::dot(v, tangent), 0.0, part.length) * tangent;
+  const PathPart& path = part.path;
+  if (!path.is_arc) {
+    tangent = path.direction;
+    const double along = glm::dot(p - path.anchor, tangent);
+    return PointAt(path, std::clamp(along, 0.0, path.length));
   }
-  const double sense = part.clockwise ? -1 : 1;
-  const double turned = (std::atan2(v.y, v.x) - part.start) * sense;
-  double along = turned - kTurn * std::floor(turned / kTurn);
-  if (along > part.sweep) {
+  double angle = AngleTo(path, p);
+  if (angle > path.sweep) {
     const glm::dvec2 to_start = p - part.from, to_end = p - part.to;
-    along = glm::dot(to_start, to_start) < glm::dot(to_end, to_end) ? 0 : part.sweep;
+    angle = glm::dot(to_start, to_start) < glm::dot(to_end, to_end) ? 0 : path.sweep;
   }
-  const double angle = part.start + sense * along;
-  const glm::dvec2 out(std::cos(angle), std::sin(angle));
-  tangent = sense * glm::dvec2(-out.y, out.x);
-  return part.anchor + part.radius * out;
+  tangent = TangentAtAngle(path, angle);
+  return PointAtAngle(path, angle);
 }
 
 double Spine::Cover(glm::dvec2 p, double radius, CoveredLength& covered) const {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Part& part : parts_) {
-    const double distance = part.is_arc ? CoverArc(part, p, radius, nearest, covered)
-                                        : CoverLine(part, p, radius, covered);
+    const double distance = part.path.is_arc ? CoverArc(part, p, radius, nearest, covered)
+                                             : CoverLine(part.path, p, radius, covered);
     nearest = std::min(nearest, distance);
   }
   return nearest;
 }
 
-double Spine::CoverLine(const Part& part, glm::dvec2 p, double radius, CoveredLength& covered) {
+double Spine::CoverLine(const PathPart& part, glm::dvec2 p, double radius, CoveredLength& covered) {
   const glm::dvec2 v = p - part.anchor;
   const double along = glm::dot(v, part.direction);
   const double aside = part.direction.x * v.y - part.direction.y * v.x;
@@ -123,28 +101,26 @@ double Spine::CoverLine(const Part& part, glm::dvec2 p, double radius, CoveredLe
 
 double Spine::CoverArc(const Part& part, glm::dvec2 p, double radius, double nearest,
                        CoveredLength& covered) {
-  const glm::dvec2 v = p - part.anchor;
-  const double reach = glm::length(v);
-  const double aside = std::abs(reach - part.radius);
+  const PathPart& arc = part.path;
+  const double reach = glm::length(p - arc.anchor);
+  const double aside = std::abs(reach - arc.radius);
   if (aside >= radius && aside >= nearest) return aside;
-  // Angle from the arc's start in its own sense, in [0, 2 pi).
-  const double turned = (std::atan2(v.y, v.x) - part.start) * (part.clockwise ? -1 : 1);
-  const double along = turned - kTurn * std::floor(turned / kTurn);
+  const double along = AngleTo(arc, p);
   if (aside < radius) {
     // |p - q|^2 = reach^2 + R^2 - 2 reach R cos(angle between) <= radius^2.
-    const double product = 2 * reach * part.radius;
+    const double product = 2 * reach * arc.radius;
     const double cosine =
-        (reach * reach + part.radius * part.radius - radius * radius) / std::max(product, 1e-300);
+        (reach * reach + arc.radius * arc.radius - radius * radius) / std::max(product, 1e-300);
     const double half = std::acos(std::clamp(cosine, -1.0, 1.0));
     for (const double shift : {-kTurn, 0.0, kTurn}) {
       const double begin = std::max(along + shift - half, 0.0);
-      const double end = std::min(along + shift + half, part.sweep);
+      const double end = std::min(along + shift + half, arc.sweep);
       if (end > begin) {
-        covered.Add(part.offset + part.radius * begin, part.offset + part.radius * end);
+        covered.Add(arc.offset + arc.radius * begin, arc.offset + arc.radius * end);
       }
     }
   }
-  if (along <= part.sweep) return aside;
+  if (along <= arc.sweep) return aside;
   return std::sqrt(
       std::min(glm::dot(p - part.from, p - part.from), glm::dot(p - part.to, p - part.to)));
 }

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "textures/field/element.h"
+#include "textures/field/path_part.h"
 
 namespace moontrace {
 
@@ -49,19 +49,12 @@ class Spine {
 
  private:
   struct Part {
-    bool is_arc = false;
-    double offset = 0;           ///< arc length at its start [m]
-    double length = 0;           ///< [m]
-    glm::dvec2 anchor{0, 0};     ///< a line's start, an arc's centre
-    glm::dvec2 direction{0, 0};  ///< of a line, unit
-    double radius = 0;           ///< of an arc
-    double start = 0;            ///< of an arc [rad]
-    double sweep = 0;            ///< of an arc, at most a turn [rad]
-    bool clockwise = false;
+    PathPart path;
     glm::dvec2 from{0, 0}, to{0, 0};  ///< ends
   };
   static glm::dvec2 NearestOn(const Part& part, glm::dvec2 p, glm::dvec2& tangent) noexcept;
-  static double CoverLine(const Part& part, glm::dvec2 p, double radius, CoveredLength& covered);
+  static double CoverLine(const PathPart& part, glm::dvec2 p, double radius,
+                          CoveredLength& covered);
   /// Exact only where it is below `nearest`; otherwise some value not below it.
   static double CoverArc(const Part& part, glm::dvec2 p, double radius, double nearest,
                          CoveredLength& covered);

@@ -59,9 +59,9 @@ TraceTally StrokeTrace::Closed() const {
   closed.covered = covered.Total();
   if (is_dot) closed.covered = closest <= width / 4 ? width : 0;
   if (is_dot && std::isfinite(closest)) {
-    closed.way = width;
-    closed.error_way = width * closest;
-    closed.square_way = width * closest * closest;
+    closed.path_length = width;
+    closed.error_integral = width * closest;
+    closed.square_error_integral = width * closest * closest;
     closed.max_error = closest;
   }
   return closed;

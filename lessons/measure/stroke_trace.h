@@ -29,14 +29,14 @@ class TipPath {
   glm::dvec2 newest_{0, 0};
 };
 
-/// One intended stroke and what has become of it so far, for scoring.
+/// One intended stroke and how it has been traced so far, for scoring.
 struct StrokeTrace {
   explicit StrokeTrace(const IntendedStroke& stroke);
 
-  /// The sums with coverage, and a dot's closest approach, put in.
+  /// The sums, with coverage and a dot's closest approach added.
   TraceTally Closed() const;
-  /// Puts the distances of shape in: costs some ten thousand steps. Nothing for dots and for what
-  /// was not followed.
+  /// Adds the shape distances, at the cost of some ten thousand steps; nothing for dots and for
+  /// strokes that were not followed.
   void AddShape(TraceTally& closed) const;
   /// Followed for a width, or for half its length where that is less; a dot: covered.
   bool visited() const;

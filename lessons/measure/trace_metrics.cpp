@@ -17,12 +17,13 @@ double Balance(double a, double b, double without) {
 
 void Include(TraceTally& sum, const TraceTally& part) {
   for (double TraceTally::*field :
-       {&TraceTally::length, &TraceTally::covered, &TraceTally::way, &TraceTally::error_way,
-        &TraceTally::square_way, &TraceTally::aside_way, &TraceTally::duration,
-        &TraceTally::contact_time, &TraceTally::time_outside, &TraceTally::pause_time,
-        &TraceTally::followed, &TraceTally::follow_time, &TraceTally::forward,
-        &TraceTally::backward, &TraceTally::force_sum, &TraceTally::normal_sum,
-        &TraceTally::smooth_time, &TraceTally::shaped, &TraceTally::warped_length}) {
+       {&TraceTally::length, &TraceTally::covered, &TraceTally::path_length,
+        &TraceTally::error_integral, &TraceTally::square_error_integral,
+        &TraceTally::offset_integral, &TraceTally::duration, &TraceTally::contact_time,
+        &TraceTally::time_outside, &TraceTally::pause_time, &TraceTally::followed,
+        &TraceTally::follow_time, &TraceTally::forward, &TraceTally::backward,
+        &TraceTally::force_sum, &TraceTally::normal_sum, &TraceTally::smooth_time,
+        &TraceTally::shaped, &TraceTally::warped_length}) {
     sum.*field += part.*field;
   }
   for (std::size_t TraceTally::*field :
@@ -53,11 +54,12 @@ TraceMetrics MetricsOf(const TraceTally& tally) {
   TraceMetrics metrics;
   metrics.coverage = std::min(1.0, Ratio(tally.covered, tally.length));
   // Touched without a path: a tip that rested in one place.
-  const bool moved = tally.way > 0;
-  metrics.mean_error = moved ? tally.error_way / tally.way : tally.max_error;
-  metrics.rms_error = moved ? std::sqrt(tally.square_way / tally.way) : tally.max_error;
+  const bool moved = tally.path_length > 0;
+  metrics.mean_error = moved ? tally.error_integral / tally.path_length : tally.max_error;
+  metrics.rms_error =
+      moved ? std::sqrt(tally.square_error_integral / tally.path_length) : tally.max_error;
   metrics.max_error = tally.max_error;
-  metrics.bias = Ratio(tally.aside_way, tally.way);
+  metrics.bias = Ratio(tally.offset_integral, tally.path_length);
   metrics.excursions = tally.excursions;
   metrics.time_outside = tally.time_outside;
   metrics.duration = tally.duration;

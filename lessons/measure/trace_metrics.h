@@ -50,18 +50,18 @@ struct TraceMetrics {
   ShapeDistance shape;
 };
 
-/// Time x error [s m], less is better: what a trace costs that is neither fast at any price nor
-/// exact at any price. Only for traces of the same text. The formula is ours: Williams, Tremblay
-/// and Carnahan (2016) combine the two, but how is not known to us.
+/// Time x error [s m], less is better: a cost that rewards neither speed nor accuracy alone. Only
+/// for traces of the same text. The formula is ours: Williams, Tremblay and Carnahan (2016) combine
+/// the two by a formula that we do not know.
 double SpeedAccuracyCost(const TraceMetrics& metrics);
 
 /// What has been summed for one stroke, one letter or all: plain sums, so that they add.
 struct TraceTally {
-  double length = 0, covered = 0;  ///< intended [m]
-  double way = 0;                  ///< of the tip, weight of the errors [m]
-  double error_way = 0;            ///< integral of the error over the path [m^2]
-  double square_way = 0;           ///< of its square [m^3]
-  double aside_way = 0;            ///< of the signed offset [m^2]
+  double length = 0, covered = 0;    ///< intended [m]
+  double path_length = 0;            ///< of the tip; the weight of the errors [m]
+  double error_integral = 0;         ///< integral of the error over the path [m^2]
+  double square_error_integral = 0;  ///< of its square [m^3]
+  double offset_integral = 0;        ///< of the signed offset [m^2]
   double max_error = 0;
   std::size_t excursions = 0, entries = 0, lifts = 0, pauses = 0;
   double entry_error = 0;

@@ -1,4 +1,4 @@
-#include "lessons/machine/answer.h"
+#include "lessons/progress/answer.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@ namespace moontrace {
 
 namespace {
 
-/// Longer than this, nothing is an answer.
+/// A longer text is no answer [bytes].
 constexpr std::size_t kLongest = 1000;
 
 /// Words that may stand before a name.

@@ -1,11 +1,11 @@
-#include "lessons/machine/item_choice.h"
+#include "lessons/progress/item_choice.h"
 
 #include <algorithm>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/fsrs.h"
-#include "lessons/machine/lesson_way.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/fsrs.h"
+#include "lessons/progress/lesson_path.h"
+#include "lessons/progress/mastery.h"
 
 namespace moontrace {
 
@@ -22,8 +22,8 @@ ItemProgress ProgressOf(const Progress& progress, const std::string& item) {
   return found != progress.items.end() ? found->second : ItemProgress{};
 }
 
-/// Can be asked beside the new ones: it is named somewhere in the course, and was past the first
-/// size before.
+/// Items that can be asked along with the new ones: each is named somewhere in the course, and was
+/// past the first size before.
 std::vector<std::string> KnownItems(const Course& course, const Progress& progress,
                                     const std::vector<std::string>& without) {
   std::vector<std::string> known;

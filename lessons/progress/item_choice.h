@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lessons/course/course.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/progress.h"
 
 namespace moontrace {
 
@@ -45,7 +45,7 @@ struct ItemChooser {
 std::optional<NextItem> ChooseItem(const Course& course, const Progress& progress,
                                    ItemChooser& chooser);
 
-/// How often an item comes, as a weight: the share of wrong answers that its last ones let expect
+/// How often an item comes, as a weight: the share of wrong answers to expect after its last ones
 /// (Laplace's rule), 0-1.
 double WeightOf(const ItemProgress& item);
 

@@ -1,4 +1,4 @@
-#include "lessons/machine/learning.h"
+#include "lessons/progress/learning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
 #include "lessons/guide/guidance_table.h"
-#include "lessons/machine/fsrs.h"
-#include "lessons/machine/lesson_way.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/fsrs.h"
+#include "lessons/progress/lesson_path.h"
+#include "lessons/progress/mastery.h"
 #include "textures/base/error.h"
 
 namespace moontrace {

@@ -1,10 +1,11 @@
-#include "lessons/machine/lesson_machine.h"
+#include "lessons/progress/lesson_machine.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "lessons/machine/item_choice.h"
-#include "lessons/machine/lesson_turn.h"
+#include "lessons/progress/item_choice.h"
+#include "lessons/progress/lesson_turn.h"
+#include "textures/base/overload.h"
 
 namespace moontrace {
 
@@ -16,8 +17,8 @@ void Begin(Turn& turn) {
   LessonState& state = turn.state;
   state.begun = true;
   state.ended = false;
-  state.session_begin = state.break_told = turn.time;
-  state.lesson_told.clear();
+  state.session_begin = state.break_announced = turn.time;
+  state.lesson_announced.clear();
   ForgetStep(turn);
   const Lesson* lesson = LessonNow(turn);
   if (lesson != nullptr) {
@@ -33,7 +34,7 @@ void Begin(Turn& turn) {
   GoOn(turn);
 }
 
-/// Proposes a break each time that the course's while has been worked.
+/// Proposes a break each time the learner has worked for the course's `break_after`.
 void ProposeBreak(Turn& turn) {
   LessonState& state = turn.state;
   const double after = turn.course.break_after;
@@ -41,8 +42,8 @@ void ProposeBreak(Turn& turn) {
   const auto since = [&](std::int64_t begin) {
     return static_cast<double>(turn.time) - static_cast<double>(begin);
   };
-  if (since(state.break_told) < after) return;
-  state.break_told = turn.time;
+  if (since(state.break_announced) < after) return;
+  state.break_announced = turn.time;
   const double minutes = std::clamp(since(state.session_begin) / 60, 0.0, 1e6);
   SayCount(turn, Sentence::kBreak, {}, static_cast<int>(minutes), 0);
 }
@@ -63,17 +64,16 @@ LessonTurn Advance(const Course& course, LessonState state, const Event& event) 
     Begin(turn);  // whatever comes first, the learner has sat down
   } else {
     ProposeBreak(turn);
-    if (const auto* traced = std::get_if<lesson_event::Traced>(&event.what)) {
-      HandleTraced(turn, *traced);
-    } else if (const auto* answered = std::get_if<lesson_event::Answered>(&event.what)) {
-      HandleAnswered(turn, *answered);
-    } else if (const auto* said = std::get_if<lesson_event::Said>(&event.what)) {
-      HandleSaid(turn, *said);
-    } else if (const auto* overrule = std::get_if<lesson_event::Overrule>(&event.what)) {
-      HandleOverrule(turn, *overrule);
-    } else {
-      AwaitNow(turn, turn.state.await);
-    }
+    std::visit(
+        Overload{
+            [](const lesson_event::Begin&) {},  // above
+            [&turn](const lesson_event::Traced& traced) { HandleTraced(turn, traced); },
+            [&turn](const lesson_event::Answered& answered) { HandleAnswered(turn, answered); },
+            [&turn](const lesson_event::Said& said) { HandleSaid(turn, said); },
+            [&turn](const lesson_event::Overrule& overrule) { HandleOverrule(turn, overrule); },
+            [&turn](const lesson_event::Tick&) { AwaitNow(turn, turn.state.await); },
+        },
+        event.what);
   }
   return {std::move(turn.state), std::move(turn.actions)};
 }

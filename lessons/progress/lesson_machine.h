@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lessons/course/course.h"
-#include "lessons/machine/lesson_state.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/lesson_state.h"
+#include "lessons/progress/progress.h"
 
 namespace moontrace {
 

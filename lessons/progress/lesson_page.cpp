@@ -6,9 +6,9 @@
 
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
-#include "lessons/machine/item_choice.h"
-#include "lessons/machine/lesson_turn.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/item_choice.h"
+#include "lessons/progress/lesson_turn.h"
+#include "lessons/progress/mastery.h"
 
 namespace moontrace {
 

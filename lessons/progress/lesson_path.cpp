@@ -1,9 +1,9 @@
-#include "lessons/machine/lesson_way.h"
+#include "lessons/progress/lesson_path.h"
 
 #include <algorithm>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/mastery.h"
 
 namespace moontrace {
 
@@ -13,7 +13,7 @@ bool IsDone(const Progress& progress, std::string_view lesson) {
   return std::find(progress.done.begin(), progress.done.end(), lesson) != progress.done.end();
 }
 
-/// There is nothing to do in a lesson without steps.
+/// Done, or without steps: then there is nothing to do.
 bool NeedsNothing(const Progress& progress, const Lesson& lesson) {
   return lesson.steps.empty() || IsDone(progress, lesson.id);
 }
@@ -25,7 +25,7 @@ bool NeedsDone(const Course& course, const Progress& progress, const Lesson& les
   });
 }
 
-/// The last `count` of what was shown, or more exactly: enough of it, and the share right.
+/// Whether `count` results have been given and the share of right ones is reached.
 bool EnoughRight(const std::vector<bool>& shown, int count, double share) {
   const auto right = std::count(shown.begin(), shown.end(), true);
   return shown.size() >= static_cast<std::size_t>(std::max(1, count)) &&
@@ -49,7 +49,7 @@ bool RecogniseFinished(const Course& course, const Step& step, const StepItem& h
   return Mastered(course, item);
 }
 
-/// The test once more, after practice of what was named wrong.
+/// Prepares the test once more, after practice of what was named wrong.
 void RepeatTest(const Step& step, Progress& progress) {
   progress.practise.clear();
   for (const auto& [text, item] : progress.here) {

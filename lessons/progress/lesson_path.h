@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "lessons/course/course.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/progress.h"
 
 namespace moontrace {
 
-/// The order of steps and lessons for a learner: when one is finished and what comes after it.
+/// A learner's path through a course: when a step or a lesson is finished, and what comes next.
 
 /// Whether an item has shown what the present step asks of it:
 ///

@@ -9,11 +9,11 @@
 #include "lessons/course/course.h"
 #include "lessons/course/guidance_mode.h"
 #include "lessons/course/trial.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/progress.h"
 
 namespace moontrace {
 
-/// What happens to a lesson. All carry when: Unix time [s] in Event.
+/// What can happen to a lesson. Event carries the time: Unix time [s].
 namespace lesson_event {
 /// The learner sits down: a new session begins, where the last one ended.
 struct Begin {};
@@ -33,8 +33,9 @@ struct Said {
   Word word = Word::kAgain;
   bool by_tutor = false;
 };
-/// The tutor sets what the rules would choose. What is set comes into force and stays; one with
-/// nothing set gives all back to the rules. `lesson`, `next_lesson` and `skip` are done at once.
+/// The tutor sets what the rules would choose. What is set takes effect and stays; an Overrule with
+/// nothing set returns all choices to the rules. `lesson`, `next_lesson` and `skip` are done at
+/// once.
 struct Overrule {
   std::optional<double> size;  ///< [m]
   std::optional<int> help;     ///< 0-10
@@ -53,7 +54,7 @@ struct Event {
       what;
 };
 
-/// What is to be done, in order. Sentences are the text face's: the machine only says which.
+/// What is to be done, in order. The machine only names sentences; sim/learn has their words.
 namespace lesson_action {
 enum class Sentence {
   kWelcome,      ///< text: course title
@@ -113,7 +114,7 @@ struct Show {
   std::string script;  ///< as FindScript takes it
   double grade = 1;    ///< of the script
   double size = 0;     ///< [m]
-  bool told = true;    ///< false: what it is must not be said or shown
+  bool told = true;    ///< false: it is asked for, so it must not be said or shown
 };
 /// The push from now on. `demonstrate`: the hand is led along all strokes, then Traced comes.
 struct Push {
@@ -133,17 +134,17 @@ enum class Await { kTrace, kAnswer, kNext, kEnd };
 using Action = std::variant<lesson_action::Say, lesson_action::Show, lesson_action::Push,
                             lesson_action::Keep, lesson_action::Await>;
 
-/// Everything that a lesson in progress remembers; a value. `progress` changes by kept trials
-/// alone, so that it can be computed from the records; all else lasts as long as the session.
+/// Everything that a running lesson remembers; a value type. `progress` changes by kept trials
+/// alone, so that it can be computed from the records; the rest lasts as long as the session.
 struct LessonState {
   Progress progress;
   bool begun = false, ended = false;
-  std::int64_t session_begin = 0, break_told = 0;  ///< Unix time [s]
-  std::uint64_t random = 1;                        ///< seed; each choice advances it
-  bool announced = false;                          ///< the present step has been begun aloud
-  bool practising = false;                         ///< for a test that was not passed
-  std::string lesson_told;                         ///< id of the lesson whose title was said last
-  std::vector<std::string> reviews;                ///< items due, still to be asked
+  std::int64_t session_begin = 0, break_announced = 0;  ///< Unix time [s]
+  std::uint64_t random = 1;                             ///< seed; each choice advances it
+  bool announced = false;                               ///< the present step has been begun aloud
+  bool practising = false;                              ///< for a test that was not passed
+  std::string lesson_announced;        ///< id of the lesson whose title was said last
+  std::vector<std::string> reviews;    ///< items due, still to be asked
   std::vector<std::string> queue;      ///< items to be asked again soon, after a failure
   std::vector<std::string> skipped;    ///< items of this step that were left by "next"
   std::string item, mate;              ///< shown now; second of a pair
@@ -157,7 +158,7 @@ struct LessonState {
   double speed = 1;
   lesson_event::Overrule overrule;  ///< in force
   lesson_action::Await await = lesson_action::Await::kNext;
-  /// Go into every trial of this session as they are; who starts it sets them after StartLesson.
+  /// Copied into every trial of this session; the caller of StartLesson sets them.
   bool scaled = false, simulated = false;
 };
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/item_choice.h"
-#include "lessons/machine/lesson_turn.h"
-#include "lessons/machine/lesson_way.h"
+#include "lessons/progress/item_choice.h"
+#include "lessons/progress/lesson_path.h"
+#include "lessons/progress/lesson_turn.h"
 
 namespace moontrace {
 
@@ -36,8 +36,8 @@ void End(Turn& turn) {
 void Announce(Turn& turn, const Lesson& lesson, const Step& step) {
   LessonState& state = turn.state;
   state.announced = true;
-  if (state.lesson_told != lesson.id) {
-    state.lesson_told = lesson.id;
+  if (state.lesson_announced != lesson.id) {
+    state.lesson_announced = lesson.id;
     const auto index = LessonIndex(turn.course, lesson.id);
     SayCount(turn, Sentence::kLesson, lesson.title, static_cast<int>(index.value_or(0)) + 1,
              static_cast<int>(turn.course.lessons.size()));
@@ -106,7 +106,7 @@ void EndStepNow(Turn& turn, const Lesson& lesson, const Step& step) {
   if (failed && now.lesson == lesson.id && now.step <= place)
     return Say(turn, Sentence::kTestAgain);
   Say(turn, IsDone(turn, lesson) ? Sentence::kLessonDone : Sentence::kSkipped, lesson.title);
-  turn.state.lesson_told.clear();
+  turn.state.lesson_announced.clear();
 }
 
 void GoOn(Turn& turn) {
@@ -141,7 +141,7 @@ void GoToLesson(Turn& turn, const Lesson& lesson) {
   KeepArrival(turn, lesson);
   ForgetStep(turn);
   state.reviews.clear();
-  state.lesson_told.clear();
+  state.lesson_announced.clear();
   state.ended = false;
   GoOn(turn);
 }

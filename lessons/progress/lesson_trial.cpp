@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/answer.h"
-#include "lessons/machine/lesson_turn.h"
-#include "lessons/machine/lesson_way.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/answer.h"
+#include "lessons/progress/lesson_path.h"
+#include "lessons/progress/lesson_turn.h"
+#include "lessons/progress/mastery.h"
 
 namespace moontrace {
 
@@ -155,11 +155,11 @@ void Skip(Turn& turn) {
       if (StepNow(turn) != nullptr) EndStepNow(turn, *LessonNow(turn), *StepNow(turn));
       break;
     case StepKind::kDemonstrate: {
-      // Enough of it: the item has been named, and counts as introduced.
-      Trial told = TrialOf(turn, {});
-      told.help = 0;
-      told.guidance = GuidanceMode::kOff;
-      Keep(turn, std::move(told));
+      // Skipped: the item has been named all the same, and counts as introduced.
+      Trial named = TrialOf(turn, {});
+      named.help = 0;
+      named.guidance = GuidanceMode::kOff;
+      Keep(turn, std::move(named));
       break;
     }
     case StepKind::kTrace:

@@ -1,9 +1,9 @@
-#include "lessons/machine/lesson_turn.h"
+#include "lessons/progress/lesson_turn.h"
 
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/learning.h"
+#include "lessons/progress/learning.h"
 
 namespace moontrace {
 

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/machine/lesson_state.h"
+#include "lessons/progress/lesson_state.h"
 
 namespace moontrace {
 
-/// One turn of the lesson machine while it is worked out: inside lesson_*.cpp only.
+/// One turn of the lesson machine while it is computed; used by lesson_*.cpp only.
 struct Turn {
   const Course& course;
   LessonState state;
@@ -25,7 +25,7 @@ void SayCount(Turn& turn, lesson_action::Sentence sentence, std::string_view tex
               int of);
 /// The machine waits, as before or for something else; ends the turn's actions.
 void AwaitNow(Turn& turn, lesson_action::Await await);
-/// Takes the trial into progress, and has it kept.
+/// Adds the trial to progress and to the actions, to be kept in the records.
 void Keep(Turn& turn, Trial trial);
 /// Keeps a trial as a mark: the present step has ended, or the learner has come to a lesson.
 void KeepStepEnd(Turn& turn);
@@ -48,9 +48,9 @@ void Ask(Turn& turn);
 void ShowPage(Turn& turn);
 /// Another push on the page that is shown, while it is felt.
 void ChangePush(Turn& turn);
-/// The memory aid of what is shown, where telling it does not give it away; empty: none.
+/// The memory aid of what is shown, unless saying it would give the answer away; empty: none.
 std::string HintNow(const Turn& turn);
-/// Help of this item by the rules and what overrules them, 0-10, were it not a probe.
+/// Help for this item by the rules and the tutor's overrules, 0-10, as if it were no probe.
 int HelpByRules(const Turn& turn);
 /// Size by the rules alone [m].
 double SizeByRules(const Turn& turn);
@@ -77,7 +77,7 @@ void GoOn(Turn& turn);
 void GoToLesson(Turn& turn, const Lesson& lesson);
 /// To the lesson where the learner is; true: there is one with steps.
 bool FindPlace(Turn& turn);
-/// What belongs to the step alone.
+/// Clears what belongs to the present step alone.
 void ForgetStep(Turn& turn);
 
 }  // namespace moontrace

@@ -6,8 +6,8 @@
 
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
-#include "lessons/machine/lesson_turn.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/lesson_turn.h"
+#include "lessons/progress/mastery.h"
 
 namespace moontrace {
 
@@ -106,7 +106,7 @@ void Again(Turn& turn) {
   ShowPage(turn);
 }
 
-/// To another lesson; none: one sentence, and all goes on.
+/// Goes to another lesson; if there is none, says so and stays.
 void Leap(Turn& turn, const Overrule& overrule) {
   const auto here = LessonIndex(turn.course, turn.state.progress.lesson);
   std::optional<std::size_t> there = here ? *here + 1 : 0;
@@ -118,7 +118,7 @@ void Leap(Turn& turn, const Overrule& overrule) {
   GoToLesson(turn, turn.course.lessons[*there]);
 }
 
-/// Takes over what is set. True: something was.
+/// Takes over what is set; true if anything was.
 bool Merge(Turn& turn, const Overrule& overrule) {
   LessonState& state = turn.state;
   const bool size = overrule.size && std::isfinite(*overrule.size);

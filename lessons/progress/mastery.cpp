@@ -1,4 +1,4 @@
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/mastery.h"
 
 #include <algorithm>
 #include <cmath>

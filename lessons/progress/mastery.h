@@ -7,7 +7,7 @@
 #include "lessons/course/course.h"
 #include "lessons/course/lesson_items.h"
 #include "lessons/course/trial.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/progress.h"
 
 namespace moontrace {
 

@@ -25,7 +25,6 @@ struct ItemProgress {
   bool mastered = false;          ///< sure at standard size once
   /// FSRS-6 memory (fsrs.h); stability 0: never reviewed.
   double stability = 0, difficulty = 0;
-  int review_steps = 0;                ///< Memory::steps: reviews of minutes before days count
   int short_steps = 0;                 ///< reviews to come within the session (Memory::steps)
   std::int64_t reviewed = 0, due = 0;  ///< Unix time [s]
 

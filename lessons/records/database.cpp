@@ -34,7 +34,7 @@ namespace {
 // milliseconds.
 constexpr int kBusyMilliseconds = 2000;
 
-/// errno of what failed last; SQLite's own copy is of what it did after that, on its way back.
+/// errno of the last failure; SQLite's own copy may come from a later call of its clean-up.
 int SystemError(sqlite3* file) {
   int error = 0;
   if (file == nullptr) return 0;
@@ -94,7 +94,7 @@ Statement::Statement(const std::string& path, sqlite3* file, const std::string& 
   const int code =
       sqlite3_prepare_v2(file, sql.data(), static_cast<int>(sql.size()), &made, nullptr);
   statement_.reset(made);
-  // what we ask for is right: a table or column that is missing was taken from the file
+  // our SQL is right: a missing table or column means that the file was changed
   if (code == SQLITE_ERROR) Fail(path, file, SQLITE_CORRUPT);
   Require(path, file, code);
 }
@@ -178,7 +178,7 @@ Database::Database(const std::string& path, bool write)
   sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  // temp_store: what is being moved about must not reach a folder for temporary files
+  // temp_store: data being rearranged must not reach a folder for temporary files
   Run("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON; PRAGMA foreign_keys = ON;"
       "PRAGMA temp_store = MEMORY; PRAGMA cell_size_check = ON");
   if (write && sqlite3_db_readonly(opened, "main") == 1) Fail(*path_, opened, SQLITE_READONLY);

@@ -40,14 +40,14 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finish> statement_;
 };
 
-/// A SQLite file; its source is the only one that knows SQLite. Every error is thrown as one line
-/// that begins with the path: InputError for what is wrong with the file (not a database, damaged),
-/// LackError for what is wrong with the machine (no permission, no room, in use, built without
-/// SQLite). What is deleted is overwritten by zeros; a commit returns when the disk has it.
+/// A SQLite file; database.cpp is the only source that uses SQLite. Every error is thrown as one
+/// line that begins with the path: InputError for what is wrong with the file (not a database,
+/// damaged), LackError for what is wrong with the machine (no permission, no room, in use, built
+/// without SQLite). What is deleted is overwritten by zeros; a commit returns when the disk has it.
 class Database {
  public:
-  /// `write`: makes the file where there is none. Otherwise nothing but what a killed program left
-  /// half-done is changed.
+  /// `write`: makes the file where there is none. Otherwise only a transaction that a killed
+  /// program left unfinished is undone.
   Database(const std::string& path, bool write);
 
   /// False: built without SQLite.

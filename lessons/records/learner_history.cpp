@@ -12,6 +12,7 @@
 #include "lessons/records/trial_fields.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
+#include "textures/base/overload.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 
@@ -19,8 +20,8 @@ namespace moontrace {
 
 namespace {
 
-using Json = nlohmann::ordered_json;  // for writing: finding a key takes as long as the object
-using ReadJson = nlohmann::json;      // for reading: what is hostile takes no longer
+using Json = nlohmann::ordered_json;  // for writing, keeps order; finding a key takes linear time
+using ReadJson = nlohmann::json;      // for reading: finding a key stays quick in hostile files
 
 constexpr const char* kFormat = "moontrace-learner";
 constexpr const char* kResearchFormat = "moontrace-research";
@@ -33,11 +34,12 @@ constexpr int kGreatestDepth = 5;              // {"trials": [{"track": [number]
 constexpr const char* kCure = "use an unaltered export";
 
 Json JsonOf(const TrialField::Value& value, TrialField::Kind kind) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-    return kind == TrialField::Kind::kFlag ? Json(*whole != 0) : Json(*whole);
-  }
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  return std::get<std::string>(value);
+  const auto of_whole = [kind](std::int64_t whole) {
+    return kind == TrialField::Kind::kFlag ? Json(whole != 0) : Json(whole);
+  };
+  return std::visit(Overload{of_whole, [](double real) { return Json(real); },
+                             [](const std::string& text) { return Json(text); }},
+                    value);
 }
 
 Json JsonOf(const Trial& trial) {
@@ -157,9 +159,10 @@ TrialField::Value ReadValue(Members& members, const TrialField& field) {
       return members.Whole(field.name);
     case TrialField::Kind::kReal:
       return members.Real(field.name);
-    default:
-      return members.Words(field.name);
+    case TrialField::Kind::kText:
+      break;
   }
+  return members.Words(field.name);
 }
 
 RecordedTrial ReadTrial(const ReadJson& json, const std::string& where) {

@@ -18,13 +18,13 @@ struct LearnerEntry {
   bool simulated = false;
 };
 
-/// A session's other happenings, in words: the tutor's commands, breaks, stops.
+/// Other events of a session, in words: the tutor's commands, breaks, stops.
 struct RecordedEvent {
   std::int64_t time = 0;  ///< Unix time [s]
   std::string kind, text;
 };
 
-/// A trial with what the records keep beside it.
+/// A trial with what the records keep besides it.
 struct RecordedTrial {
   std::string course;  ///< id
   Trial trial;

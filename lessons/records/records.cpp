@@ -14,6 +14,7 @@
 #include "lessons/records/records_schema.h"
 #include "lessons/records/trial_fields.h"
 #include "textures/base/error.h"
+#include "textures/base/overload.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 
@@ -30,13 +31,12 @@ std::string Clean(std::string text) {
 }
 
 void BindField(Statement& statement, int index, const TrialField::Value& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-    statement.Bind(index, *whole);
-  } else if (const auto* real = std::get_if<double>(&value)) {
-    statement.Bind(index, std::isfinite(*real) ? *real : 0);
-  } else {
-    statement.Bind(index, Clean(std::get<std::string>(value)));
-  }
+  std::visit(Overload{
+                 [&](std::int64_t whole) { statement.Bind(index, whole); },
+                 [&](double real) { statement.Bind(index, std::isfinite(real) ? real : 0); },
+                 [&](const std::string& text) { statement.Bind(index, Clean(text)); },
+             },
+             value);
 }
 
 TrialField::Value FieldValue(const Statement& statement, int column, const TrialField& field) {
@@ -45,9 +45,11 @@ TrialField::Value FieldValue(const Statement& statement, int column, const Trial
       return statement.Real(column);
     case TrialField::Kind::kText:
       return statement.Text(column);
-    default:
-      return statement.Integer(column);
+    case TrialField::Kind::kWhole:
+    case TrialField::Kind::kFlag:
+      break;
   }
+  return statement.Integer(column);
 }
 
 }  // namespace
@@ -95,7 +97,7 @@ struct Records::Impl {
     }
   }
 
-  /// All steps that are missing, or none.
+  /// Runs all schema steps that are missing, or none if one fails.
   void BringUpToDate() const {
     if (Version() == RecordsVersion()) return;
     Transaction transaction(file);

@@ -25,7 +25,7 @@ class Records {
   /// Opens for writing; makes file (0600) and folder (0700) where there are none; an older version
   /// is brought up to date.
   static Records Open(const std::string& path);
-  /// For looking only; throws InputError where there is no file.
+  /// For reading only; throws InputError where there is no file.
   static Records OpenToRead(const std::string& path);
 
   std::vector<LearnerEntry> Learners() const;
@@ -46,13 +46,13 @@ class Records {
 
   /// All that is known of a learner as JSON text (UTF-8), which HistoryFromJson reads.
   std::string Export(const std::string& pseudonym) const;
-  /// What of it researchers may see: no pseudonym, no words, no tracks; times count from the first
-  /// trial. It lists the fields that it holds. Cannot be imported.
+  /// The part of it that researchers may see: no pseudonym, no words, no tracks; times count from
+  /// the first trial. It lists the fields that it holds, and cannot be imported.
   std::string ExportAnonymous(const std::string& pseudonym) const;
   /// Adds a learner with a whole history. Throws InputError (`name`: where it comes from) where one
   /// of that pseudonym is here; then nothing is added.
   void Import(const LearnerHistory& history, const std::string& name);
-  /// Every byte of a learner out of the file, its log and its free pages.
+  /// Removes every byte of a learner from the file, its journal and its free pages.
   void Erase(const std::string& pseudonym);
 
   Records(Records&&) noexcept;

@@ -8,11 +8,12 @@ namespace moontrace {
 /// Throws LackError.
 void MakeRecordsFile(const std::string& path);
 
-/// Takes the rights of group and others from a file, as far as that is allowed.
+/// Removes the permissions of group and others from a file, as far as that is allowed.
 void MakePrivate(const std::string& path);
 
-/// Held by the one program that writes to a records file, in an empty file "PATH-lock" beside it:
-/// SQLite's own locks last for one transaction only. Ends with the program, however it ends.
+/// A lock on an empty file "PATH-lock", held by the one program that writes to the records file:
+/// SQLite's own locks last for one transaction only. Released when the program ends, however it
+/// ends.
 class WriterLock {
  public:
   /// Throws LackError: held by another program, cannot be made.

@@ -9,8 +9,8 @@ namespace moontrace {
 /// In the head of the file, so that no other database is taken for one: "MOON".
 inline constexpr std::int64_t kRecordsApplication = 0x4d4f4f4e;
 
-/// What makes version N of the records from version N - 1; the first makes it from an empty file.
-/// A step that was ever released is never changed: a new one is appended.
+/// SQL that makes version N of the records from version N - 1; the first step starts from an empty
+/// file. A released step is never changed: a new one is appended.
 const std::vector<std::string>& RecordsSteps();
 
 /// The version that this program writes: the number of steps.

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/learning.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/learning.h"
+#include "lessons/progress/mastery.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr std::size_t kLast = 10;  ///< trials that tell how an item goes now
+constexpr std::size_t kLast = 10;  ///< last trials that show how well an item is known now
 constexpr std::size_t kToPractise = 3;
 
 double Ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }

@@ -8,7 +8,7 @@
 
 #include "lessons/course/course.h"
 #include "lessons/course/trial.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/progress.h"
 
 namespace moontrace {
 
@@ -26,11 +26,11 @@ struct TrialSums {
   double NamedRight() const;        ///< share; 0 without answers
   double MeanCoverage() const;      ///< 0-1
   double MeanErrorWidths() const;   ///< [groove widths]
-  double LettersPerSecond() const;  ///< named right, unhurried by anyone
+  double LettersPerSecond() const;  ///< named right, at the learner's own pace
   double TracedPerSecond() const;
 };
 
-/// An item and how it goes: unguided and unscaled trials only.
+/// How a learner does with one item, by unguided and unscaled trials only.
 struct ItemFact {
   std::string item;
   double size = 0;  ///< of sure items: smallest at which it was sure; else present size [m]

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lessons/course/course.h"
+#include "textures/base/overload.h"
 
 namespace moontrace {
 
@@ -88,9 +89,12 @@ std::string Cell(std::string_view text) {
 }
 
 std::string Cell(const TrialField::Value& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
-  if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
-  return Cell(std::string_view(std::get<std::string>(value)));
+  return std::visit(Overload{
+                        [](std::int64_t whole) { return std::to_string(whole); },
+                        [](double real) { return fmt::format("{}", real); },
+                        [](const std::string& text) { return Cell(std::string_view(text)); },
+                    },
+                    value);
 }
 
 }  // namespace

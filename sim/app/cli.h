@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/wording/console.h"
+#include "sim/console/console.h"
 
 namespace moontrace {
 

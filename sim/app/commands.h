@@ -10,12 +10,12 @@
 
 #include "devices/core/mailbox.h"
 #include "devices/hand/aimed_stylus.h"
+#include "lessons/course/guidance_mode.h"
+#include "sim/console/console.h"
 #include "sim/learn/learn_options.h"
 #include "sim/session/device_choice.h"
 #include "sim/session/view_options.h"
-#include "sim/setup/guide_options.h"
 #include "sim/setup/options.h"
-#include "sim/wording/console.h"
 
 /// What each command takes and runs, in the order of help. AddOptions binds a command's options to
 /// its line; Run gives the exit code or throws (cli.h turns what is thrown into a line and a code).
@@ -47,6 +47,12 @@ struct PageOptions {
 };
 void AddOptions(CLI::App& app, PageOptions& options);
 int Run(const PageOptions& options, Console& console);
+
+/// `--guide`, `--help-level` of `trace`, as given.
+struct GuideOptions {
+  std::optional<GuidanceMode> mode;
+  std::optional<double> help;  ///< 0-10
+};
 
 /// `trace`: the simulated stylus traces a text, page after page, and is scored; with `--device` a
 /// person does, in real time.

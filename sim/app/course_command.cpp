@@ -14,6 +14,7 @@
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -21,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMillimetres = 1e3;
 constexpr const char* kShipped = "learn-moon";
 constexpr const char* kCourseFile = "course.toml";
 

@@ -7,8 +7,8 @@
 
 #include "lessons/course/course.h"
 
-/// Sentences of `moontrace course`; see messages.h. What is wrong with a course's files is said by
-/// the code that reads them (lessons/course/course.h).
+/// Sentences of `moontrace course`. What is wrong with a course's files is said by the code that
+/// reads them (lessons/course/course.h).
 namespace moontrace::say {
 
 std::string NotACourseAction(std::string_view given, std::string_view nearest);

@@ -14,7 +14,7 @@
 #include "sim/trial/trial.h"
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr const char* kWord = "MOON";
 constexpr double kSizes[] = {0.040, 0.020, 0.010, 0.006};  // [m]
 constexpr double kBlankSize = 0.020;                       // [m]
-constexpr double kBar = 0.98;                              // coverage that a size must reach
+constexpr double kBar = 0.98;                              // coverage that a size should reach
 
 /// One line of the demo: traces the word at a size and leaves a picture.
 TrialResult TraceWord(const DemoOptions& options, const Script& script, double size, bool blank,

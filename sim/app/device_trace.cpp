@@ -27,13 +27,6 @@ namespace {
 /// A stroke is meant within a quarter em of it: halfway to the next where they are closest.
 constexpr double kReachEm = 0.25;
 
-double LengthOf(const IntendedStroke& stroke) {
-  if (stroke.kind == StrokeKind::kDot) return stroke.width;
-  double length = 0;
-  for (const Piece& piece : stroke.spine_P) length += Length(piece);
-  return length;
-}
-
 /// The score of one page while it is traced.
 class PageScore {
  public:
@@ -118,7 +111,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   SessionRequest request = RequestOf(options);
   request.aims = AimsFor(options.live.device, options.view);
   const std::unique_ptr<ViewFeed> view = ViewFeed::Open(options.view, request.aims, console);
-  LoopSession session(std::move(request), console);
+  LoopSession session(request, console);
   Trace trace;
   trace.text = session.text();
   trace.blank = options.blank;
@@ -153,7 +146,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
     }
     trace.pages.push_back(std::move(result));
   }
-  Report(options, trace, session.scale(), console);
+  Report(options, trace, session.device().scale(), console);
   if (view && !options.output.json) SayView(*view, options.view, console);
   RequireDevice(session);
   if (view) RequireView(*view, options.live.device);

@@ -19,12 +19,11 @@
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/metrics_json.h"
 #include "textures/base/resources.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
 namespace {
-
-constexpr double kMillimetres = 1e3;
 
 Json AxesJson(glm::bvec3 axes) {
   std::string names;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sim/app/messages.h"
-#include "sim/report/gallery_page.h"
+#include "sim/html_report/gallery_page.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
@@ -194,7 +194,7 @@ GalleryPicture Show(const Exhibit& exhibit, std::size_t number, const fs::path& 
   console.CheckStop();
   std::string refusal = err.str();
   if (!refusal.empty() && refusal.back() == '\n') refusal.pop_back();
-  // a refusal that names the picture is of its place, which the others share
+  // an error that names the picture is about its folder, which all pictures share
   if (code == exit_code::kLack && refusal.find(file) != std::string::npos) throw LackError(refusal);
   if (code != exit_code::kGood && code != exit_code::kLack) {
     throw WorkFailed(say::ExhibitFailed(exhibit.title, refusal));

@@ -1,4 +1,4 @@
-#include "sim/setup/guide_messages.h"
+#include "sim/app/guide_messages.h"
 
 #include <fmt/core.h>
 

@@ -79,10 +79,10 @@ void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, Lea
     teller.Say(Priority::kText, say::DemonstrationCounts());
   } else {
     teller.Say(Priority::kText, say::WithDevice(options.live.device));
-    if (session.mouse()) teller.Say(Priority::kText, say::MouseIsSeen());
+    if (session.device().mouse()) teller.Say(Priority::kText, say::MouseIsSeen());
     if (!stage.pushes()) teller.Say(Priority::kText, say::NotFelt());
   }
-  if (session.scale() != 1) teller.Say(Priority::kText, say::LearnScaled());
+  if (session.device().scale() != 1) teller.Say(Priority::kText, say::LearnScaled());
   if (!session.loop().not_realtime().empty()) {
     teller.Remark(say::NotRealtime(session.loop().not_realtime()));
   }
@@ -98,12 +98,12 @@ std::unique_ptr<Speech> SpeechFor(const LearnOptions& options, const Course& cou
 }
 
 /// For tutors at the door and for the one at the window.
-std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, LearnSession& session,
-                                   ViewFeed* feed) {
+std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, const LearnParts& parts,
+                                   RunningLesson& lesson, ViewFeed* feed) {
   if (!options.tutor && feed == nullptr) return nullptr;
   TutorDesk::Told window;
   if (feed != nullptr) window = [feed](std::string_view line) { feed->ShowLine(line); };
-  return std::make_unique<TutorDesk>(session, options.tutor, std::move(window));
+  return std::make_unique<TutorDesk>(parts, lesson, options.tutor, std::move(window));
 }
 
 int Learn(LearnOptions options, const Course& course, Console& console) {
@@ -129,14 +129,14 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, aims, console);
   LearnStage stage({options.live, options.press, options.seed, aims, memory.keeps_tracks()},
                    console);
-  LearnSession session(course, memory, stage, teller, options.seed,
-                       keys ? say::KeysHelp(*keys) : say::LearnHelp());
-  const std::unique_ptr<TutorDesk> tutor = DeskFor(options, session, feed.get());
+  const LearnParts parts{course, memory, stage, teller};
+  LearnSession session(parts, options.seed, keys ? say::KeysHelp(*keys) : say::LearnHelp());
+  const std::unique_ptr<TutorDesk> tutor = DeskFor(options, parts, session, feed.get());
   SayBeginning(stage, options, keys.has_value(), teller);  // once nothing can be refused any more
   std::unique_ptr<LearnView> view;
-  if (feed) view = std::make_unique<LearnView>(*feed, session, *tutor, console);
+  if (feed) view = std::make_unique<LearnView>(*feed, parts, session, *tutor, console);
   std::unique_ptr<PathListener> path;
-  if (sound) path = std::make_unique<PathListener>(*sound);
+  if (sound) path = std::make_unique<PathListener>(*sound, parts, session);
   std::unique_ptr<LearnInput> input;
   if (keys) {
     input = std::make_unique<KeyInput>(*keys, console);
@@ -146,7 +146,8 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   memory.Admit();
   session.Begin();
   try {
-    Drive(session, *input, {tutor.get(), path.get(), view.get()}, options.live.seconds, console);
+    Drive(session, teller, *input, {tutor.get(), path.get(), view.get()}, options.live.seconds,
+          console);
   } catch (const Interrupted&) {
     input.reset();  // the terminal first
     session.End();
@@ -156,7 +157,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   const std::size_t lost = session.End();
   if (feed) SayView(*feed, options.view, console);
   if (lost > 0) throw LackError(say::NeverKept(lost));
-  RequireDevice(session.stage().session());
+  RequireDevice(stage.session());
   if (feed) RequireView(*feed, options.live.device);
   return exit_code::kGood;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "sim/session/device_choice.h"
 #include "sim/session/loop_drive.h"
@@ -15,6 +14,7 @@
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/metrics_json.h"
 #include "sim/trial/touch_energy.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -49,10 +49,10 @@ Json PercentilesJson(const Histogram& histogram) {
 }
 
 Json DeviceJson(const LoopSession& session) {
-  const DeviceLimits& limits = session.limits();
-  const bool simulated = IsSimulated(session.request().live.device);
+  const LiveDevice& device = session.device();
+  const DeviceLimits& limits = device.limits();
   Json json;
-  json["name"] = simulated ? "simulated" : session.request().live.device;
+  json["name"] = device.simulated() ? "simulated" : device.name();
   json["peak_force_n"] = OrNull(limits.peak_force);
   json["continuous_force_n"] = OrNull(limits.continuous_force);
   json["stiffness_n_m"] = limits.stiffness;
@@ -77,8 +77,8 @@ Json LoopJson(const LoopSession& session, const LoopReport& report, const std::s
   Json json = TypesetJson(session.text().set, session.text().script);
   json["pages"] = session.text().set.pages.size();
   json["device"] = DeviceJson(session);
-  json["scale"] = session.scale();
-  json["tilt_deg"] = session.tilt() * 180 / std::numbers::pi;
+  json["scale"] = session.device().scale();
+  json["tilt_deg"] = InDegrees(session.tilt());
   json["rate_hz"] = session.rate();
   json["seconds"] = seconds;
   json["ticks"] = report.ticks;
@@ -141,7 +141,7 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
             const std::shared_ptr<Mailbox<StylusAim>>& aims, Console& console) {
   SessionRequest request = RequestOf(options);
   request.aims = aims;
-  LoopSession session(std::move(request), console);
+  LoopSession session(request, console);
   SayReplacements(session.text().set,
                   [&console](const std::string& line) { console.Remark(line); });
   const std::string why_not = session.loop().not_realtime();

@@ -2,9 +2,9 @@
 
 #include <fmt/core.h>
 
+#include "sim/console/wording.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/writing_messages.h"
-#include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 #include "textures/typeset/character_name.h"
 

@@ -9,9 +9,9 @@
 #include "sim/trial/trial.h"
 #include "textures/typeset/typeset.h"
 
-/// Every sentence of the commands stands here, so that one page shows the program's voice and a
-/// translator finds it. Plain lines: the outcome first, numbers and paths last, no columns, no
-/// escape codes. Sentences about a file's contents stand with the code that reads it (InputError).
+/// Sentences of the commands; those that a room below says stand in its own *messages.h. Plain
+/// lines: the outcome first, numbers and paths last, no columns, no escape codes. Lines of
+/// InputError and LackError mostly stand with the code that throws them.
 namespace moontrace::say {
 
 // The command line.

@@ -66,7 +66,7 @@ void SayLines(const Typeset& set, const Script& script, Console& console) {
   }
 }
 
-/// Told only of what is not plain: most is.
+/// Empty for plain lines, which most are.
 const char* KindJson(LineKind kind) {
   switch (kind) {
     case LineKind::kPlain:

@@ -13,8 +13,8 @@
 #include "sim/trial/record.h"
 #include "sim/trial/trial.h"
 #include "textures/base/error.h"
-#include "textures/script/fallback.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/fallback.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/typeset.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 /// The page of the record and its push, built again.
 struct Rebuilt {
-  TextureField field;
+  std::shared_ptr<const TextureField> field;
   std::optional<GuidancePlan> push;
   std::shared_ptr<const ViewPage> seen;  ///< with `view`
 };
@@ -40,9 +40,11 @@ Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder
     throw InputError(say::BadParameters(folder, "page"));
   }
   const TextPage& page = set.pages[parameters.page];
-  Rebuilt rebuilt{PageField(page, script, set.style, parameters.blank), std::nullopt, nullptr};
+  Rebuilt rebuilt;
+  rebuilt.field =
+      std::make_shared<const TextureField>(PageField(page, script, set.style, parameters.blank));
   if (view) {
-    rebuilt.seen = MakeViewPage(page, set.page, script, set.style, parameters.text,
+    rebuilt.seen = MakeViewPage(set, parameters.page, script, parameters.text, rebuilt.field,
                                 parameters.blank, static_cast<std::uint32_t>(parameters.page));
   }
   if (parameters.guidance.on()) {
@@ -79,7 +81,7 @@ int Run(const ReplayOptions& options, Console& console) {
   const Record record = ReadRecord(options.folder, options.check);
   const TrialParameters parameters = ReadParameters(record.head.parameters_json, options.folder);
   const Rebuilt page = RebuiltFrom(parameters, options.folder, options.view.asked());
-  if (page.field.Hash() != record.head.field_hash) {
+  if (page.field->Hash() != record.head.field_hash) {
     throw InputError(say::OtherField(options.folder));
   }
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
@@ -92,7 +94,7 @@ int Run(const ReplayOptions& options, Console& console) {
       view->Look(time, felt, push);
     };
   }
-  const ReplayResult replay = Replay(record, page.field, page.push ? &*page.push : nullptr, watch);
+  const ReplayResult replay = Replay(record, *page.field, page.push ? &*page.push : nullptr, watch);
   // An altered record is bad input, whatever the replay gives: bit-equal to what was altered is no
   // success, and not every column decides what is computed.
   if (!record.altered.empty()) throw InputError(say::Altered(record.altered, replay));

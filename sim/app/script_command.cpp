@@ -16,10 +16,11 @@
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 #include "textures/base/utf8.h"
-#include "textures/script/script_check.h"
-#include "textures/script/script_library.h"
-#include "textures/script/svg_font_writer.h"
+#include "textures/fonts/script_check.h"
+#include "textures/fonts/script_library.h"
+#include "textures/fonts/svg_font_writer.h"
 #include "textures/typeset/fold.h"
 
 namespace moontrace {
@@ -98,15 +99,31 @@ int Info(const ScriptOptions& options, const Script& script, Console& console) {
   return exit_code::kGood;
 }
 
+std::string_view KeyOf(ScriptFinding::Kind kind) {
+  switch (kind) {
+    case ScriptFinding::Kind::kSplit:
+      return "split";
+    case ScriptFinding::Kind::kLift:
+      return "lift";
+    case ScriptFinding::Kind::kReversed:
+      return "reversed";
+    case ScriptFinding::Kind::kOverlap:
+      return "overlap";
+    case ScriptFinding::Kind::kTightBend:
+      return "tight-bend";
+    case ScriptFinding::Kind::kNarrowGap:
+      return "narrow-gap";
+  }
+  return {};
+}
+
 Json FindingJson(const ScriptFinding& finding, const Script& script) {
-  constexpr const char* kNames[] = {"split",   "lift",       "reversed",
-                                    "overlap", "tight-bend", "narrow-gap"};
   const bool turn = finding.kind <= ScriptFinding::Kind::kReversed;
   Json json{{"glyph", script.glyphs[finding.glyph].name},
-            {"kind", kNames[static_cast<std::size_t>(finding.kind)]},
+            {"kind", KeyOf(finding.kind)},
             {"strokes", {finding.stroke + 1, finding.other + 1}}};
-  json[turn ? "turn_rad" : "figure_mm"] = turn ? finding.figure : 1e3 * finding.figure;
-  if (finding.needed > 0) json["needed_mm"] = 1e3 * finding.needed;
+  json[turn ? "turn_rad" : "figure_mm"] = turn ? finding.figure : kMillimetres * finding.figure;
+  if (finding.needed > 0) json["needed_mm"] = kMillimetres * finding.needed;
   return json;
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numbers>
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 
 namespace moontrace::say {
 
@@ -16,7 +16,7 @@ using Kind = ScriptFinding::Kind;
 
 std::string Mm(double metres) { return Short(kMillimetres * metres, 2) + " mm"; }
 std::string Em(double em) { return Short(em, 3) + " em"; }
-std::string Degrees(double angle) { return Short(angle * 180 / std::numbers::pi, 0) + " degrees"; }
+std::string Degrees(double angle) { return Short(InDegrees(angle), 0) + " degrees"; }
 
 const char* Name(Kind kind) {
   switch (kind) {

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "textures/script/script.h"
-#include "textures/script/script_check.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/script_check.h"
 
 /// The sentences of `moontrace script`.
 namespace moontrace::say {

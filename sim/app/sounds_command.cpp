@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <ostream>
 #include <thread>
@@ -19,6 +18,7 @@
 #include "sim/audio/wav.h"
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -35,7 +35,7 @@ PathSound ExampleAt(double t) {
   const double turns = 2 * t / kPathLength;  // 0-1 round, 1-2 away and back
   PathSound now;
   now.in_contact = t < kPathLength;
-  const double angle = 2 * std::numbers::pi * turns;
+  const double angle = kTurn * turns;
   now.x = turns < 1 ? 0.5 + 0.5 * std::sin(angle) : 0.5;
   now.y = turns < 1 ? 0.5 - 0.5 * std::cos(angle) : 0;
   now.off_line = turns < 1 ? 0 : 0.5 - 0.5 * std::cos(angle);

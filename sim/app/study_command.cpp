@@ -12,17 +12,17 @@
 #include <utility>
 
 #include "sim/app/study_messages.h"
-#include "sim/learner/study_files.h"
-#include "sim/learner/study_protocol.h"
-#include "sim/learner/study_summary.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
+#include "sim/study/study_files.h"
+#include "sim/study/study_protocol.h"
+#include "sim/study/study_summary.h"
 #include "sim/trial/metrics_json.h"
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
 #include "textures/base/resources.h"
-#include "textures/script/script.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/learner/study_summary.h"
+#include "sim/study/study_summary.h"
 
-/// Sentences of `moontrace study`; see messages.h. What is wrong with a protocol or a study's file
-/// is said by the code that reads it.
+/// Sentences of `moontrace study`. What is wrong with a protocol or a study's file is said by the
+/// code that reads it.
 namespace moontrace::say {
 
 std::string NoStudyNamed();

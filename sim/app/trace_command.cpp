@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "devices/hand/simulated_stylus.h"
+#include "lessons/guide/guidance.h"
+#include "sim/app/guide_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/trace_report.h"
 #include "sim/picture/picture_file.h"
@@ -14,6 +16,7 @@
 #include "sim/session/loop_messages.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_trial.h"
+#include "sim/setup/cli_app.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/text_setup.h"
@@ -26,6 +29,28 @@
 namespace moontrace {
 
 namespace {
+
+constexpr double kUsualHelp = 6;  ///< as FadeSettings::start
+
+void AddOptions(CLI::App& app, GuideOptions& options) {
+  AddValue(
+      app, "--guide", "MODE",
+      [&options](const std::string& given) {
+        options.mode = GuidanceModeOf(given);
+        if (!options.mode) throw UsageError(say::NotAChoice("--guide", given, kGuidanceModes));
+      },
+      say::help::kGuide);
+  AddNumber(app, "--help-level", options.help, 0, kMostHelp, 1, say::help::kHelpLevel);
+}
+
+/// The push that was asked for, from the shipped table. Throws UsageError for a help level where
+/// nothing guides.
+TrialGuidance GuidanceOf(const GuideOptions& options) {
+  if (options.help && !options.mode) throw UsageError(say::NeedsOther("--help-level", "--guide"));
+  const GuidanceMode mode = options.mode.value_or(GuidanceMode::kOff);
+  if (mode == GuidanceMode::kOff) return {};
+  return GuidanceAt(mode, options.help.value_or(kUsualHelp));
+}
 
 TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t page,
                    Console& console) {
@@ -46,7 +71,9 @@ TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t 
 void Watch(TrialSetup& setup, TrialView& view, const Trace& trace, std::size_t page) {
   const Typeset& set = trace.text.set;
   const std::string& text = trace.text.text;
-  view.Begin(MakeViewPage(*setup.page, set.page, *setup.script, setup.style, text, setup.blank,
+  setup.field = std::make_shared<const TextureField>(
+      PageField(*setup.page, *setup.script, setup.style, setup.blank));
+  view.Begin(MakeViewPage(set, page, *setup.script, text, setup.field, setup.blank,
                           static_cast<std::uint32_t>(page)),
              {text, setup.style.size, say::PanelPage(page, set.pages.size()), {}});
   setup.watch = [&view](double time, const TickResult& felt, const GuidanceResult& push) {
@@ -97,7 +124,7 @@ void TracePage(const TraceOptions& options, std::size_t page, TrialView* view, C
   trace.pages.push_back(std::move(result));
 }
 
-/// `direct` is done as asked, and said to be beyond what the hand holds where it is.
+/// `--render direct` is done as asked, with a warning where the hand cannot hold it quiet.
 void WarnOfDirect(const TraceOptions& options, const Trace& trace, Console& console) {
   if (options.feel.scene.rendering != Rendering::kDirect) return;
   const TextureField field = PageField(trace.text.set.pages.front(), trace.text.script,

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
+#include "sim/app/guide_messages.h"
 #include "sim/app/messages.h"
 #include "sim/session/loop_messages.h"
-#include "sim/setup/guide_messages.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/typeset_report.h"
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/console/console.h"
 #include "sim/setup/text_setup.h"
 #include "sim/trial/metrics_json.h"
 #include "sim/trial/trial.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 

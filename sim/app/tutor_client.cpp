@@ -12,11 +12,11 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "sim/console/line_buffer.h"
+#include "sim/console/line_reader.h"
 #include "sim/tutor/tutor_command.h"
 #include "sim/tutor/tutor_messages.h"
 #include "sim/tutor/tutor_socket.h"
-#include "sim/wording/line_buffer.h"
-#include "sim/wording/line_reader.h"
 #include "textures/base/error.h"
 
 namespace moontrace {

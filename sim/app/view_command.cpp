@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/app/messages.h"
+#include "sim/physics/page_field.h"
 #include "sim/picture/picture_file.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/view_feed.h"
@@ -65,8 +66,9 @@ int DrawPicture(const ViewCommandOptions& options, Console& console) {
   look.high_contrast = options.view.contrast;
   look.large_text = options.view.large_text;
   const bool touching = !moments.empty() && moments.back().in_contact;
-  const auto page = MakeViewPage(text.set.pages.front(), text.set.page, text.script, text.set.style,
-                                 text.text, false, 0);
+  auto field = std::make_shared<const TextureField>(
+      PageField(text.set.pages.front(), text.script, text.set.style, false));
+  const auto page = MakeViewPage(text.set, 0, text.script, text.text, std::move(field), false, 0);
   WriteViewPicture(options.picture, look, page, moments, LoopPanel(),
                    LoopPanelValues(text, {}, options.feel.scene.tilt, 0,
                                    moments.empty() ? "" : say::PanelState(false, touching)));

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "sim/audio/earcon.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

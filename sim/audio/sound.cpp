@@ -37,7 +37,7 @@ struct Sound::State final : public SoundSource {
     while (earcons.Pop(earcon)) mixer.Play(earcon);
     age += static_cast<double>(count) / kSoundRate;
     if (places.Take(path)) age = 0;
-    if (age > kStale) path.in_contact = false;  // the lesson has stopped telling
+    if (age > kStale) path.in_contact = false;  // the lesson no longer reports the tip
     mixer.Render(frames, count, path);
   }
 

@@ -14,7 +14,7 @@ namespace moontrace {
 
 /// The sounds of a lesson. Every call returns at once and none throws; the audio callback neither
 /// allocates nor locks. Without sound hardware or library, or with a service that dies, one
-/// sentence tells so (TakeSentence) and nothing is heard from then on.
+/// sentence says so (TakeSentence) and nothing is heard from then on.
 class Sound {
  public:
   /// Opens the output in a thread of its own.

@@ -69,9 +69,16 @@ std::string OnThePath(Earcon earcon) {
       return "End of the line: the next begins below.";
     case Earcon::kPageEnd:
       return "End of the page.";
-    default:
-      return {};  // touch has its tone; the others are said with what they concern
+    case Earcon::kStrokeStart:
+    case Earcon::kStrokeEnd:
+    case Earcon::kLetterDone:
+    case Earcon::kWrong:
+    case Earcon::kRight:
+    case Earcon::kHelpChanged:
+    case Earcon::kSafetyStop:
+      break;  // touch has its tone; the others are said with what they concern
   }
+  return {};
 }
 
 std::string NoSoundLibrary() {

@@ -5,7 +5,7 @@
 
 #include "sim/audio/earcon.h"
 
-/// Sentences of sound; see messages.h.
+/// Sentences of sound.
 namespace moontrace::say {
 
 namespace help {

@@ -68,7 +68,7 @@ void Mixer::Render(float* frames, std::size_t count, const PathSound& path) noex
     Advance();
     const double earcon = NextOfEarcon();
     const PathVoice::Frame tone = voice_.Next(heard);
-    // from the middle, at the power of a tone there
+    // an earcon comes from the middle, as loud as a tone panned there
     const double middle = gain_ * earcon * std::numbers::sqrt2 / 2;
     frames[2 * i] = static_cast<float>(volume_ * ((1 - gain_) * tone.left + middle));
     frames[2 * i + 1] = static_cast<float>(volume_ * ((1 - gain_) * tone.right + middle));

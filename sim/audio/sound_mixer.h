@@ -38,8 +38,8 @@ class Mixer {
   PathVoice voice_;
   std::size_t playing_ = kNone;
   std::size_t at_ = 0;   ///< frame of the one that plays
-  double gain_ = 0;      ///< of the earcon; 1 - gain_ of the way
-  bool fading_ = false;  ///< the one that plays gives way
+  double gain_ = 0;      ///< of the earcon; 1 - gain_ is that of the path's tone
+  bool fading_ = false;  ///< the earcon that plays is being faded out
   std::array<std::size_t, kMostWaiting> waiting_{};
   std::size_t waiting_count_ = 0;
 };

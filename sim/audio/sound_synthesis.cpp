@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kSwell = 0.005, kDying = 0.008;  // of a note [s]
 constexpr double kHighestPartial = 5000;          // [Hz]
 constexpr double kGlide = 0.008;                  // time constant [s]

@@ -1,11 +1,14 @@
 #include "sim/audio/sound_table.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 #include "sim/audio/wav.h"
+#include "textures/base/enum_names.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
@@ -20,7 +23,19 @@ constexpr double kLongest = 0.5;                  // of an earcon [s]
 constexpr double kLowest = 150, kHighest = 5000;  // pitches [Hz]
 constexpr std::size_t kMostNotes = 20;
 constexpr std::size_t kLargestWav = std::size_t{1} << 20U;  // [bytes]
-const std::vector<std::string> kTimbres = {"pure", "bell", "reed", "brass"};
+constexpr std::string_view NameOf(Timbre timbre) {
+  switch (timbre) {
+    case Timbre::kPure:
+      return "pure";
+    case Timbre::kBell:
+      return "bell";
+    case Timbre::kReed:
+      return "reed";
+    case Timbre::kBrass:
+      return "brass";
+  }
+  return {};
+}
 
 double Within(const TomlTable& table, const std::string& key, double otherwise, double low,
               double high) {
@@ -59,13 +74,13 @@ void ApplyEarcon(const TomlTable& table, const std::string& folder, EarconSound&
   sound.volume = Within(table, "volume", sound.volume, 0, 1);
   if (table.Has("timbre")) {
     const std::string name = table.String("timbre");
-    std::size_t found = 0;
-    while (found < kTimbres.size() && kTimbres[found] != name) ++found;
-    if (found == kTimbres.size()) {
-      table.Fail("timbre", fmt::format("is {}: did you mean {}? There are pure, bell, reed, brass",
-                                       OneLine(name), NearestWord(name, kTimbres)));
+    const std::optional<Timbre> timbre = ValueNamed(name, &NameOf);
+    if (!timbre) {
+      const std::vector<std::string> names = AllNames(&NameOf);
+      table.Fail("timbre", fmt::format("is {}: did you mean {}? There are {}", OneLine(name),
+                                       NearestWord(name, names), fmt::join(names, ", ")));
     }
-    sound.timbre = static_cast<Timbre>(found);
+    sound.timbre = *timbre;
   }
   ApplyNotes(table, sound);
   if (table.Has("file")) {

@@ -10,7 +10,7 @@
 
 namespace moontrace {
 
-/// Families of earcons are told apart by timbre: what a note is made of.
+/// Families of earcons differ in timbre: what a note is made of.
 enum class Timbre : std::uint8_t {
   kPure,   ///< a sine
   kBell,   ///< a sine and two high partials out of tune, dying away

@@ -52,7 +52,7 @@ std::string UsersAddress() {
   return (cache.empty() ? variable("HOME") + "/.cache" : cache) + kEnd;
 }
 
-/// Asks the service to start itself in the background, with our streams out of its way.
+/// Asks the service to start itself in the background, detached from our streams.
 bool BeginService(const std::atomic<bool>& ending) {
   posix_spawn_file_actions_t actions;
   if (posix_spawn_file_actions_init(&actions) != 0) return false;

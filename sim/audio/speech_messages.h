@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-/// Sentences of speech; see messages.h.
+/// Sentences of speech.
 namespace moontrace::say {
 
 // Why nothing is spoken: one sentence each, said once; the lesson goes on in text.

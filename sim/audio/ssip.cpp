@@ -20,7 +20,21 @@ constexpr int kSlice = 10;                            // [ms] until `hurry` is a
 constexpr std::chrono::seconds kLongestImportant{5};  // that is left to speak on
 constexpr std::size_t kLongestText = 2000;            // [bytes]
 
-constexpr const char* kPriorities[] = {"IMPORTANT", "MESSAGE", "TEXT", "NOTIFICATION", "PROGRESS"};
+std::string NameOf(Priority priority) {
+  switch (priority) {
+    case Priority::kImportant:
+      return "IMPORTANT";
+    case Priority::kMessage:
+      return "MESSAGE";
+    case Priority::kText:
+      return "TEXT";
+    case Priority::kNotification:
+      return "NOTIFICATION";
+    case Priority::kProgress:
+      return "PROGRESS";
+  }
+  return {};
+}
 
 /// A part of a name: of letters, digits, - and _ only.
 std::string NamePart(std::string_view text) {
@@ -61,7 +75,7 @@ bool Ssip::Greet(const SpeechOptions& options) {
   const std::string language = NamePart(options.language);
   const bool good =
       Do(fmt::format("SET SELF CLIENT_NAME {}:moontrace:lesson", NamePart(options.user))) &&
-      // ends of messages are told, so that nothing important is cut short
+      // the end of each message is reported, so that nothing important is cut short
       Do("SET SELF NOTIFICATION END ON") && Do("SET SELF NOTIFICATION CANCEL ON") &&
       (options.language.empty() || Do("SET SELF LANGUAGE " + language)) &&
       (options.rate == 0 || SetRate(options.rate)) && Do("SET SELF PRIORITY TEXT");
@@ -109,7 +123,7 @@ bool Ssip::Do(const std::string& command) { return Send(command + "\r\n") && Ans
 
 bool Ssip::Queue(Priority priority, const std::string& command) {
   if (priority != priority_) {
-    if (!Do(std::string("SET SELF PRIORITY ") + kPriorities[static_cast<int>(priority)])) {
+    if (!Do("SET SELF PRIORITY " + NameOf(priority))) {
       return false;
     }
     priority_ = priority;

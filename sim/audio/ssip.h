@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/wording/line_buffer.h"
+#include "sim/console/line_buffer.h"
 #include "textures/base/file_descriptor.h"
 
 namespace moontrace {
@@ -33,7 +33,7 @@ class Ssip {
  public:
   /// Why a connection is of no use any more.
   enum class Fault { kNone, kNotThere, kSilent, kGone, kRefused };
-  /// Asked while an answer is waited for: true, and no more patience than that is left.
+  /// Asked while waiting for an answer: true leaves only a short wait.
   using Hurry = std::function<bool()>;
 
   /// Answers are waited for 2 s, once `hurry` is true 0.2 s in all.
@@ -76,7 +76,7 @@ class Ssip {
   bool refused_ = false;  ///< the command answered last
   Priority priority_ = Priority::kText;
   std::string message_;                ///< number of the one queued last
-  std::string event_message_;          ///< that an event under way is about
+  std::string event_message_;          ///< that the event being received is about
   std::set<std::string> important_;    ///< numbers that are not spoken to their end yet
   Clock::time_point important_until_;  ///< they are not waited for longer
 };

@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "textures/field/field.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

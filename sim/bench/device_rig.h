@@ -3,18 +3,18 @@
 #include "devices/core/profile.h"
 #include "devices/hand/hand.h"
 #include "sim/bench/sampled_device.h"
-#include "sim/loop/safety.h"
-#include "sim/loop/tip_velocity.h"
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
+#include "sim/safety/safety.h"
+#include "sim/safety/tip_velocity.h"
 
 namespace moontrace {
 
-/// Scene options for a device: the coupling is no stiffer than what the device holds, above that
-/// all is as usual.
+/// Scene options for a device: the coupling is no stiffer than the device renders stably; the rest
+/// is the default.
 SceneOptions SceneFor(const DeviceProfile& profile);
 
-/// A device in numbers, the scene and the safety stage, joined as the loop joins them: what comes
-/// out at the hand is what the learner feels. Frames D and W are one.
+/// A simulated device, the scene and the safety stage, joined as the loop joins them: the hand gets
+/// what the learner feels. Frames D and W are one.
 class DeviceRig {
  public:
   /// `field` must outlive the rig. `hand_stiffness` [N/m] draws the tip to its aim on each axis.
@@ -24,7 +24,7 @@ class DeviceRig {
   /// One tick under the hand's force [N] and aim [m].
   void Step(glm::dvec3 hand_force, glm::dvec3 aim);
 
-  /// One tick of a hand that nothing holds up: from `p` to `next` [m], whatever it feels.
+  /// One tick of a hand that no force stops: from `p` to `next` [m].
   void Follow(glm::dvec3 p, glm::dvec3 next);
 
   const SampledDevice& device() const { return device_; }

@@ -3,7 +3,7 @@
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/relief/glyph_group.h"
 
 namespace moontrace {
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int kTurns = 7;
 constexpr std::size_t kPoints = 400000;
 
-/// Each query waits for the one before: what a loop feels that must have the answer.
+/// Each query waits for the one before, as in a loop that needs each answer.
 template <class Map>
 double Chain(const Map& map, const std::vector<glm::dvec2>& points) {
   double last = 0;

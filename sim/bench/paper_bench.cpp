@@ -10,7 +10,7 @@
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
 #include "textures/field/surface.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/relief/glyph_group.h"
 
 namespace moontrace {
 

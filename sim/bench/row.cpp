@@ -1,6 +1,6 @@
 #include "sim/bench/row.h"
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 
 namespace moontrace {
 

@@ -26,7 +26,7 @@ struct SampledModel {
 /// hand and device), rate, delay and position step. The hand has no spring yet.
 SampledModel ModelOf(const DeviceProfile& profile, double hand_mass, double tick);
 
-/// A device in numbers: reads at its own rate, holds each force for its own period, answers late.
+/// A simulated device: reads at its own rate, holds each force for its own period, answers late.
 /// Motion between is exact. Frame D.
 class SampledDevice {
  public:

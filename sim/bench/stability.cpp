@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
-#include <numbers>
 #include <random>
 
 #include "sim/bench/device_rig.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -28,7 +28,7 @@ TextureField Groove() {
   return TextureField(texture);
 }
 
-/// Whether the tip, 1 m off (what is linear knows no size), comes back.
+/// Whether the tip comes back from 1 m off; the model is linear, so the distance does not matter.
 bool WallIsQuiet(const SampledModel& model, double stiffness) {
   SampledDevice device(model);
   device.Place({1, 0, 0}, {0, 0, 0});
@@ -54,8 +54,8 @@ class RandomMotion {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> share(0, 1);
     for (Sine& sine : sines_) {
-      sine.rate = 2 * std::numbers::pi * (0.3 + 7.7 * share(random));
-      sine.phase = 2 * std::numbers::pi * share(random);
+      sine.rate = kTurn * (0.3 + 7.7 * share(random));
+      sine.phase = kTurn * share(random);
       sine.size = size / std::sqrt(static_cast<double>(sines_.size()));
     }
   }
@@ -127,8 +127,8 @@ double StirInGroove(const DeviceProfile& profile, const HandModel& hand) {
 //   the coupling's spring at the greatest force on it, 2 F_cap allowed: (2 F_cap)^2 / 2 K.
 //
 // The spring is the coupling; the page's own stiffness in series only makes it softer. What the
-// bound leaves out, the proxy's mass (0.05 kg at the hand's speed, below 1 mJ) and the steps of
-// the readings, is small beside the 2 in 2 F_cap.
+// bound leaves out, the proxy's mass (0.05 kg at the hand's speed, below 1 mJ) and the steps of the
+// readings, is small compared with the 2 in 2 F_cap.
 EnergyOut EnergyOverRandomMotion(const DeviceProfile& profile, const HandModel& hand,
                                  double stiffness, double seconds, unsigned seed) {
   const TextureField field = Groove();

@@ -9,8 +9,8 @@
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
-#include "sim/scene/mujoco_compat.h"
-#include "sim/scene/scene.h"
+#include "sim/physics/mujoco_compat.h"
+#include "sim/physics/scene.h"
 #include "sim/trial/trial.h"
 #include "textures/field/surface.h"
 
@@ -65,7 +65,7 @@ double TraceOnce(const BenchPage& page, const TextPage& sheet, std::uint64_t see
   return RunTrial(setup).duration;
 }
 
-/// MuJoCo alone, for as long as a trial or so: what cores gain that share caches or a host.
+/// MuJoCo alone for about as long as a trial: the speed-up of cores that share caches or a host.
 double StepBare() {
   Scene scene = Scene::Load("", SceneOptions{});
   for (int i = 0; i < 60000; ++i) mj_step(scene.model(), scene.data());

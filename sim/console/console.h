@@ -18,7 +18,7 @@ inline constexpr int kLack = 4;
 inline constexpr int kInterrupted = 130;
 }  // namespace exit_code
 
-/// A command line that cannot be understood: one line; exit code 2.
+/// The command line is wrong: one line; exit code 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -36,7 +36,8 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// The text face: plain lines of at most 80 characters, results on one stream, messages on another.
+/// The text interface: plain lines of at most 80 characters, results on one stream, messages on
+/// another.
 class Console {
  public:
   Console(std::istream& in, std::ostream& out, std::ostream& err,
@@ -49,7 +50,7 @@ class Console {
   }
 
   void Result(std::string_view line);  ///< on stdout, wrapped at words
-  /// On stdout, wrapped: what goes on meanwhile and is no result. Not with `--quiet`.
+  /// On stdout, wrapped: progress, which is no result. Not with `--quiet`.
   void Happening(std::string_view line) {
     if (!quiet_) Result(line);
   }
@@ -80,9 +81,5 @@ class Console {
   bool quiet_ = false;
   double last_spoke_;  ///< [s], of a clock that never goes back; <chrono> takes long to compile
 };
-
-/// Breaks at spaces so that no line passes `columns` characters (not bytes); a longer word stands
-/// alone. Lines end with a newline each.
-std::string Wrapped(std::string_view text, std::size_t columns = 80);
 
 }  // namespace moontrace

@@ -1,4 +1,4 @@
-#include "sim/wording/line_reader.h"
+#include "sim/console/line_reader.h"
 
 #include <poll.h>
 #include <unistd.h>

@@ -6,9 +6,9 @@
 
 namespace moontrace {
 
-/// Lines that people type while something runs. Of standard input only what is there is read, so
-/// that nobody waits; the end of input is no line and no end. Input that was begun otherwise must
-/// not be read on here.
+/// Lines that people type while something runs. Standard input is read only as far as it is there,
+/// so that nothing blocks; its end is neither a line nor a wish to stop. Not for a stream that was
+/// read in another manner before: what lies in the stream's own buffer is not seen here.
 class LineReader {
  public:
   explicit LineReader(std::istream& in);

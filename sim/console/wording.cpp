@@ -1,4 +1,4 @@
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 
 #include <fmt/core.h>
 

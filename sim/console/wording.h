@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "textures/base/units.h"
+
 /// The words that many sentences share.
 namespace moontrace::say {
-
-inline constexpr double kMillimetres = 1e3;
 
 std::string Counted(std::size_t count, std::string_view one, std::string_view many);
 /// "never", "once", "3 times".

@@ -1,4 +1,4 @@
-#include "sim/report/html_text.h"
+#include "sim/html_report/html_text.h"
 
 #include "textures/base/text_file.h"
 #include "textures/base/xml_text.h"

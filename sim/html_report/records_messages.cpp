@@ -1,9 +1,9 @@
-#include "sim/report/records_messages.h"
+#include "sim/html_report/records_messages.h"
 
 #include <fmt/core.h>
 
 #include "lessons/records/report_facts.h"
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

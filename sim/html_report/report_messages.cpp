@@ -1,12 +1,12 @@
-#include "sim/report/report_messages.h"
+#include "sim/html_report/report_messages.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/mastery.h"
-#include "sim/wording/words.h"
+#include "lessons/progress/mastery.h"
+#include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

@@ -1,10 +1,10 @@
-#include "sim/report/report_page.h"
+#include "sim/html_report/report_page.h"
 
 #include <fmt/core.h>
 
 #include <set>
 
-#include "sim/report/html_text.h"
+#include "sim/html_report/html_text.h"
 
 namespace moontrace {
 
@@ -23,7 +23,7 @@ std::string Paragraphs(const std::vector<std::string>& lines) {
   return html;
 }
 
-/// Several lines are a list, so that a screen reader tells how many there are.
+/// Several lines are a list, so that a screen reader announces how many there are.
 std::string Section(const ReportSection& section) {
   std::string html = fmt::format("<section>\n<h2>{}</h2>\n", HtmlText(section.heading));
   if (section.lines.size() == 1) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/report/report_messages.h"
+#include "sim/html_report/report_messages.h"
 
 namespace moontrace {
 
@@ -16,7 +16,7 @@ struct ReportHead {
 
 /// A report as one page, HTML that is well-formed XML too: headings in order, plots as SVG with
 /// title, description and the same in a sentence beside them, all answers as a table. Nothing is
-/// told by a picture alone, nothing is loaded from elsewhere.
+/// shown by a picture alone, nothing is loaded from elsewhere.
 std::string ReportPage(const ReportHead& head, const std::vector<ReportSection>& sections,
                        const std::vector<ReportPlot>& plots,
                        const std::map<std::string, std::map<std::string, int>>& matrix);

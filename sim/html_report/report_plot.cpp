@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "sim/report/html_text.h"
-#include "sim/report/report_page.h"
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
+#include "sim/html_report/html_text.h"
+#include "sim/html_report/report_page.h"
 
 namespace moontrace {
 

@@ -4,6 +4,7 @@
 
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_sound.h"
+#include "sim/learn/learn_teller.h"
 #include "sim/learn/learn_tutor.h"
 #include "sim/learn/learn_view.h"
 
@@ -13,22 +14,22 @@ namespace {
 constexpr int kPoll = 20;  ///< [ms]
 }
 
-void Drive(LearnSession& session, LearnInput& input, const LearnCompany& company,
-           std::optional<double> seconds, const Console& console) {
+void Drive(LearnSession& session, LearnTeller& teller, LearnInput& input,
+           const LearnCompany& company, std::optional<double> seconds, const Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   while (!session.over()) {
     console.CheckStop();
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (seconds && passed.count() >= *seconds) break;
     session.Look();
-    if (company.sound != nullptr) company.sound->Hear(session);
+    if (company.sound != nullptr) company.sound->Hear();
     if (company.tutor != nullptr) company.tutor->Serve();
     if (company.view != nullptr) company.view->Look();
     if (session.over()) break;
     const Asked asked = session.asked();
     if (const auto line = input.Next(kPoll, asked != Asked::kNothing)) session.Obey(*line);
     if (input.ended() && !seconds) {
-      session.teller().Say(Priority::kText, say::EndOfInput());
+      teller.Say(Priority::kText, say::EndOfInput());
       break;
     }
   }

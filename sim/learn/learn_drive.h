@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "sim/console/console.h"
 #include "sim/learn/learn_input.h"
 #include "sim/learn/learn_session.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 
@@ -21,7 +21,7 @@ struct LearnCompany {
 
 /// Leads a lesson until it is over, `seconds` have passed, or input has ended (which counts only
 /// where no `seconds` are given). Throws Interrupted.
-void Drive(LearnSession& session, LearnInput& input, const LearnCompany& company,
-           std::optional<double> seconds, const Console& console);
+void Drive(LearnSession& session, LearnTeller& teller, LearnInput& input,
+           const LearnCompany& company, std::optional<double> seconds, const Console& console);
 
 }  // namespace moontrace

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/console/console.h"
 #include "sim/learn/learn_input.h"
 #include "sim/learn/terminal_keys.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -3,11 +3,11 @@
 #include <optional>
 
 #include "lessons/course/course.h"
+#include "sim/console/console.h"
+#include "sim/console/line_reader.h"
 #include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_options.h"
 #include "sim/learn/learn_teller.h"
-#include "sim/wording/console.h"
-#include "sim/wording/line_reader.h"
 
 namespace moontrace {
 

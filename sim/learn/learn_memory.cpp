@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "lessons/machine/learning.h"
+#include "lessons/progress/learning.h"
 
 namespace moontrace {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lessons/course/course.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/progress.h"
 #include "lessons/records/records.h"
 
 namespace moontrace {

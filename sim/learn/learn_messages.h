@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lessons/course/course.h"
-#include "lessons/machine/lesson_machine.h"
 #include "lessons/measure/intended_strokes.h"
+#include "lessons/progress/lesson_machine.h"
 #include "sim/learn/learn_words.h"
 
 /// Sentences of `moontrace learn`; see messages.h.

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
+
+#include "textures/base/overload.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -22,14 +24,15 @@ ThirdPlace PlaceIn(const Box& box, glm::dvec2 p) {
 PathPiece PieceOf(const Piece& piece) {
   PathPiece path;
   const glm::dvec2 chord = EndOf(piece) - StartOf(piece);
-  const double turns = std::atan2(chord.y, chord.x) / (2 * std::numbers::pi);
+  const double turns = std::atan2(chord.y, chord.x) / kTurn;
   path.eighth = static_cast<int>(std::lround(8 * turns) + 8) % 8;
-  if (const Arc* arc = std::get_if<Arc>(&piece)) {
+  const auto set_arc = [&path, chord](const Arc& arc) {
     path.arc = true;
-    path.clockwise = arc->sweep < 0;
-    path.round = glm::length(chord) < 0.2 * arc->radius;
+    path.clockwise = arc.sweep < 0;
+    path.round = glm::length(chord) < 0.2 * arc.radius;
     if (path.round) path.eighth = 0;
-  }
+  };
+  std::visit(Overload{[](const Line&) {}, set_arc}, piece);
   return path;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lessons/course/course.h"
+#include "sim/console/console.h"
 #include "sim/learn/learn_options.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -32,14 +32,15 @@ std::vector<std::string> LinesOf(const std::string& text) {
 
 }  // namespace
 
-LearnSession::LearnSession(const Course& course, LearnMemory& memory, LearnStage& stage,
-                           LearnTeller& teller, std::uint64_t seed, std::vector<std::string> help)
-    : course_(course),
-      memory_(memory),
-      stage_(stage),
-      teller_(teller),
+LearnSession::LearnSession(const LearnParts& parts, std::uint64_t seed,
+                           std::vector<std::string> help)
+    : course_(parts.course),
+      memory_(parts.memory),
+      stage_(parts.stage),
+      teller_(parts.teller),
       help_(std::move(help)),
-      state_(StartLesson(course, memory.Recall(course), seed)),
+      state_(StartLesson(course_, memory_.Recall(course_), seed)),
+      poll_(stage_.session().loop(), stage_.session().device()),
       looked_(Clock::now()),
       ordered_(looked_),
       ticked_(looked_) {}
@@ -61,7 +62,7 @@ Trial LearnSession::Flags(Trial measured) const {
   measured.simulated = stage_.simulated();
   const PageForm& form = stage_.form();
   measured.scaled = stage_.simulated() || !stage_.pushes() || stage_.shrunk() ||
-                    stage_.session().scale() != 1 || form.depth != 1 || form.width != 1;
+                    stage_.session().device().scale() != 1 || form.depth != 1 || form.width != 1;
   return measured;
 }
 
@@ -114,13 +115,13 @@ void LearnSession::Do(const lesson_action::Show& show) {
     teller_.Say(Priority::kText, say::CannotShow(show.told ? show.text : "", error.what()));
   }
   shown_ = true;
-  leading_ = lent_ = false;
+  leading_ = led_by_tutor_ = false;
   felt_ = 0;
 }
 
 void LearnSession::Do(const lesson_action::Push& push) {
   stage_.Push(push);
-  lent_ = false;
+  led_by_tutor_ = false;
   leading_ = push.demonstrate;
   if (leading_ && !stage_.pushes() && !stage_.simulated()) SayPath();
 }
@@ -155,18 +156,14 @@ bool LearnSession::GoOn(bool by_tutor) {
 
 void LearnSession::Lead(std::shared_ptr<const GuidancePath> path) {
   stage_.Lead(std::move(path), state_.speed);
-  lent_ = true;
+  led_by_tutor_ = true;
 }
 
 void LearnSession::Look() {
   const Clock::time_point now = Clock::now();
-  const double passed = std::chrono::duration<double>(now - looked_).count();
+  passed_ = std::chrono::duration<double>(now - looked_).count();
   looked_ = now;
-  stage_.session().loop().TakeSnapshot(newest_);
-  LookAtEvents();
-  LookAtStop();
-  if (!stopped_ && newest_.present) felt_ += passed;
-  stage_.TakeSamples(!stopped_);
+  poll_.Look(*this);
   LookAtTrace();
   if (std::chrono::duration<double>(now - ticked_).count() >= kTickEvery) {
     ticked_ = now;
@@ -178,9 +175,10 @@ void LearnSession::Look() {
 /// The state of the loop tells, not its events: a button's stop differs from a word's in nothing
 /// but that it has not been told yet.
 void LearnSession::LookAtStop() {
+  const LoopSnapshot& newest = poll_.newest();
   const double since = std::chrono::duration<double>(Clock::now() - ordered_).count();
-  if (newest_.stopped == stopped_ || since < kObeysWithin) return;
-  stopped_ = newest_.stopped;
+  if (newest.stopped == stopped_ || since < kObeysWithin) return;
+  stopped_ = newest.stopped;
   stopped_by_tutor_ = paused_ = false;
   if (!stopped_) return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
   teller_.Hush();
@@ -189,48 +187,47 @@ void LearnSession::LookAtStop() {
   memory_.Note(Now(), "stop", "button");
 }
 
-void LearnSession::LookAtEvents() {
-  Loop& loop = stage_.session().loop();
-  LoopEvent event;
-  while (loop.TakeEvent(event)) {
-    const bool safety = event.kind == LoopEventKind::kSafety;
-    if (safety && event.safety == SafetyEvent::kStopped) continue;  // LookAtStop
-    if (event.kind == LoopEventKind::kWentOn) continue;
-    // the program's hand runs on while all rests, held by nothing
-    if (safety && stopped_ && stage_.simulated()) continue;
-    if (event.kind == LoopEventKind::kSay) {
-      Where();
-    } else if (event.kind == LoopEventKind::kBookmark) {
-      EndTrace();
-    } else if (safety && event.safety == SafetyEvent::kDeviceLost) {
-      teller_.Say(Priority::kImportant, say::DeviceLost(loop.WhyGone()));
-      if (stage_.trace().touched()) teller_.Say(Priority::kText, say::LostTrial());
-      stage_.Restart();
-      felt_ = 0;
-    } else if (safety && TakesForceAway(event.safety)) {
-      teller_.Say(Priority::kImportant, say::Event(event));
-    } else {
-      teller_.Happening(Priority::kText, say::Event(event));
-    }
+void LearnSession::Happened(const LoopEvent& event, const std::string& sentence) {
+  const bool safety = event.kind == LoopEventKind::kSafety;
+  if (safety && event.safety == SafetyEvent::kStopped) return;  // LookAtStop
+  if (event.kind == LoopEventKind::kWentOn) return;
+  // the program's hand runs on while all rests, held by nothing
+  if (safety && stopped_ && stage_.simulated()) return;
+  if (event.kind == LoopEventKind::kSay) return Where();
+  if (event.kind == LoopEventKind::kBookmark) return EndTrace();
+  if (safety && event.safety == SafetyEvent::kDeviceLost) {
+    teller_.Say(Priority::kImportant, sentence);
+    if (stage_.trace().touched()) teller_.Say(Priority::kText, say::LostTrial());
+    stage_.Restart();
+    felt_ = 0;
+  } else if (safety && TakesForceAway(event.safety)) {
+    teller_.Say(Priority::kImportant, sentence);
+  } else {
+    teller_.Happening(Priority::kText, sentence);
   }
-  for (const std::string& sentence : stage_.session().TakeSentences()) {
-    teller_.Say(Priority::kText, sentence);
-  }
-  if (loop.silent() && !silent_) teller_.Say(Priority::kImportant, say::LoopSilent());
-  silent_ = loop.silent();
-  const std::string why = loop.WhyLost();
-  if (why != why_lost_ && !why.empty()) teller_.Say(Priority::kText, say::StillLost(why));
-  why_lost_ = why;
 }
+
+void LearnSession::Reported(const std::string& sentence, bool urgent) {
+  teller_.Say(urgent ? Priority::kImportant : Priority::kText, sentence);
+}
+
+/// What was felt counts only where nothing stopped it: that is known before the samples come.
+void LearnSession::Stands(const LoopSnapshot& newest) {
+  LookAtStop();
+  if (!stopped_ && newest.present) felt_ += passed_;
+}
+
+void LearnSession::Felt(const LoopSample& sample) { stage_.Add(sample, !stopped_); }
 
 /// A hand that is led has come to the end, a simulated one has been round the page, or one that
 /// follows has covered enough and is lifted.
 void LearnSession::LookAtTrace() {
-  const bool led = newest_.guided && newest_.guidance_done;
+  const LoopSnapshot& newest = poll_.newest();
+  const bool led = newest.guided && newest.guidance_done;
   const LearnTrace& trace = stage_.trace();
-  if (lent_) {
+  if (led_by_tutor_) {
     if (led) stage_.LetGo();
-    lent_ = !led;
+    led_by_tutor_ = !led;
     return;
   }
   if (await_ != Await::kTrace || stopped_) return;

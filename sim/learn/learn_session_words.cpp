@@ -64,7 +64,7 @@ void LearnSession::Obey(const std::string& line) {
 
 std::string LearnSession::Awaited() const {
   if (stopped_) return paused_ ? say::Pausing() : say::Event(SafetyEvent::kStopped);
-  if (lent_) return say::LedNow();
+  if (led_by_tutor_) return say::LedNow();
   if (await_ == Await::kTrace && stage_.simulated()) return say::ProgramTraces();
   if (await_ == Await::kTrace && leading_ && stage_.pushes()) return say::LedNow();
   return say::Awaited(await_, state_.question);
@@ -134,7 +134,7 @@ void LearnSession::Next() {
   if (await_ == Await::kNext && stage_.Turn(true)) {
     const LoopSession& session = stage_.session();
     return teller_.Say(Priority::kText,
-                       say::NowPage(session.page(), session.text().set.pages.size()));
+                       say::NowPage(session.felt().index, session.text().set.pages.size()));
   }
   Take(lesson_event::Said{lesson_event::Word::kNext, false});
 }
@@ -151,8 +151,9 @@ void LearnSession::EndTrace() {
 }
 
 void LearnSession::Where() {
-  const std::optional<NearLetter> letter = stage_.session().Near(newest_.tip_P);
-  const bool touching = newest_.depth > 0;
+  const std::optional<NearLetter> letter =
+      LetterNear(stage_.session().felt(), poll_.newest().tip_P);
+  const bool touching = poll_.newest().depth > 0;
   if (!letter || !letter->near) {
     teller_.Say(Priority::kText, say::TipBetween(touching));
   } else {
@@ -175,7 +176,8 @@ std::string LearnSession::Status() const {
 
 void LearnSession::Letter(LearnWord word) {
   if (!told()) return teller_.Say(Priority::kText, say::NotWhileAsked());
-  const std::optional<NearLetter> letter = stage_.session().Near(newest_.tip_P);
+  const std::optional<NearLetter> letter =
+      LetterNear(stage_.session().felt(), poll_.newest().tip_P);
   const bool far = !letter || (word == LearnWord::kLetter && !letter->near);
   if (far) return teller_.Say(Priority::kText, say::NoLetterHere());
   if (word == LearnWord::kLetter) {

@@ -8,7 +8,7 @@
 
 #include "lessons/records/records.h"
 #include "sim/learn/learn_messages.h"
-#include "sim/learner/course_run.h"
+#include "sim/study/course_run.h"
 
 namespace moontrace {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lessons/course/course.h"
-#include "sim/wording/console.h"
+#include "sim/console/console.h"
 
 namespace moontrace {
 

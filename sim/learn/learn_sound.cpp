@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "sim/audio/sound_messages.h"
+#include "sim/learn/learn_stage.h"
+#include "sim/learn/learn_teller.h"
 
 namespace moontrace {
 
@@ -32,22 +34,20 @@ PathSound SoundOf(const std::vector<IntendedStroke>& strokes, glm::dvec2 tip_P, 
   return sound;
 }
 
-void PathListener::Hear(LearnSession& session) {
-  const LoopSnapshot& now = session.newest();
-  const LearnStage& stage = session.stage();
+void PathListener::Hear() {
+  const LoopSnapshot& now = lesson_.poll().newest();
   const bool heard =
-      !session.stopped() && stage.shown().told && now.page == stage.session().number();
+      !lesson_.stopped() && stage_.shown().told && now.page == stage_.session().felt().number;
   const bool touching = heard && now.depth > 0;
-  const PathSound sound = SoundOf(stage.trace().strokes(), now.tip_P, touching);
+  const PathSound sound = SoundOf(stage_.trace().strokes(), now.tip_P, touching);
   sound_.Follow(sound);
-  const TextSetup& text = stage.session().text();
-  const TextPage& page = text.set.pages[stage.session().page()];
-  const PassedEnd end = PassedEndOf(page, text.script, text.set.style, now.tip_P);
+  const FeltPage& page = stage_.session().felt();
+  const PassedEnd end = PassedEndOf(page.set(), page.text->script, page.text->set.style, now.tip_P);
   const auto happened = events_.Take({now.time, touching, sound.off_line, end});
   if (!happened) return;
   sound_.Play(*happened);
   const std::string line = say::OnThePath(*happened);
-  if (!line.empty()) session.teller().Happening(Priority::kNotification, line);
+  if (!line.empty()) teller_.Happening(Priority::kNotification, line);
 }
 
 }  // namespace moontrace

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "lessons/measure/intended_strokes.h"
 #include "sim/audio/path_events.h"
 #include "sim/audio/sound.h"
-#include "sim/learn/learn_session.h"
+#include "sim/learn/running_lesson.h"
 
 namespace moontrace {
 
@@ -11,13 +12,18 @@ namespace moontrace {
 /// something is to be recognised, whose shape would be heard.
 class PathListener {
  public:
-  explicit PathListener(Sound& sound) : sound_(sound) {}
+  /// All must outlive this.
+  PathListener(Sound& sound, const LearnParts& parts, const RunningLesson& lesson)
+      : sound_(sound), stage_(parts.stage), teller_(parts.teller), lesson_(lesson) {}
   /// What happens on the path is also said as a line, except begin and end of touch, which the
   /// path's own tone has.
-  void Hear(LearnSession& session);
+  void Hear();
 
  private:
   Sound& sound_;
+  const LearnStage& stage_;
+  LearnTeller& teller_;
+  const RunningLesson& lesson_;
   PathEvents events_;
 };
 

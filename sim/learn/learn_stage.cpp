@@ -57,7 +57,7 @@ LearnStage::LearnStage(const StageOptions& options, Console& console)
 }
 
 TextRequest LearnStage::RequestFor(const lesson_action::Show& show, double size) const {
-  TextRequest request = session_.request().text;
+  TextRequest request = session_.request();
   request.text = {};
   // one sign, a hyphen, would ask for standard input; nothing at all is an empty sheet
   request.text.text = show.text == "-" ? "- " : show.text.empty() ? "o" : show.text;
@@ -93,11 +93,12 @@ void LearnStage::Show(const lesson_action::Show& show) {
 }
 
 void LearnStage::Restart() {
-  const TextSetup& text = session_.text();
-  const TextPage& page = text.set.pages[session_.page()];
+  const FeltPage& page = session_.felt();
   std::vector<IntendedStroke> strokes;
-  if (!session_.request().blank) strokes = IntendedStrokes(page, text.script, text.set.style);
-  trace_ = std::make_unique<LearnTrace>(std::move(strokes), page.glyphs.size(), tick(),
+  if (!page.blank) {
+    strokes = IntendedStrokes(page.set(), page.text->script, page.text->set.style);
+  }
+  trace_ = std::make_unique<LearnTrace>(std::move(strokes), page.set().glyphs.size(), tick(),
                                         kReachEm * size(), options_.keep_tracks);
   Guide();
 }
@@ -161,17 +162,12 @@ void LearnStage::Guide() {
   session_.loop().Guide(std::make_shared<const GuidancePlan>(std::move(plan)));
 }
 
-void LearnStage::TakeSamples(bool felt) {
-  LoopSample sample;
-  while (session_.loop().TakeSample(sample)) {
-    if (tap_) tap_(sample);
-    if (watch_) watch_(sample);
-    if (felt && sample.page == session_.number()) trace_->Add(sample);
-  }
+void LearnStage::Add(const LoopSample& sample, bool counts) {
+  if (tap_) tap_(sample);
+  if (watch_) watch_(sample);
+  if (counts && sample.page == session_.felt().number) trace_->Add(sample);
 }
 
-bool LearnStage::pushes() const {
-  return !simulated() && !session_.mouse() && glm::any(session_.limits().pushes);
-}
+bool LearnStage::pushes() const { return !simulated() && session_.device().pushes(); }
 
 }  // namespace moontrace

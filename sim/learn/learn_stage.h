@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lessons/guide/guidance.h"
-#include "lessons/machine/lesson_machine.h"
+#include "lessons/progress/lesson_machine.h"
 #include "sim/learn/learn_trace.h"
 #include "sim/session/loop_session.h"
 
@@ -53,8 +53,9 @@ class LearnStage {
   /// The far edge raised [rad]. Throws InputError: this device cannot.
   void SetTilt(double tilt);
 
-  /// Takes what the loop has felt. `felt`: it counts for the trace.
-  void TakeSamples(bool felt);
+  /// What the loop has felt, every tick. `counts`: for the trace, if it is of the page that lies
+  /// there.
+  void Add(const LoopSample& sample, bool counts);
   /// Is given every sample too; none: nobody.
   void SetTap(std::function<void(const LoopSample&)> tap) { tap_ = std::move(tap); }
   /// Likewise, for a view.
@@ -63,7 +64,7 @@ class LearnStage {
   const LearnTrace& trace() const { return *trace_; }
   /// A hand can be pushed here.
   bool pushes() const;
-  bool simulated() const { return session_.simulated(); }
+  bool simulated() const { return session_.device().simulated(); }
   LoopSession& session() { return session_; }
   const LoopSession& session() const { return session_; }
   const lesson_action::Show& shown() const { return shown_; }

@@ -6,16 +6,16 @@
 #include <string_view>
 #include <vector>
 
-#include "lessons/machine/lesson_machine.h"
+#include "lessons/progress/lesson_machine.h"
 #include "sim/audio/sound.h"
 #include "sim/audio/speech.h"
-#include "sim/wording/console.h"
+#include "sim/console/console.h"
 
 namespace moontrace {
 
 /// The one place where a lesson speaks. Everything is text first, a line each; what is spoken,
-/// sounded or told to tutors comes beside it. Speech of one turn is said as one, or each sentence
-/// would silence the one before it.
+/// sounded or reported to tutors comes beside it. Speech of one turn is said as one, or each
+/// sentence would silence the one before it.
 class LearnTeller {
  public:
   /// `speech` and `sound` may be null, and must outlive this.

@@ -8,6 +8,9 @@
 
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
+#include "sim/learn/learn_memory.h"
+#include "sim/learn/learn_stage.h"
+#include "sim/learn/learn_teller.h"
 #include "sim/learn/learn_tutor_messages.h"
 #include "sim/tutor/page_messages.h"
 #include "sim/tutor/tutor_messages.h"
@@ -46,41 +49,45 @@ bool LessonTells(TutorWord word) {
 
 }  // namespace
 
-TutorDesk::TutorDesk(LearnSession& session, bool door, Told window)
-    : session_(session), window_(std::move(window)) {
-  const std::string& name = session_.memory().name();
+TutorDesk::TutorDesk(const LearnParts& parts, RunningLesson& lesson, bool door, Told window)
+    : course_(parts.course),
+      memory_(parts.memory),
+      stage_(parts.stage),
+      teller_(parts.teller),
+      lesson_(lesson),
+      window_(std::move(window)) {
+  const std::string& name = memory_.name();
   if (door) server_.emplace(name, say::TutorGreeting(name));
-  session_.teller().SetListener([this](std::string_view line) {
+  teller_.SetListener([this](std::string_view line) {
     if (server_) server_->SendToAll(line);
     if (window_) window_(line);
   });
 }
 
 TutorDesk::~TutorDesk() {
-  session_.teller().SetListener(nullptr);
-  session_.stage().SetTap(nullptr);
+  teller_.SetListener(nullptr);
+  stage_.SetTap(nullptr);
 }
 
 void TutorDesk::Serve() {
-  LearnTeller& teller = session_.teller();
   if (server_) {
     for (const std::string& sentence : server_->TakeSentences()) {
-      teller.Say(Priority::kMessage, sentence);
+      teller_.Say(Priority::kMessage, sentence);
     }
     while (const std::optional<TutorServer::Line> line = server_->Next()) Take(*line);
   }
   if (recorder_ && recorder_->full()) {
-    teller.Say(Priority::kMessage, say::TutorGaveBack());
+    teller_.Say(Priority::kMessage, say::TutorGaveBack());
     Record(kAtWindow);
   }
-  teller.EndTurn();
+  teller_.EndTurn();
 }
 
 void TutorDesk::Hear(const std::string& line, const Told& answer) {
   answer_ = answer;
   Take({kAtWindow, line});
   answer_ = nullptr;
-  session_.teller().EndTurn();
+  teller_.EndTurn();
 }
 
 void TutorDesk::Take(const TutorServer::Line& line) {
@@ -106,34 +113,32 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       Answer(line.tutor, say::NumberedWords(TutorWords()));
       return Answer(line.tutor, say::PageWordsHelp());
     case TutorWord::kWhere:
-      return Answer(line.tutor, session_.Status());
+      return Answer(line.tutor, lesson_.Status());
     case TutorWord::kWho:
-      return Answer(line.tutor,
-                    say::WhoIsHere(session_.memory().name(), server_ ? server_->tutors() : 0));
+      return Answer(line.tutor, say::WhoIsHere(memory_.name(), server_ ? server_->tutors() : 0));
     case TutorWord::kQuit:
       Answer(line.tutor, say::TutorGone());
       if (line.tutor != kAtWindow) server_->Dismiss(line.tutor);
       return;
     case TutorWord::kGo:
-      if (!session_.stopped()) return Answer(line.tutor, say::NothingRests());
-      if (!session_.GoOn(true)) return Answer(line.tutor, say::LearnerStopped());
+      if (!lesson_.stopped()) return Answer(line.tutor, say::NothingRests());
+      if (!lesson_.GoOn(true)) return Answer(line.tutor, say::LearnerStopped());
       break;
     case TutorWord::kShow:
     case TutorWord::kPlayback:
       // the learner must not wait for a push that cannot come
-      if (!session_.stage().pushes()) return Answer(line.tutor, say::CannotLead());
+      if (!stage_.pushes()) return Answer(line.tutor, say::CannotLead());
       if (command.word == TutorWord::kPlayback && !stroke_) {
         return Answer(line.tutor, say::NoStrokeYet());
       }
       break;
     case TutorWord::kRecord:
       // the program's hand is on the page, not the tutor's
-      if (session_.stage().simulated()) return Answer(line.tutor, say::CannotRecord());
+      if (stage_.simulated()) return Answer(line.tutor, say::CannotRecord());
       break;
     case TutorWord::kLesson:
-      if (LessonOf(session_.course(), command.text).empty()) {
-        return Answer(line.tutor,
-                      say::LessonNotFound(command.text, session_.course().lessons.size()));
+      if (LessonOf(course_, command.text).empty()) {
+        return Answer(line.tutor, say::LessonNotFound(command.text, course_.lessons.size()));
       }
       break;
     default:
@@ -142,44 +147,41 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   if (command.page && command.page->word != PageWord::kSize) return ChangeForm(line, command);
   const bool gives_back = command.word == TutorWord::kRecord && recorder_;
   if (!LessonTells(command.word)) {
-    session_.teller().Say(Priority::kMessage,
-                          gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
-    session_.teller().Flush();
+    teller_.Say(Priority::kMessage, gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
+    teller_.Flush();
   }
-  session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
+  memory_.Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
   try {
     if (!DoToPage(line.tutor, command)) DoToLesson(command);
   } catch (const InputError& error) {
-    session_.teller().Say(Priority::kMessage, say::PageStays(error.what()));
+    teller_.Say(Priority::kMessage, say::PageStays(error.what()));
   }
 }
 
 /// Told once it is so: not every page can take every form.
 void TutorDesk::ChangeForm(const TutorServer::Line& line, const TutorCommand& command) {
-  LearnStage& stage = session_.stage();
   try {
     if (command.page->word == PageWord::kTilt) {
-      stage.SetTilt(command.page->value);
+      stage_.SetTilt(command.page->value);
     } else {
-      stage.SetForm(Changed(stage.form(), *command.page));
+      stage_.SetForm(Changed(stage_.form(), *command.page));
     }
   } catch (const InputError& error) {
     return Answer(line.tutor, say::PageStays(error.what()));
   }
-  session_.teller().Say(Priority::kMessage, say::TutorDoes(command));
-  session_.teller().Flush();
-  session_.memory().Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
+  teller_.Say(Priority::kMessage, say::TutorDoes(command));
+  teller_.Flush();
+  memory_.Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
 }
 
 /// Whatever changes the hand's path on the page.
 bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
-  const LearnStage& stage = session_.stage();
   switch (command.word) {
     case TutorWord::kPause:
-      session_.Pause(true);
+      lesson_.Pause(true);
       return true;
     case TutorWord::kShow:
-      session_.Lead(MakeGuidancePath(stage.trace().strokes()));
+      lesson_.Lead(MakeGuidancePath(stage_.trace().strokes()));
       return true;
     case TutorWord::kRecord:
       Record(tutor);
@@ -212,37 +214,36 @@ void TutorDesk::DoToLesson(const TutorCommand& command) {
       overrule.next_lesson = true;
       break;
     case TutorWord::kLesson:
-      overrule.lesson = LessonOf(session_.course(), command.text);
+      overrule.lesson = LessonOf(course_, command.text);
       break;
     case TutorWord::kAgain:
-      return session_.TutorSays({lesson_event::Word::kAgain, true});
+      return lesson_.TutorSays({lesson_event::Word::kAgain, true});
     default:
       return;  // told, and no more: "say"
   }
-  session_.Overrule(overrule);
+  lesson_.Overrule(overrule);
 }
 
 void TutorDesk::Record(std::size_t tutor) {
-  LearnStage& stage = session_.stage();
   if (!recorder_) {
     recorder_.emplace();
-    stage.SetTap([this](const LoopSample& sample) {
+    stage_.SetTap([this](const LoopSample& sample) {
       recorder_->Add(sample.time, sample.tip_P, sample.in_contact);
     });
     return Answer(tutor, say::Recording());
   }
-  stage.SetTap(nullptr);
+  stage_.SetTap(nullptr);
   std::optional<RecordedStroke> stroke = recorder_->Stroke();
   recorder_.reset();
-  stage.Restart();  // what the tutor's hand did is not the learner's
+  stage_.Restart();  // what the tutor's hand did is not the learner's
   if (!stroke) return Answer(tutor, say::NothingRecorded());
   stroke_ = std::move(stroke);
   Answer(tutor, say::RecordedStrokeIs(stroke_->times.back()));
 }
 
 void TutorDesk::PlayBack() {
-  const double width = session_.stage().session().text().set.style.width;
-  session_.Lead(MakeRecordedPath(stroke_->times, stroke_->tips_P, width));
+  const double width = stage_.session().text().set.style.width;
+  lesson_.Lead(MakeRecordedPath(stroke_->times, stroke_->tips_P, width));
 }
 
 }  // namespace moontrace

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/learn/learn_session.h"
+#include "sim/learn/running_lesson.h"
 #include "sim/tutor/tutor_command.h"
 #include "sim/tutor/tutor_server.h"
 #include "sim/tutor/tutor_stroke.h"
@@ -18,9 +18,10 @@ namespace moontrace {
 class TutorDesk {
  public:
   using Told = std::function<void(std::string_view line)>;
-  /// `door`: tutors may come in from other terminals; throws LackError: none can be opened
-  /// (tutor_server.h). `window`: is told, beside them, what the learner is told; may be empty.
-  TutorDesk(LearnSession& session, bool door, Told window = {});
+  /// `lesson` must outlive this, as `parts` do. `door`: tutors may come in from other terminals;
+  /// throws LackError: none can be opened (tutor_server.h). `window`: is told, beside them, what
+  /// the learner is told; may be empty.
+  TutorDesk(const LearnParts& parts, RunningLesson& lesson, bool door, Told window = {});
   ~TutorDesk();
   TutorDesk(const TutorDesk&) = delete;
   TutorDesk& operator=(const TutorDesk&) = delete;
@@ -40,7 +41,11 @@ class TutorDesk {
   void Record(std::size_t tutor);
   void PlayBack();  ///< there is a stroke, and it can be felt
 
-  LearnSession& session_;
+  const Course& course_;
+  LearnMemory& memory_;
+  LearnStage& stage_;
+  LearnTeller& teller_;
+  RunningLesson& lesson_;
   std::optional<TutorServer> server_;
   Told window_, answer_;
   std::optional<StrokeRecorder> recorder_;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "sim/learn/learn_memory.h"
+#include "sim/learn/learn_stage.h"
+#include "sim/learn/learn_teller.h"
 #include "sim/session/view_controls.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
@@ -21,9 +24,9 @@ std::vector<std::string> Modes() {
   return modes;
 }
 
-std::string TitleOfLesson(const LearnSession& session) {
-  for (const Lesson& lesson : session.course().lessons) {
-    if (lesson.id == session.state().progress.lesson) return lesson.title;
+std::string TitleOf(const Course& course, const std::string& id) {
+  for (const Lesson& lesson : course.lessons) {
+    if (lesson.id == id) return lesson.title;
   }
   return {};
 }
@@ -38,40 +41,40 @@ bool IsTutorsWord(const std::string& line) {
 
 }  // namespace
 
-LearnView::LearnView(ViewFeed& feed, LearnSession& session, TutorDesk& desk, Console& console)
-    : feed_(feed), session_(session), desk_(desk), console_(console) {
+LearnView::LearnView(ViewFeed& feed, const LearnParts& parts, RunningLesson& lesson,
+                     TutorDesk& desk, Console& console)
+    : feed_(feed), parts_(parts), lesson_(lesson), desk_(desk), console_(console) {
   feed_.SetPanel(LearnPanel());
-  session_.stage().SetWatch([this](const LoopSample& sample) { feed_.Add(sample); });
+  parts_.stage.SetWatch([this](const LoopSample& sample) { feed_.Add(sample); });
 }
 
-LearnView::~LearnView() { session_.stage().SetWatch(nullptr); }
+LearnView::~LearnView() { parts_.stage.SetWatch(nullptr); }
 
 void LearnView::Look() {
-  feed_.Look(session_.stage().session(), session_.newest());
-  feed_.SetValues(LearnPanelValues(session_));
-  while (const std::optional<std::string> line = feed_.NextLine()) {
-    if (!session_.over()) Obey(*line);
-  }
-  const std::string notice = feed_.TakeNotice();
-  if (!notice.empty()) session_.teller().Remark(notice);
-  if (session_.over()) return;
+  feed_.Look(parts_.stage.session().felt(), lesson_.poll());
+  feed_.SetValues(LearnPanelValues(parts_, lesson_));
+  const auto obey = [this](const std::string& line) {
+    if (!lesson_.over()) Obey(line);
+  };
+  feed_.Hear(obey, [this](const std::string& notice) { parts_.teller.Remark(notice); });
+  if (lesson_.over()) return;
   // nothing could move the tip again
-  if (feed_.failed() && session_.stage().session().mouse()) return session_.Obey("quit");
+  if (feed_.failed() && parts_.stage.session().device().mouse()) return lesson_.Obey("quit");
   if (!feed_.closed()) return;
-  session_.teller().Happening(Priority::kText, say::WindowClosed());
-  session_.Obey("quit");
+  parts_.teller.Happening(Priority::kText, say::WindowClosed());
+  lesson_.Obey("quit");
 }
 
 void LearnView::Obey(const std::string& line) {
   if (const std::optional<std::string> done = feed_.Obey(line)) return Answer(*done);
   // the one at the panel is the tutor: what the learner stops, the tutor cannot start
   if (line == "stop") {
-    session_.Stop(true);
-    return session_.teller().EndTurn();
+    lesson_.Stop(true);
+    return parts_.teller.EndTurn();
   }
   if (line == "?") return Help();
   // a bare "next" is what lessons tell the learner to say; the panel says "skip" and "next lesson"
-  if (line == "next" || !IsTutorsWord(line)) return session_.Obey(line);
+  if (line == "next" || !IsTutorsWord(line)) return lesson_.Obey(line);
   desk_.Hear(line, [this](std::string_view answer) { Answer(answer); });
 }
 
@@ -103,22 +106,23 @@ std::vector<PanelControl> LearnPanel() {
   return panel;
 }
 
-std::vector<PanelValue> LearnPanelValues(const LearnSession& session) {
-  const LessonState& state = session.state();
-  const bool told = session.stage().shown().told || session.stage().simulated();
-  const LoopSnapshot& newest = session.newest();
+std::vector<PanelValue> LearnPanelValues(const LearnParts& parts, const RunningLesson& lesson) {
+  const LessonState& state = lesson.state();
+  const LearnStage& stage = parts.stage;
+  const bool told = stage.shown().told || stage.simulated();
+  const LoopSnapshot& newest = lesson.poll().newest();
   std::vector<PanelValue> values = {{},
-                                    TextValue(session.memory().name()),
-                                    TextValue(TitleOfLesson(session)),
+                                    TextValue(parts.memory.name()),
+                                    TextValue(TitleOf(parts.course, state.progress.lesson)),
                                     TextValue(told ? state.item : "asked now"),
-                                    TextValue(say::PanelState(session.stopped(), newest.depth > 0)),
+                                    TextValue(say::PanelState(lesson.stopped(), newest.depth > 0)),
                                     {},
                                     NumberValue(state.help),
                                     ChosenValue(static_cast<int>(state.mode)),
                                     {}};
   values.resize(values.size() + 8);
-  const LoopSession& loop = session.stage().session();
-  Append(values, PageValues(loop.text(), session.stage().form(), loop.tilt()));
+  const LoopSession& loop = stage.session();
+  Append(values, PageValues(loop.text(), stage.form(), loop.tilt()));
   return values;
 }
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/learn/learn_session.h"
 #include "sim/learn/learn_tutor.h"
+#include "sim/learn/running_lesson.h"
 #include "sim/session/view_feed.h"
 
 namespace moontrace {
@@ -15,7 +15,8 @@ namespace moontrace {
 class LearnView {
  public:
   /// All must outlive this.
-  LearnView(ViewFeed& feed, LearnSession& session, TutorDesk& desk, Console& console);
+  LearnView(ViewFeed& feed, const LearnParts& parts, RunningLesson& lesson, TutorDesk& desk,
+            Console& console);
   ~LearnView();
   LearnView(const LearnView&) = delete;
   LearnView& operator=(const LearnView&) = delete;
@@ -29,13 +30,14 @@ class LearnView {
   void Answer(std::string_view line);
 
   ViewFeed& feed_;
-  LearnSession& session_;
+  LearnParts parts_;
+  RunningLesson& lesson_;
   TutorDesk& desk_;
   Console& console_;
 };
 
 /// The panel of a lesson, and what it shows.
 std::vector<PanelControl> LearnPanel();
-std::vector<PanelValue> LearnPanelValues(const LearnSession& session);
+std::vector<PanelValue> LearnPanelValues(const LearnParts& parts, const RunningLesson& lesson);
 
 }  // namespace moontrace

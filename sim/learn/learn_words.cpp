@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "lessons/machine/answer.h"
+#include "lessons/progress/answer.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {

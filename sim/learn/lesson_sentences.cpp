@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "sim/console/wording.h"
 #include "sim/learn/learn_messages.h"
-#include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

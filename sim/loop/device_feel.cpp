@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/coupling.h"
+#include "sim/physics/coupling.h"
 
 namespace moontrace {
 

@@ -26,8 +26,8 @@ class Histogram {
   std::uint64_t count() const noexcept { return count_; }
   double max() const noexcept { return max_; }  ///< exact [us]; 0 when empty
 
-  /// The least duration that at least the share `p` (0 to 1) of all do not pass, rounded up to the
-  /// next step and held to the greatest [us]; 0 when empty.
+  /// The least duration that at least a share `p` (0 to 1) of all durations do not exceed, rounded
+  /// up to the next step but not above the greatest [us]; 0 when empty.
   double Percentile(double p) const noexcept {
     const auto wanted = std::max<std::uint64_t>(
         1, static_cast<std::uint64_t>(std::ceil(p * static_cast<double>(count_))));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kReopenEvery = 500;   ///< [ms]
 constexpr int kLongestWait = 8000;  ///< [ms]
-constexpr int kSteady = 2000;       ///< held so long a device counts as well [ms]
+constexpr int kSteady = 2000;       ///< a device that stays this long is not faulty [ms]
 constexpr int kPoll = 1;            ///< [ms]
 constexpr std::chrono::milliseconds kLongestAnswer(1500);
 
@@ -29,7 +29,7 @@ std::int64_t Silence(double rate) {
 
 }  // namespace
 
-Loop::Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_ptr<Device> device,
+Loop::Loop(Scene scene, std::shared_ptr<const TextureField> field, std::unique_ptr<Device> device,
            DeviceSource source, const DevicePlace& place, const LoopOptions& options,
            ThreadStart start)
     : options_(options),
@@ -43,7 +43,7 @@ Loop::Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_p
     Start(start);
   } catch (const std::exception& error) {
     End();
-    tick_.Release();  // where not even the ticking thread began
+    tick_.Release();  // also where the ticking thread could not be started
     throw LackError(fmt::format("the haptic loop cannot start its threads ({}); end other programs",
                                 error.what()));
   }
@@ -103,12 +103,12 @@ void Loop::Supervise() {
   bool lost = false;
   int waited = 0, wait = 0, held = 0;  // [ms]
   while (SleepUnlessEnding(kPoll)) {
-    // destroying and opening may block for long: here nobody waits for it
+    // destroying and opening may block for long: no other thread waits for this one
     const std::unique_ptr<Device> detached = TakeDetached();
     if (detached != nullptr) {
       lost = true;
       waited = 0;
-      // one that was lost again at once is left alone for longer and longer
+      // a device that is lost again at once is tried at growing intervals
       wait = held < kSteady ? std::clamp(2 * wait, kReopenEvery, kLongestWait) : 0;
     }
     held += kPoll;

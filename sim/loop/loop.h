@@ -17,7 +17,7 @@
 #include "sim/loop/loop_tick.h"
 #include "sim/loop/loop_types.h"
 #include "sim/loop/realtime.h"
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
 
 namespace moontrace {
 
@@ -40,17 +40,17 @@ struct LoopReport {
   std::array<std::uint64_t, kSafetyEvents> safety_counts{};
 };
 
-/// Sees a loop that falls silent: `Beat` by the loop each tick, `Look` by another thread each
+/// Detects a loop that falls silent: `Beat` by the loop each tick, `Look` by another thread each
 /// millisecond. It holds no device and gives no force. The loop learns at its next beat that it was
 /// silent, and begins again from zero force with a ramp-in; any thread may report the silence.
 ///
 /// Why that is enough: only the loop's thread may talk to a device, so a loop that hangs cannot be
-/// made to write zero by anyone else. What lets go then is nearer to the motors: the I/O threads
+/// made to write zero by anyone else. What lets go then lies nearer to the motors: the I/O threads
 /// of devices/ send zero when no tick has spoken to them, and the device's own dead-man stands
 /// behind those.
 class Watchdog {
  public:
-  /// `silence` [ns]: the longest pause between ticks that is none.
+  /// `silence` [ns]: a longer pause between ticks counts as silence.
   explicit Watchdog(std::int64_t silence) noexcept : silence_(silence) {}
 
   /// The loop's thread, at the start of a tick. True if the loop was silent since the last beat, by
@@ -80,9 +80,10 @@ class Watchdog {
 /// force.
 class Loop {
  public:
-  /// Starts ticking. `scene`'s tick is 1 / options.rate. Throws as Scene::SetField, and LackError
-  /// where a thread cannot be started: then the device has been given zero force.
-  Loop(Scene scene, std::unique_ptr<const TextureField> field, std::unique_ptr<Device> device,
+  /// Starts ticking. `scene`'s tick is 1 / options.rate. `field` may be looked at elsewhere too.
+  /// Throws as Scene::SetField, and LackError where a thread cannot be started: then the device has
+  /// been given zero force.
+  Loop(Scene scene, std::shared_ptr<const TextureField> field, std::unique_ptr<Device> device,
        DeviceSource source, const DevicePlace& place, const LoopOptions& options,
        ThreadStart start = StartThread);
   ~Loop();
@@ -94,8 +95,9 @@ class Loop {
   void GoOn() noexcept { mail_.go_on.store(true, std::memory_order_relaxed); }
 
   /// Lets another page be felt: the force fades to zero, the pages are swapped, the force ramps in,
-  /// all within 0.3 s. Returns once the old page is out of use (it is freed here) or the loop has
-  /// ended. One thread at a time. Throws as Scene::SetField; then all stays as it is.
+  /// all within 0.3 s. Returns once the old page is out of use (it is let go of here, never by the
+  /// tick) or the loop has ended. One thread at a time. Throws as Scene::SetField; then all stays
+  /// as it is.
   void ChangePage(PageChange change);
 
   /// The guiding push from now on, on the page that is felt now: computed each tick from the tip,
@@ -124,7 +126,7 @@ class Loop {
   /// for the device's answer.
   std::string WhyGone();
 
-  /// Zero force, threads ended; then the report is final. Again: nothing.
+  /// Gives zero force and ends the threads; then the report is final. A second call does nothing.
   void End();
   const LoopReport& report() const { return report_; }
 
@@ -142,14 +144,15 @@ class Loop {
   double scale_ = 1;  ///< DevicePlace::scale
   Watchdog watchdog_;
   MemoryLock memory_lock_;
-  std::unique_ptr<const TextureField> field_;  ///< in use
-  std::shared_ptr<const GuidancePlan> plan_;   ///< in use
+  /// In use: the tick has the bare pointer, so that it never counts who shares it.
+  std::shared_ptr<const TextureField> field_;
+  std::shared_ptr<const GuidancePlan> plan_;  ///< in use
   LoopTick tick_;
   DeviceSource source_;
   SteadyClock clock_;
   std::string not_realtime_;
   LoopReport report_;
-  std::atomic<bool> ticking_{false};  ///< the thread is there
+  std::atomic<bool> ticking_{false};  ///< the ticking thread is running
   std::atomic<bool> ending_{false};
   std::atomic<std::uint64_t> late_loops_{0};
   std::atomic<double> lateness_{0};  ///< see TakeLateness [us]
@@ -157,7 +160,7 @@ class Loop {
   std::condition_variable wake_;
   std::condition_variable answered_;
   std::string why_lost_, why_gone_;
-  bool asking_ = false;  ///< a lost device, why
+  bool asking_ = false;  ///< a lost device is being asked WhyLost
   std::thread ticker_, watcher_, supervisor_;
 };
 

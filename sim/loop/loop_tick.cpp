@@ -50,7 +50,7 @@ LoopTick::LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Devic
 }
 
 void LoopTick::Run(double time, bool late) noexcept {
-  // in whole ticks: a device reads by its own clock, not when this thread happens to wake
+  // in whole ticks: the device samples by its own clock, not when this thread happens to wake
   elapsed_ = tick_ * std::max(1.0, std::round((time - time_) / tick_));
   time_ = time;
   ++ticks_;
@@ -79,7 +79,7 @@ void LoopTick::Run(double time, bool late) noexcept {
   const SafetyResult safe = safety_.Advance(input);
   Write(safe.force);
   if (flowing_) ReturnPage(felt);
-  // no hand jumps: the proxy must not be drawn after the tip
+  // a hand cannot jump: the proxy must not be dragged along
   if ((safe.events & (1U << static_cast<unsigned>(SafetyEvent::kJump))) != 0) Restart();
   ReportSafety(safe.events);
   if (was_stopped_ && !safe.stopped) Report(LoopEventKind::kWentOn);
@@ -294,7 +294,7 @@ void LoopTick::ReportSafety(std::uint32_t events) noexcept {
   reported_ = events;
   for (std::size_t i = 0; i < kSafetyEvents; ++i) {
     const auto kind = static_cast<SafetyEvent>(i);
-    const bool by_hand = kind == SafetyEvent::kStopped;  // asked for: every one is reported
+    const bool by_hand = kind == SafetyEvent::kStopped;  // asked for: each one is reported
     if ((begun & (1U << i)) == 0) continue;
     if (!by_hand && time_ - reported_at_[i] < kReportEvery) continue;
     reported_at_[i] = time_;

@@ -12,9 +12,9 @@
 #include "sim/loop/loop_mail.h"
 #include "sim/loop/loop_types.h"
 #include "sim/loop/pressing.h"
-#include "sim/loop/safety.h"
-#include "sim/loop/tip_velocity.h"
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
+#include "sim/safety/safety.h"
+#include "sim/safety/tip_velocity.h"
 
 namespace moontrace {
 
@@ -99,8 +99,8 @@ class LoopTick {
   DeviceLimits limits_;
   LoopOptions options_;
   LoopMail& mail_;
-  DevicePlace home_;      ///< where the device stands to the first page, tilted as the page is now
-  DevicePlace place_;     ///< and now
+  DevicePlace home_;      ///< of the device at the first page, at the present tilt
+  DevicePlace place_;     ///< of the device at the page that is felt
   glm::dmat3 R_WD_{1.0};  ///< of the first page, before any tilt
   const TextureField* field_;
   LoopPush push_;

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "devices/core/device.h"
-#include "sim/loop/safety.h"
+#include "sim/safety/safety.h"
 #include "textures/field/field.h"
 
 namespace moontrace {
@@ -35,7 +35,7 @@ inline glm::dvec3 ForceToDevice(const DevicePlace& place, glm::dvec3 f_W) noexce
   return f_W * place.R_WD;
 }
 
-/// What decides a loop beside scene, page and device.
+/// What a loop depends on besides scene, page and device.
 struct LoopOptions {
   double rate = 1000;  ///< kSlowestRate to kFastestRate [Hz]; the scene's tick is its inverse
   double press = 1;    ///< for devices that do not measure z [N]
@@ -88,7 +88,7 @@ struct LoopSnapshot {
   glm::dvec3 force_P{0, 0, 0};                  ///< as LoopSample::force_P
   glm::dvec3 guidance_P{0, 0, 0};               ///< as LoopSample::guidance_P
   glm::dvec2 target_P{0, 0};                    ///< GuidanceResult::target_P, the tip without one
-  bool guided = false;                          ///< a plan of a push is in force
+  bool guided = false;                          ///< a plan of a push is in use
   bool guidance_done = false;                   ///< it has been followed to its end
   double depth = 0;                             ///< > 0 in contact [m]
   glm::dvec3 heat{0, 0, 0};                     ///< SafetyResult::heat
@@ -106,9 +106,9 @@ struct PageAnchor {
 
 /// Another page for a running loop.
 struct PageChange {
-  std::unique_ptr<const TextureField> field;
-  std::uint32_t page = 0;            ///< any number; samples and events carry it
-  std::optional<PageAnchor> anchor;  ///< without: the page lies where the first one lay
+  std::shared_ptr<const TextureField> field;  ///< may be looked at elsewhere too
+  std::uint32_t page = 0;                     ///< any number; samples and events carry it
+  std::optional<PageAnchor> anchor;           ///< without: the page lies where the first one lay
   /// The page raised at its far edge from now on [rad], as SceneOptions::tilt; none: as it is. The
   /// tip keeps its height over the paper. Of a device that does not measure z, which lies in the
   /// page's plane, it changes nothing.

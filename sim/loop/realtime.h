@@ -4,8 +4,8 @@
 
 namespace moontrace {
 
-/// Asks the system to run the calling thread before all ordinary ones (SCHED_FIFO). `above` raises
-/// it over another such thread. Never fails the run: returns an empty string, or one sentence that
+/// Asks the system to run the calling thread ahead of all ordinary ones (SCHED_FIFO). `above`
+/// raises it over another such thread. Never throws: returns an empty string, or one sentence that
 /// says why not and what mends it.
 std::string AskForPriority(int above = 0);
 

@@ -9,8 +9,8 @@
 
 namespace moontrace {
 
-/// A queue from one thread to one other, made once and never grown. Neither side waits: what does
-/// not fit is dropped and counted.
+/// A queue from one thread to one other, allocated once and never grown. Neither side waits: what
+/// does not fit is dropped and counted.
 template <class T>
 class SpscQueue {
   static_assert(std::is_trivially_copyable_v<T>);

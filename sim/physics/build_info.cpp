@@ -1,4 +1,4 @@
-#include "sim/scene/build_info.h"
+#include "sim/physics/build_info.h"
 
 #include <fmt/core.h>
 #include <mujoco/mujoco.h>

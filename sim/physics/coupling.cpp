@@ -1,4 +1,4 @@
-#include "sim/scene/coupling.h"
+#include "sim/physics/coupling.h"
 
 #include <cmath>
 #include <limits>

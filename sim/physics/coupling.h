@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "sim/scene/scene_options.h"
+#include "sim/physics/scene_options.h"
 
 namespace moontrace {
 

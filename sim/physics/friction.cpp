@@ -1,4 +1,4 @@
-#include "sim/scene/friction.h"
+#include "sim/physics/friction.h"
 
 #include <glm/geometric.hpp>
 

@@ -10,7 +10,7 @@ namespace moontrace {
 /// the normal force the anchor is dragged along. The spring's stretch only ever grows by the
 /// contact's own travel; turning with the surface, sliding and lifting make it shorter, so the
 /// model hands out no energy that the travel did not put in. All in the page's frame, so that a
-/// page that moves drags along. Trivially copyable: part of what a replay starts from.
+/// moving page drags the contact along. Trivially copyable: part of what a replay starts from.
 class Friction {
  public:
   /// Advances to the contact at `p_P` [m] under a surface of unit normal `normal_P` that presses
@@ -28,7 +28,7 @@ class Friction {
  private:
   glm::dvec3 stretch_P_{0, 0, 0};  ///< from the anchor to the contact [m]
   glm::dvec3 last_P_{0, 0, 0};     ///< contact of the step before [m]
-  double touching_ = 0;            ///< 1 while in contact; a number, for the state's sake
+  double touching_ = 0;            ///< 1 while in contact; a double, as the saved state wants
 };
 
 }  // namespace moontrace

@@ -1,4 +1,4 @@
-#include "sim/scene/label.h"
+#include "sim/physics/label.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,13 +8,13 @@
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
+#include "textures/base/units.h"
 #include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kMillimetre = 0.001;  ///< [m]
-constexpr double kGreatestAt = 1e5;    ///< [mm], keeps a typing slip from leaving the model
+constexpr double kGreatestAt = 1e5;  ///< [mm]; a larger value is a typing error
 
 std::optional<double> Length(const TomlTable& table, const std::string& key) {
   if (!table.Has(key)) return std::nullopt;

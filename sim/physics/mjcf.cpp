@@ -1,4 +1,4 @@
-#include "sim/scene/mjcf.h"
+#include "sim/physics/mjcf.h"
 
 #include <filesystem>
 #include <pugixml.hpp>

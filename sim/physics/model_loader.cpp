@@ -1,4 +1,4 @@
-#include "sim/scene/model_loader.h"
+#include "sim/physics/model_loader.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "sim/scene/mjcf.h"
+#include "sim/physics/mjcf.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/label.h"
-#include "sim/scene/mujoco_compat.h"
-#include "sim/scene/pose.h"
+#include "sim/physics/label.h"
+#include "sim/physics/mujoco_compat.h"
+#include "sim/physics/pose.h"
 
 namespace moontrace {
 
@@ -40,8 +40,8 @@ struct LoadedModel {
   std::vector<std::string> remarks;  ///< one line each
 };
 
-/// Compiles a model and finds what carries Moon in it. `folder` is where the files it names lie
-/// (empty: the current folder); `name` begins every message. The page geom is turned by `tilt`
+/// Compiles a model and finds what carries Moon text in it. `folder` is where the files it names
+/// lie (empty: the current folder); `name` begins every message. The page geom is turned by `tilt`
 /// [rad] about the page's lower edge, which a body that can move does not allow. Throws InputError
 /// as Scene::Load says.
 ///

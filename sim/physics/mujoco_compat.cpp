@@ -1,4 +1,4 @@
-#include "sim/scene/mujoco_compat.h"
+#include "sim/physics/mujoco_compat.h"
 
 #include <algorithm>
 #include <array>

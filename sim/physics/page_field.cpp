@@ -1,6 +1,6 @@
-#include "sim/scene/page_field.h"
+#include "sim/physics/page_field.h"
 
-#include "textures/typeset/glyph_group.h"
+#include "textures/relief/glyph_group.h"
 
 namespace moontrace {
 

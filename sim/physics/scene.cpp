@@ -1,4 +1,4 @@
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "sim/scene/scene_impl.h"
+#include "sim/physics/scene_impl.h"
 #include "textures/base/error.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
@@ -71,7 +71,6 @@ Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
                   const std::string& name)
     : loaded(std::move(loaded_model)),
       options(scene_options),
-      coupling{scene_options.coupling_stiffness, scene_options.coupling_damping},
       d(MakeData(*loaded.m, name)),
       caller_qfrc(static_cast<std::size_t>(loaded.m->nv), 0.0) {
   mjModel& m = *loaded.m;
@@ -83,6 +82,15 @@ Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
     lift_W = -loaded.proxy.weight_mass *
              glm::dvec3(m.opt.gravity[0], m.opt.gravity[1], m.opt.gravity[2]);
   }
+  SetOptions(scene_options);
+}
+
+void Scene::Impl::SetOptions(const SceneOptions& new_options) {
+  const double tick = options.tick, tilt = options.tilt;
+  options = new_options;
+  options.tick = tick;
+  options.tilt = tilt;
+  coupling = {options.coupling_stiffness, options.coupling_damping};
   SetField(nullptr);
   Reset({0, 0, 0.02});
 }
@@ -138,6 +146,10 @@ Scene Scene::FromXml(const std::string& xml, const std::string& name, const Scen
   return Scene(std::make_unique<Impl>(LoadModel(xml, "", name, options.tilt), options, name));
 }
 
+void Scene::SetOptions(const SceneOptions& options) {
+  Check(options);
+  impl_->SetOptions(options);
+}
 void Scene::SetField(const TextureField* field) { impl_->SetField(field); }
 int Scene::CheckField(const TextureField* field) const { return impl_->CheckField(field); }
 void Scene::SwapField(const TextureField* field, int substeps) noexcept {

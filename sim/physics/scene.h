@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "devices/core/device.h"
-#include "sim/scene/label.h"
-#include "sim/scene/pose.h"
-#include "sim/scene/scene_options.h"
+#include "sim/physics/label.h"
+#include "sim/physics/pose.h"
+#include "sim/physics/scene_options.h"
 #include "textures/field/field.h"
 
 struct mjModel_;
@@ -29,6 +29,11 @@ class Scene {
   static Scene FromXml(const std::string& xml, const std::string& name,
                        const SceneOptions& options);
 
+  /// Other options for the model that is loaded, which begins anew as Load leaves it: on flat
+  /// paper, the proxy above it. Tick and tilt are the model's own by now and stay. Throws
+  /// InputError as Load; then the scene is of no more use.
+  void SetOptions(const SceneOptions& options);
+
   /// Sets what is felt from now on. Checks the bounds of Load against this field (so call it
   /// outside the tick); `field` must outlive its use here.
   void SetField(const TextureField* field);
@@ -44,8 +49,8 @@ class Scene {
   void Restart() noexcept;
 
   /// One tick: coupling and page force into qfrc_applied between mj_step1 and mj_step2, removed
-  /// again. The device's frame D is the world's. Fails to zero force. No allocation, lock or
-  /// exception.
+  /// again. The device's frame D is the world's. After a fault the force is zero. No allocation,
+  /// lock or exception.
   TickResult Tick(const DeviceState& input) noexcept;
 
   /// Puts everything at rest with the proxy at the tip, friction and observer cleared.

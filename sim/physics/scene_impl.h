@@ -3,16 +3,16 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/scene/coupling.h"
-#include "sim/scene/friction.h"
-#include "sim/scene/model_loader.h"
-#include "sim/scene/passivity.h"
-#include "sim/scene/scene.h"
+#include "sim/physics/coupling.h"
+#include "sim/physics/friction.h"
+#include "sim/physics/model_loader.h"
+#include "sim/physics/passivity.h"
+#include "sim/physics/scene.h"
 
 namespace moontrace {
 
-/// What a tick leaves for the next one, beside MuJoCo's state. Doubles only: it is written to and
-/// read from a record as they lie.
+/// What a tick leaves for the next one, besides MuJoCo's state. Doubles only: a record stores its
+/// bytes as they are.
 struct TickMemory {
   double started = 0;         ///< 1 when a tick came before: the rest holds
   double stored_jumped = 0;   ///< 1 when the stored energy changed by no force: a new field
@@ -41,6 +41,7 @@ struct StepForces {
 struct Scene::Impl {
   Impl(LoadedModel loaded_model, const SceneOptions& scene_options, const std::string& name);
 
+  void SetOptions(const SceneOptions& new_options);
   void SetField(const TextureField* new_field);
   int CheckField(const TextureField* new_field) const;
   void SwapField(const TextureField* new_field, int new_substeps) noexcept;

@@ -1,4 +1,4 @@
-#include "sim/scene/scene_options.h"
+#include "sim/physics/scene_options.h"
 
 #include <fmt/core.h>
 

@@ -10,7 +10,7 @@ namespace moontrace {
 /// the handle. `kDirect` (the paper): the force at the device's position.
 enum class Rendering { kProxy, kDirect };
 
-/// Everything that decides a tick beside the model, the field and the input.
+/// Everything that a tick depends on besides the model, the field and the input.
 struct SceneOptions {
   Surface surface;
   Rendering rendering = Rendering::kProxy;

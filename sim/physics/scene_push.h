@@ -5,18 +5,18 @@
 #include <utility>
 
 #include "lessons/guide/guidance.h"
-#include "sim/scene/pose.h"
-#include "sim/scene/scene_options.h"
+#include "sim/physics/pose.h"
+#include "sim/physics/scene_options.h"
 
 namespace moontrace {
 
-/// Is given each tick of a trial or replay, in its own time [s]: what was felt, and the push within
-/// it. What it throws ends the trial.
+/// Called for each tick of a trial or replay, with simulated time [s], what was felt, and the push
+/// within it. An exception from it ends the trial.
 using TickWatch =
     std::function<void(double time, const TickResult& felt, const GuidanceResult& push)>;
 
 /// A guiding push on top of what a scene's ticks answer: for simulated trials and their replay,
-/// which must do the very same. The tip's velocity is its travel in one tick over the tick's time.
+/// which must be identical. The tip's velocity is its travel in one tick over the tick's time.
 class ScenePush {
  public:
   ScenePush(GuidancePlan plan, double tick) : plan_(std::move(plan)), tick_(tick) {}

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
-#include "sim/scene/scene_impl.h"
+#include "sim/physics/scene_impl.h"
 
 namespace moontrace {
 namespace {
@@ -111,9 +111,9 @@ void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
   memory.touch_W = step.point_W;
 }
 
-/// Lets our forces act for one step, beside whatever the caller has in qfrc_applied, whose bits are
-/// put back. The proxy's three slides are the world's axes: a force on it is its own generalized
-/// force, as mj_applyFT would find it.
+/// Adds our forces to the caller's qfrc_applied for one step, then restores its bits. The proxy's
+/// three slides are the world's axes: a force on it is its own generalized force, as mj_applyFT
+/// would find it.
 void Scene::Impl::Integrate(const StepForces& step) noexcept {
   const mjModel& m = *loaded.m;
   std::copy_n(d->qfrc_applied, caller_qfrc.size(), caller_qfrc.begin());
@@ -129,7 +129,7 @@ void Scene::Impl::Integrate(const StepForces& step) noexcept {
   std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
 }
 
-/// The rest of the world goes on while the device gives nothing usable.
+/// Steps the rest of the world while the device gives nothing usable.
 void Scene::Impl::Idle() noexcept {
   StepForces none;
   for (int i = 0; i < substeps; ++i) {

@@ -17,6 +17,9 @@
 #include <memory>
 #include <string_view>
 
+#include "textures/base/overload.h"
+#include "textures/base/units.h"
+
 namespace moontrace {
 
 namespace {
@@ -59,7 +62,7 @@ class Painter {
 
   void operator()(const CircleMark& mark) {
     cairo_new_path(cr_);
-    cairo_arc(cr_, mark.center.x, mark.center.y, mark.radius, 0, 2 * M_PI);
+    cairo_arc(cr_, mark.center.x, mark.center.y, mark.radius, 0, kTurn);
     Paint(mark.fill, mark.stroke, mark.width, false);
   }
 
@@ -77,15 +80,16 @@ class Painter {
 
  private:
   void Add(const Piece& piece) {
-    if (const Arc* arc = std::get_if<Arc>(&piece)) {
-      const double end = arc->start + arc->sweep;
-      const auto add = arc->sweep > 0 ? cairo_arc : cairo_arc_negative;
-      add(cr_, arc->center.x, arc->center.y, arc->radius, arc->start, end);
-      return;
-    }
-    const Line& line = std::get<Line>(piece);
-    cairo_line_to(cr_, line.from.x, line.from.y);
-    cairo_line_to(cr_, line.to.x, line.to.y);
+    const auto add_line = [this](const Line& line) {
+      cairo_line_to(cr_, line.from.x, line.from.y);
+      cairo_line_to(cr_, line.to.x, line.to.y);
+    };
+    const auto add_arc = [this](const Arc& arc) {
+      const double end = arc.start + arc.sweep;
+      const auto add = arc.sweep > 0 ? cairo_arc : cairo_arc_negative;
+      add(cr_, arc.center.x, arc.center.y, arc.radius, arc.start, end);
+    };
+    std::visit(Overload{add_line, add_arc}, piece);
   }
 
   void Use(Color color) { cairo_set_source_rgb(cr_, color.red, color.green, color.blue); }

@@ -26,9 +26,8 @@ PageShade HighContrastShade();
 
 /// The field as a lit surface, exact at each point's middle: Lambert's law on the normal, tinted by
 /// depth. Brightness over that of flat paper is ambient + (1 - ambient) n.l / l_z, n the unit
-/// normal
-/// (-dh/dx, -dh/dy, 1); whatever passes 1 is cut off. `view_P` [m] is what the picture covers,
-/// `sheet_P` where paper lies. Rows are worked on by `threads` at once.
+/// normal along (-dh/dx, -dh/dy, 1); values above 1 are cut off. `view_P` [m] is what the picture
+/// covers, `sheet_P` where paper lies. Rows are worked on by `threads` at once.
 Raster ShadeField(const TextureField& field, const Box& view_P, const Box& sheet_P,
                   std::size_t width, std::size_t height, const PageShade& shade,
                   std::size_t threads = 1);

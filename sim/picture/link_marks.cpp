@@ -3,11 +3,12 @@
 #include <array>
 #include <utility>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
 
 std::vector<Mark> LinkMarks(const GrooveLinks& links, const Script& script, const TypeStyle& style,
                             glm::dvec2 from_P, Color color) {
-  constexpr double kMillimetres = 1e3;
   std::array<PathMark, 2> marks;  // of the text, of headings
   for (const LineKind kind : {LineKind::kPlain, LineKind::kHeading}) {
     PathMark& mark = marks[kind == LineKind::kHeading];

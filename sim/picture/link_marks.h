@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/picture/drawing.h"
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
 
 namespace moontrace {
 

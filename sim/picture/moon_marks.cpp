@@ -3,11 +3,11 @@
 #include <array>
 #include <utility>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
 
 namespace {
-
-constexpr double kMillimetres = 1e3;
 
 /// A stroke of a placed glyph in the drawing's millimetres.
 std::vector<Piece> InDrawing(const Stroke& stroke, const PlacedGlyph& placed,

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "sim/picture/drawing.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
 
-/// Colours of the Okabe-Ito set, told apart by colour-blind eyes, and plain greys.
+/// Colours of the Okabe-Ito set, which colour-blind eyes can distinguish, and plain greys.
 namespace palette {
 inline constexpr Color kInk{0.10, 0.10, 0.10};
 inline constexpr Color kGroove{0.76, 0.76, 0.72};

@@ -1,7 +1,6 @@
 #include "sim/picture/page_picture.h"
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -13,14 +12,13 @@
 #include "sim/setup/link_messages.h"
 #include "sim/setup/sheet_messages.h"
 #include "sim/setup/structure_messages.h"
+#include "textures/base/units.h"
+#include "textures/relief/structure_patches.h"
 #include "textures/typeset/sheet_texture.h"
-#include "textures/typeset/structure_patches.h"
 
 namespace moontrace {
 
 namespace {
-
-constexpr double kMillimetres = 1e3;
 
 PathMark Edge(double width, double height) {
   PathMark edge;

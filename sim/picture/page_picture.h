@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "sim/picture/drawing.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "lessons/measure/scoring.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/style.h"
 
 namespace moontrace::say {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/picture/moon_marks.h"
+#include "textures/base/units.h"
 #include "textures/typeset/reshape.h"
 #include "textures/typeset/rules.h"
 
@@ -13,7 +14,6 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kMillimetres = 1e3;
 constexpr double kShare = 0.25;     // of the letter that the print is high
 constexpr double kSmallest = 5e-4;  // [m]
 constexpr double kGap = 0.35;       // over the print, in its heights

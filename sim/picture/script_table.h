@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "sim/picture/drawing.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 

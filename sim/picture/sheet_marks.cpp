@@ -8,15 +8,15 @@
 
 #include "sim/picture/contour.h"
 #include "sim/picture/moon_marks.h"
+#include "textures/base/units.h"
 #include "textures/field/paper.h"
-#include "textures/script/arc_fit.h"
+#include "textures/fonts/arc_fit.h"
 #include "textures/typeset/rules.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr double kMillimetres = 1e3;
 constexpr double kPerWavelength = 5;  // cells that show a crest's form; twice as many where few
 constexpr double kMostCells = 400000, kFewCells = 50000;
 constexpr double kBandCells = 50000;  // of one path
@@ -58,7 +58,7 @@ HeightGrid BandOf(const PaperPatch& patch, glm::dvec2 count, std::size_t from, s
   return band;
 }
 
-/// Closed, in millimetres, without the points that nobody would miss.
+/// Closed, in millimetres, without points too close to others to be seen.
 std::vector<Piece> Polygon(const std::vector<glm::dvec2>& corners) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sim/picture/drawing.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

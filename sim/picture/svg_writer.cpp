@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "textures/base/overload.h"
 #include "textures/base/xml_text.h"
 
 namespace moontrace {
@@ -78,22 +79,21 @@ class Writer {
     const glm::dvec2 start = StartOf(pieces.front());
     Put("M{} {}", Number(start.x), Number(height_ - start.y));
     for (const Piece& piece : pieces) {
-      if (const Arc* arc = std::get_if<Arc>(&piece)) {
-        ArcTo(*arc);
-      } else {
-        const glm::dvec2 end = EndOf(piece);
-        Put("L{} {}", Number(end.x), Number(height_ - end.y));
-      }
+      std::visit(Overload{[this](const Line& line) { LineTo(line); },
+                          [this](const Arc& arc) { ArcTo(arc); }},
+                 piece);
     }
     if (close) Put("Z");
   }
+
+  void LineTo(const Line& line) { Put("L{} {}", Number(line.to.x), Number(height_ - line.to.y)); }
 
   /// SVG draws nothing for an arc that ends where it starts: a long one is written as two halves.
   void ArcTo(const Arc& arc) {
     const int parts = std::abs(arc.sweep) > std::numbers::pi ? 2 : 1;
     for (int i = 1; i <= parts; ++i) {
       const double angle = arc.start + arc.sweep * i / parts;
-      const glm::dvec2 end = arc.center + arc.radius * glm::dvec2(std::cos(angle), std::sin(angle));
+      const glm::dvec2 end = arc.center + arc.radius * DirectionOf(angle);
       const std::string radius = Number(arc.radius);
       // y is turned over, so counter-clockwise on paper is SVG's sweep 0.
       Put("A{} {} 0 0 {} {} {}", radius, radius, arc.sweep > 0 ? 0 : 1, Number(end.x),

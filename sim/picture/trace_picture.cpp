@@ -13,13 +13,12 @@
 #include "sim/picture/sheet_marks.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/sheet_messages.h"
+#include "textures/base/units.h"
 #include "textures/typeset/rules.h"
 
 namespace moontrace {
 
 namespace {
-
-constexpr double kMillimetres = 1e3;
 
 void Append(std::vector<Mark>& marks, std::vector<Mark> more) {
   for (Mark& mark : more) marks.push_back(std::move(mark));

@@ -6,7 +6,7 @@
 #include "lessons/measure/scoring.h"
 #include "sim/picture/drawing.h"
 #include "sim/trial/trial.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -1,4 +1,4 @@
-#include "sim/loop/motor_heat.h"
+#include "sim/safety/motor_heat.h"
 
 #include <algorithm>
 #include <cmath>

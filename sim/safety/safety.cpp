@@ -1,4 +1,4 @@
-#include "sim/loop/safety.h"
+#include "sim/safety/safety.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,19 +28,19 @@ bool AllFinite(const SafetyInput& input) noexcept {
 }
 
 /// Zero for negative values and NaN.
-double Sane(double value) noexcept { return value > 0 ? value : 0; }
+double NonNegative(double value) noexcept { return value > 0 ? value : 0; }
 
 }  // namespace
 
 Safety::Safety(const DeviceLimits& limits, double tick, double ramp_time) noexcept
     : limits_(limits),
-      tick_(Sane(tick)),
-      ramp_time_(std::min(Sane(ramp_time), kLongestRamp)),
+      tick_(NonNegative(tick)),
+      ramp_time_(std::min(NonNegative(ramp_time), kLongestRamp)),
       still_(limits) {
-  limits_.peak_force = Sane(limits.peak_force);
-  limits_.peak_power = Sane(limits.peak_power);
+  limits_.peak_force = NonNegative(limits.peak_force);
+  limits_.peak_power = NonNegative(limits.peak_power);
   limits_.force_rate = limits.force_rate > kLeastRate ? limits.force_rate : kLeastRate;
-  limits_.silence = Sane(limits.silence);
+  limits_.silence = NonNegative(limits.silence);
   for (int axis = 0; axis < 3; ++axis) {
     if (!limits_.pushes[axis]) continue;
     heat_[static_cast<std::size_t>(axis)] = MotorHeat(limits_.peak_force, limits_.continuous_force,
@@ -78,7 +78,7 @@ bool Safety::TakeReading(const SafetyInput& input, double elapsed) noexcept {
   return plausible;
 }
 
-/// Sees whether a position that stands still has stuck.
+/// Checks whether a position that does not change is stuck.
 void Safety::WatchStillness(const SafetyInput& input, double elapsed) noexcept {
   if (!AllFinite(input)) return;
   glm::dvec3 wanted{0, 0, 0};
@@ -168,7 +168,7 @@ void Safety::Count(std::uint32_t events) noexcept {
 
 SafetyResult Safety::Advance(const SafetyInput& input) noexcept {
   const double elapsed = Elapsed(input.time);
-  // it only tells occurrences apart: a leap is harmless, overflow is not
+  // used only to separate occurrences: a leap is harmless, overflow is not
   clock_ += std::min(elapsed, 1.0);
   for (std::size_t i = 0; i < 3; ++i) {
     heat_[i].Advance(force_[static_cast<int>(i)], elapsed);

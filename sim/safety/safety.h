@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "devices/core/device.h"
-#include "sim/loop/motor_heat.h"
-#include "sim/loop/still_tip.h"
-#include "sim/loop/tip_velocity.h"
+#include "sim/safety/motor_heat.h"
+#include "sim/safety/still_tip.h"
+#include "sim/safety/tip_velocity.h"
 
 namespace moontrace {
 
@@ -31,10 +32,32 @@ enum class SafetyEvent : std::uint8_t {
 };
 inline constexpr std::size_t kSafetyEvents = 13;
 
-/// Whether an event means zero force; the others only lessen it.
+/// Whether an event means zero force; the others only reduce it; none for a value that
+/// is no event.
+constexpr std::optional<bool> ForceTaken(SafetyEvent event) noexcept {
+  switch (event) {
+    case SafetyEvent::kForceCap:
+    case SafetyEvent::kRateCap:
+    case SafetyEvent::kPowerCap:
+    case SafetyEvent::kResting:
+      return false;
+    case SafetyEvent::kNotANumber:
+    case SafetyEvent::kJump:
+    case SafetyEvent::kSilence:
+    case SafetyEvent::kDeviceLost:
+    case SafetyEvent::kNotReady:
+    case SafetyEvent::kPhysicsFault:
+    case SafetyEvent::kStopped:
+    case SafetyEvent::kLateLoop:
+    case SafetyEvent::kStuck:
+      return true;
+  }
+  return std::nullopt;
+}
+static_assert(ForceTaken(static_cast<SafetyEvent>(kSafetyEvents - 1)).has_value() &&
+              !ForceTaken(static_cast<SafetyEvent>(kSafetyEvents)).has_value());
 constexpr bool TakesForceAway(SafetyEvent event) noexcept {
-  return event != SafetyEvent::kForceCap && event != SafetyEvent::kRateCap &&
-         event != SafetyEvent::kPowerCap && event != SafetyEvent::kResting;
+  return ForceTaken(event).value_or(true);
 }
 
 /// Everything the stage needs to know of one tick.
@@ -65,7 +88,7 @@ inline constexpr double kFastestHand = 5;
 inline constexpr double kWatchdogTime = 0.005;
 
 /// The last stage before the device: a pure function of its state and input, without allocation,
-/// lock or exception. It lies above the field's own cap and acts seldom. In this order:
+/// lock or exception. Its limits lie above the field's own cap, so it rarely acts. In this order:
 ///
 /// 1. Zero at once for a value that is not finite, a jump, silence, a stuck position, a device lost
 ///    or not ready, a fault of the scene, a late loop, a stop, a button let go (`hold`), and until

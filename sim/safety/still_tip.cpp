@@ -1,4 +1,4 @@
-#include "sim/loop/still_tip.h"
+#include "sim/safety/still_tip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@ namespace moontrace {
 
 namespace {
 
-/// Of the way from the middle to the edge; a stick's ends are not calibrated better.
+/// Share of the distance from the middle to the edge; a stick's ends are calibrated no better.
 constexpr double kEdge = 0.98;
 
 }  // namespace

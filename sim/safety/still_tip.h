@@ -6,15 +6,15 @@
 
 namespace moontrace {
 
-/// Less is hardly felt: a device that falls silent or sticks is judged under more only [N].
+/// A smaller force is hardly felt: silence and sticking count only under more [N].
 inline constexpr double kFeltForce = 0.2;
 
 /// Finds a device whose position has stuck: reports keep coming, all of the very same place.
 ///
 /// A hand that rests on a device of coarse steps looks the same, so stillness alone is no fault.
-/// What tells them apart is the answer to a change of force. A tip at rest under a force F is held
-/// by a hand that presses with F less the friction f_c at least; without F it would have to move,
-/// as soon as f_c no longer holds the hand by itself. So:
+/// What distinguishes them is the response to a change of force. A tip at rest under a force F is
+/// held by a hand that presses with F less the friction f_c at least; without F it would have to
+/// move, as soon as f_c no longer holds the hand by itself. So:
 ///
 /// - Only a force above kFeltForce and 2 f_c is judged: then the hand presses with more than f_c.
 /// - After `DeviceLimits::still` of reports of one place the force is taken back evenly over

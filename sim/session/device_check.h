@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "devices/core/device.h"
+#include "sim/console/console.h"
 #include "sim/loop/clock.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 

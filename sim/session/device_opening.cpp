@@ -4,7 +4,7 @@
 
 #include "devices/core/device_error.h"
 #include "devices/hid/homing.h"
-#include "sim/wording/console.h"
+#include "sim/console/console.h"
 
 namespace moontrace {
 

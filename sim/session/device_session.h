@@ -4,9 +4,9 @@
 #include <glm/vec3.hpp>
 
 #include "devices/core/device.h"
+#include "sim/console/console.h"
 #include "sim/loop/clock.h"
-#include "sim/loop/safety.h"
-#include "sim/wording/console.h"
+#include "sim/safety/safety.h"
 
 namespace moontrace {
 

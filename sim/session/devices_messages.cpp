@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

@@ -1,13 +1,13 @@
 #include "sim/session/loop_drive.h"
 
 #include <chrono>
-#include <glm/glm.hpp>
 #include <ostream>
 #include <string>
 
-#include "sim/session/device_choice.h"
 #include "sim/session/loop_messages.h"
+#include "sim/session/loop_poll.h"
 #include "sim/session/loop_words.h"
+#include "sim/session/tip_words.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
 #include "sim/tutor/page_messages.h"
@@ -21,10 +21,14 @@ namespace {
 constexpr int kPoll = 20;  ///< [ms]
 
 /// One session and what was last known of it.
-class Driver {
+class Driver : private LoopListener {
  public:
   Driver(LoopSession& session, const DriveOptions& options, Console& console)
-      : session_(session), options_(options), console_(console), lines_(console.in()) {}
+      : session_(session),
+        options_(options),
+        console_(console),
+        lines_(console.in()),
+        poll_(session.loop(), session.device()) {}
 
   void Run() {
     if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
@@ -72,56 +76,56 @@ class Driver {
   void LookAtWindow() {
     ViewFeed* view = options_.view;
     if (view == nullptr) return;
-    while (const std::optional<std::string> line = view->NextLine()) Obey(*line);
-    const std::string notice = view->TakeNotice();
-    if (!notice.empty()) console_.Remark(notice);
+    view->Hear([this](const std::string& line) { Obey(line); },
+               [this](const std::string& notice) { console_.Remark(notice); });
     // nothing could move the tip again
-    if (view->failed() && session_.mouse()) quit_ = true;
+    if (view->failed() && session_.device().mouse()) quit_ = true;
     if (!view->closed() || quit_) return;
     quit_ = true;
     console_.Happening(say::WindowClosed());
   }
 
-  /// Takes what the loop has left.
   void Look() {
-    Loop& loop = session_.loop();
-    loop.TakeSnapshot(newest_);
-    LoopEvent event;
-    while (loop.TakeEvent(event)) {
-      if (event.kind == LoopEventKind::kSay) Say(WhereNow());
-      if (event.kind == LoopEventKind::kBookmark) session_.SetMark(event.tip_P);
-      const bool lost =
-          event.kind == LoopEventKind::kSafety && event.safety == SafetyEvent::kDeviceLost;
-      Report(event, lost ? say::DeviceLost(loop.WhyGone()) : say::Event(event));
-    }
-    LoopSample sample;
-    while (loop.TakeSample(sample)) {
-      if (options_.sample) options_.sample(sample);
-      if (options_.view != nullptr) options_.view->Add(sample);
-    }
-    for (const std::string& sentence : session_.TakeSentences()) Say(sentence);
-    if (loop.silent() && !silent_) Say(say::LoopSilent());
-    silent_ = loop.silent();
-    const std::string why = loop.WhyLost();
-    if (why != why_lost_ && !why.empty()) Say(say::StillLost(why));
-    why_lost_ = why;
-    if (options_.view == nullptr) return;
-    options_.view->Look(session_, newest_);
-    options_.view->SetValues(LoopPanelValues(session_, newest_));
+    poll_.Look(*this);
+    if (options_.view != nullptr) options_.view->Look(session_.felt(), poll_);
   }
 
-  std::string WhereNow() { return session_.Where(newest_); }
+  void Happened(const LoopEvent& event, const std::string& sentence) override {
+    if (event.kind == LoopEventKind::kSay) Say(WhereNow());
+    if (event.kind == LoopEventKind::kBookmark) {
+      if (const auto place = LetterPlaceOf(session_.felt(), event.tip_P)) mark_ = place;
+    }
+    Report(event, sentence);
+  }
+
+  void Reported(const std::string& sentence, bool /*urgent*/) override { Say(sentence); }
+
+  void Stands(const LoopSnapshot& newest) override {
+    if (options_.view == nullptr) return;
+    options_.view->SetValues(LoopPanelValues(session_.text(), session_.form(), session_.tilt(),
+                                             session_.felt().index,
+                                             say::PanelState(newest.stopped, newest.depth > 0)));
+  }
+
+  void Felt(const LoopSample& sample) override {
+    if (options_.sample) options_.sample(sample);
+    if (options_.view != nullptr) options_.view->Add(sample);
+  }
+
+  std::string WhereNow() {
+    return Where(session_.felt(), session_.device().pushes(), poll_.newest());
+  }
 
   void Turn(bool forward) {
     const std::size_t pages = session_.text().set.pages.size();
-    Say(session_.Turn(forward) ? say::NowPage(session_.page(), pages)
+    Say(session_.Turn(forward) ? say::NowPage(session_.felt().index, pages)
                                : say::NoOtherPage(forward, pages));
   }
 
   void Resize(bool bigger) {
     if (!options_.sizes) return Say(say::SizeStays());
     try {
-      session_.Resize(bigger, newest_.tip_P);
+      session_.Resize(bigger, poll_.newest().tip_P);
       SaySize();
     } catch (const InputError& error) {
       Say(say::CannotResize(error.what()));
@@ -130,20 +134,20 @@ class Driver {
 
   void SaySize() {
     const Typeset& set = session_.text().set;
-    Say(say::NowSize(set.style.size, session_.page(), set.pages.size()));
+    Say(say::NowSize(set.style.size, session_.felt().index, set.pages.size()));
   }
 
   void Change(const PageCommand& command) {
     if (!options_.sizes) return Say(say::PageStaysWhileScored());
     try {
       if (command.word == PageWord::kSize) {
-        session_.SetSize(command.value, newest_.tip_P);
+        session_.SetSize(command.value, poll_.newest().tip_P);
         return SaySize();
       }
       if (command.word == PageWord::kTilt) {
         session_.Tilt(command.value);
       } else {
-        session_.SetForm(Changed(session_.form(), command), newest_.tip_P);
+        session_.SetForm(Changed(session_.form(), command), poll_.newest().tip_P);
       }
       Say(say::PageNow(command));
     } catch (const InputError& error) {
@@ -181,7 +185,7 @@ class Driver {
       case LoopWord::kWhere:
         return Say(WhereNow());
       case LoopWord::kMark:
-        return Say(session_.WayToMark(newest_));
+        return Say(WayToMark(session_, mark_, poll_.newest()));
       case LoopWord::kPage:
         return Change(said.page);
       case LoopWord::kQuit:
@@ -200,11 +204,10 @@ class Driver {
   const DriveOptions& options_;
   Console& console_;
   LineReader lines_;
-  LoopSnapshot newest_;
-  bool silent_ = false;
+  LoopPoll poll_;
+  std::optional<LetterPlace> mark_;
   bool told_end_ = false;
   bool quit_ = false;
-  std::string why_lost_;
 };
 
 }  // namespace
@@ -219,29 +222,29 @@ void RequireDevice(LoopSession& session) {
 }
 
 void SayBeginning(const LoopSession& session, Console& console) {
-  const SessionRequest& request = session.request();
-  const bool simulated = IsSimulated(request.live.device);
+  const TextRequest& request = session.request();
+  const LiveDevice& device = session.device();
   const std::string& text = session.text().text;
-  const TextOptions& given = request.text.text;
-  const bool chosen = given.text || !given.file.empty() || text != request.text.default_text;
+  const TextOptions& given = request.text;
+  const bool chosen = given.text || !given.file.empty() || text != request.default_text;
   console.Happening(say::OnThePage(text, chosen));
   console.Happening(
-      say::LoopBegins(simulated ? "simulated stylus" : request.live.device, session.rate()));
+      say::LoopBegins(device.simulated() ? "simulated stylus" : device.name(), session.rate()));
   const Typeset& set = session.text().set;
-  if (!simulated && !session.mouse()) {
+  if (!device.simulated() && !device.mouse()) {
     console.Happening(say::SetFor(set.page, set.pages.size()));
   }
-  if (session.scale() != 1) console.Happening(say::Scaled(session.scale()));
-  const double usual = request.text.feel.scene.coupling_stiffness;
+  if (device.scale() != 1) console.Happening(say::Scaled(device.scale()));
+  const double usual = request.feel.scene.coupling_stiffness;
   if (session.coupling_stiffness() < usual) {
     console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
   }
-  if (session.mouse()) {
+  if (device.mouse()) {
     console.Happening(say::MouseIsSeen());
-  } else if (!simulated && !glm::any(session.limits().pushes)) {
+  } else if (!device.simulated() && !device.pushes()) {
     console.Happening(say::NoMotors());
   }
-  const bool text_read = request.text.text.text == "-";
+  const bool text_read = request.text.text == "-";
   console.Remark(text_read ? say::CannotSpeak() : say::HowToSpeak());
   console.out().flush();
 }

@@ -3,10 +3,10 @@
 #include <functional>
 #include <optional>
 
+#include "sim/console/console.h"
+#include "sim/console/line_reader.h"
 #include "sim/session/loop_session.h"
 #include "sim/session/view_feed.h"
-#include "sim/wording/console.h"
-#include "sim/wording/line_reader.h"
 
 namespace moontrace {
 
@@ -22,10 +22,10 @@ struct DriveOptions {
 /// samples on. The loop has ended behind it, at zero force. Throws Interrupted.
 void Drive(LoopSession& session, const DriveOptions& options, Console& console);
 
-/// What is said before a session: device, rate, priority, pages, scale.
 /// Behind Drive: throws LackError if the device was lost and did not come back.
 void RequireDevice(LoopSession& session);
 
+/// What is said before a session: device, rate, priority, pages, scale.
 void SayBeginning(const LoopSession& session, Console& console);
 
 }  // namespace moontrace

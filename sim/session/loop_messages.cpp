@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

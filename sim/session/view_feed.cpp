@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "sim/session/device_choice.h"
 #include "sim/session/view_messages.h"
 #include "textures/base/error.h"
 
@@ -32,14 +33,14 @@ std::unique_ptr<ViewFeed> ViewFeed::Open(const ViewOptions& options,
   }
 }
 
-void ViewFeed::Look(LoopSession& session, const LoopSnapshot& newest) {
+void ViewFeed::Look(const FeltPage& page, const LoopPoll& poll) {
   if (ended()) return;
-  if (shown_ != session.shown()) {
-    viewer_.Show(ViewPageOf(session));
-    shown_ = session.shown();
+  if (shown_ != page.shown) {
+    viewer_.Show(ViewPageOf(page));
+    shown_ = page.shown;
   }
-  ViewMoment moment = MomentOf(newest);
-  moment.lateness_us = session.loop().TakeLateness();
+  ViewMoment moment = MomentOf(poll.newest());
+  moment.lateness_us = poll.lateness_us();
   viewer_.Add(moment);
 }
 
@@ -58,6 +59,13 @@ void ViewFeed::SetValues(std::vector<PanelValue> values) {
   viewer_.SetPanelValues(std::move(values));
 }
 
+void ViewFeed::Hear(const Heard& obey, const Heard& remark) {
+  while (const std::optional<std::string> line = viewer_.NextLine()) obey(*line);
+  const std::string notice = TakeNotice();
+  if (!notice.empty()) remark(notice);
+}
+
+/// Empty: there is none.
 std::string ViewFeed::TakeNotice() {
   if (const std::optional<std::string> notice = viewer_.NextNotice()) return say::ViewSays(*notice);
   if (failed_) return {};
@@ -96,10 +104,10 @@ Json ViewJson(ViewFeed& feed) {
           {"median_change_ms", report.median_change_ms}};
 }
 
-std::shared_ptr<const ViewPage> ViewPageOf(const LoopSession& session) {
-  const TextSetup& text = session.text();
-  return MakeViewPage(text.set.pages[session.page()], text.set.page, text.script, text.set.style,
-                      text.text, session.request().blank, session.number());
+std::shared_ptr<const ViewPage> ViewPageOf(const FeltPage& page) {
+  const TextSetup& text = *page.text;
+  return MakeViewPage(text.set, page.index, text.script, text.text, page.field, page.blank,
+                      page.number);
 }
 
 ViewMoment MomentOf(const LoopSnapshot& snapshot) {

@@ -10,11 +10,12 @@
 
 #include "devices/core/mailbox.h"
 #include "devices/hand/aimed_stylus.h"
-#include "sim/session/loop_session.h"
+#include "sim/console/console.h"
+#include "sim/session/felt_page.h"
+#include "sim/session/loop_poll.h"
 #include "sim/session/view_options.h"
 #include "sim/trial/metrics_json.h"
 #include "sim/view/viewer.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 
@@ -32,8 +33,8 @@ class ViewFeed {
   explicit ViewFeed(const ViewerOptions& options)
       : viewer_(options), window_(options.frames.empty()) {}
 
-  /// The page that a session lets be felt, if it is another than it was, and its newest instant.
-  void Look(LoopSession& session, const LoopSnapshot& newest);
+  /// The page that is felt, if it is another than it was, and its newest instant.
+  void Look(const FeltPage& page, const LoopPoll& poll);
   /// An instant between; in order of time, before the newest.
   void Add(const LoopSample& sample);
 
@@ -44,17 +45,16 @@ class ViewFeed {
   /// A line of the text face.
   void ShowLine(std::string_view line) { viewer_.ShowLine(line); }
 
-  /// The next line that was said in the window.
-  std::optional<std::string> NextLine() { return viewer_.NextLine(); }
+  using Heard = std::function<void(const std::string& line)>;
+  /// Gives `obey` each line that was said in the window, then `remark` what the view has to say of
+  /// itself, one sentence, once: why nothing is drawn any more, or not all of it.
+  void Hear(const Heard& obey, const Heard& remark);
   /// A word that concerns the view alone: done; what is answered.
   std::optional<std::string> Obey(std::string_view line) { return viewer_.Obey(line); }
   /// It draws into a window, not into frames.
   bool window() const { return window_; }
   /// The window was closed by its user.
   bool closed() const { return viewer_.closed(); }
-  /// What the view has to say of itself, one sentence, once: why nothing is drawn any more, or not
-  /// all of it; otherwise empty.
-  std::string TakeNotice();
   /// Nothing is shown any more.
   bool ended() const { return closed() || failed(); }
   /// Nothing is drawn any more, and its user did not wish so.
@@ -66,9 +66,11 @@ class ViewFeed {
   }
 
  private:
+  std::string TakeNotice();
+
   Viewer viewer_;
   bool window_;
-  std::optional<std::uint64_t> shown_;  ///< LoopSession::shown
+  std::optional<std::uint64_t> shown_;  ///< FeltPage::shown
   std::vector<PanelValue> values_;
   bool failed_ = false;
 };
@@ -85,8 +87,7 @@ Json ViewJson(ViewFeed& feed);
 /// Ends a view. The outcome of a view in words: where its frames are, how it kept up.
 void SayView(ViewFeed& feed, const ViewOptions& options, Console& console);
 
-/// The page that lies there now.
-std::shared_ptr<const ViewPage> ViewPageOf(const LoopSession& session);
+std::shared_ptr<const ViewPage> ViewPageOf(const FeltPage& page);
 ViewMoment MomentOf(const LoopSnapshot& snapshot);
 ViewMoment MomentOf(const LoopSample& sample);
 

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "sim/console/wording.h"
 #include "sim/view/view_words.h"
-#include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

@@ -1,8 +1,8 @@
 #include "sim/session/view_options.h"
 
+#include "sim/console/console.h"
 #include "sim/session/view_messages.h"
 #include "sim/setup/setup_messages.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -7,6 +7,7 @@
 
 #include "sim/session/view_controls.h"
 #include "sim/session/view_messages.h"
+#include "sim/tutor/page_words.h"
 
 namespace moontrace {
 
@@ -19,14 +20,12 @@ int PlaceOf(const std::vector<std::string>& choices, std::string_view word) {
 }
 
 const std::vector<std::string> kReliefs = {"engraved", "embossed"};
-const std::vector<std::string> kForms = {"crescent", "arc", "pocket", "reverse-n"};
-const std::vector<std::string> kPapers = {"smooth", "sine", "grid", "noise"};
 
 /// As it is set; where nobody has chosen, the one that has no name of its own.
 std::string FormOfH(const TextSetup& text) {
   if (!text.set.style.h_form.empty()) return text.set.style.h_form;
   const auto forms = text.script.forms.find("h");
-  if (forms == text.script.forms.end()) return kForms.front();  // there is no H to be seen
+  if (forms == text.script.forms.end()) return FormChoices().front();  // there is no H to be seen
   for (const auto& [form, glyph] : forms->second) {
     if (glyph == "h") return form;
   }
@@ -40,10 +39,10 @@ std::vector<PanelControl> PageControls() {
           SliderControl("Depth", "depth", "%", 20, 200, 10),
           SliderControl("Width", "width", "%", 50, 200, 10),
           ChoiceControl("Letters", "", kReliefs),
-          ChoiceControl("Form of H", "form", kForms),
+          ChoiceControl("Form of H", "form", FormChoices()),
           SliderControl("Line pitch", "pitch", "%", 100, 300, 10),
           SliderControl("Tilt", "tilt", "degrees", -60, 60, 5),
-          ChoiceControl("Paper", "paper", kPapers)};
+          ChoiceControl("Paper", "paper", PaperChoices())};
 }
 
 std::vector<PanelValue> PageValues(const TextSetup& text, const PageForm& form, double tilt) {
@@ -53,10 +52,10 @@ std::vector<PanelValue> PageValues(const TextSetup& text, const PageForm& form, 
           NumberValue(100 * form.depth),
           NumberValue(100 * form.width),
           ChosenValue(style.relief == Relief::kEmbossed ? 1 : 0),
-          ChosenValue(PlaceOf(kForms, FormOfH(text))),
+          ChosenValue(PlaceOf(FormChoices(), FormOfH(text))),
           NumberValue(100 * form.pitch),
           NumberValue(180 / std::numbers::pi * tilt),
-          ChosenValue(PlaceOf(kPapers, paper ? NameOf(paper->kind) : "smooth"))};
+          ChosenValue(PlaceOf(PaperChoices(), paper ? NameOf(paper->kind) : "smooth"))};
 }
 
 std::vector<PanelControl> LoopPanel() {
@@ -66,11 +65,6 @@ std::vector<PanelControl> LoopPanel() {
   Append(panel, {HeadingControl("Do"), ButtonControl("Stop", "stop"), ButtonControl("Go on", "go"),
                  ButtonControl("Next page", "next"), ButtonControl("Page back", "back")});
   return panel;
-}
-
-std::vector<PanelValue> LoopPanelValues(const LoopSession& session, const LoopSnapshot& newest) {
-  return LoopPanelValues(session.text(), session.form(), session.tilt(), session.page(),
-                         say::PanelState(newest.stopped, newest.depth > 0));
 }
 
 std::vector<PanelValue> LoopPanelValues(const TextSetup& text, const PageForm& form, double tilt,

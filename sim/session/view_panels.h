@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/session/loop_session.h"
+#include "sim/setup/page_form.h"
+#include "sim/setup/text_setup.h"
 #include "sim/view/panel.h"
 
 namespace moontrace {
@@ -17,8 +18,7 @@ std::vector<PanelValue> PageValues(const TextSetup& text, const PageForm& form, 
 
 /// A page that is felt.
 std::vector<PanelControl> LoopPanel();
-std::vector<PanelValue> LoopPanelValues(const LoopSession& session, const LoopSnapshot& newest);
-/// `state` of the tip, in words.
+/// `tilt` [rad], `page` from 0; `state` of the tip, in words.
 std::vector<PanelValue> LoopPanelValues(const TextSetup& text, const PageForm& form, double tilt,
                                         std::size_t page, const std::string& state);
 

@@ -44,17 +44,18 @@ void TrialView::Look(double time, const TickResult& felt, const GuidanceResult& 
 void TrialView::LookAtWindow() {
   texts_.time = say::PanelSeconds(shown_);
   feed_.SetValues(TrialPanelValues(texts_));
-  while (const std::optional<std::string> line = feed_.NextLine()) {
-    const std::optional<std::string> done = feed_.Obey(*line);
-    feed_.ShowLine(done ? *done : say::TakesViewWordsOnly());
-    if (*line != "?") continue;
-    feed_.ShowLine(say::ViewWordsHelp());
-    feed_.ShowLine(say::ViewColoursHelp());
-  }
-  const std::string notice = feed_.TakeNotice();
-  if (!notice.empty()) console_.Remark(notice);
+  feed_.Hear([this](const std::string& line) { Obey(line); },
+             [this](const std::string& notice) { console_.Remark(notice); });
   if (feed_.closed()) console_.Remark(say::RunsOnUnseen());
   over_ = feed_.ended();
+}
+
+void TrialView::Obey(const std::string& line) {
+  const std::optional<std::string> done = feed_.Obey(line);
+  feed_.ShowLine(done ? *done : say::TakesViewWordsOnly());
+  if (line != "?") return;
+  feed_.ShowLine(say::ViewWordsHelp());
+  feed_.ShowLine(say::ViewColoursHelp());
 }
 
 ViewMoment MomentOf(double time, const TickResult& felt, const GuidanceResult& push) {

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <memory>
 
-#include "sim/scene/scene_push.h"
+#include "sim/physics/scene_push.h"
 #include "sim/session/view_feed.h"
 #include "sim/session/view_panels.h"
 
@@ -22,6 +22,7 @@ class TrialView {
 
  private:
   void LookAtWindow();
+  void Obey(const std::string& line);
 
   ViewFeed& feed_;
   Console& console_;

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "sim/console/console.h"
 #include "sim/setup/setup_messages.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-/// CLI11's command line, named here and not defined: its header takes seconds to compile.
+/// CLI11's command line, only declared here: its header takes seconds to compile.
 namespace CLI {  // NOLINT(readability-identifier-naming): its own name
 class App;
 }

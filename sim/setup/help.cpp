@@ -4,7 +4,8 @@
 
 #include <CLI/App.hpp>
 
-#include "sim/wording/console.h"
+#include "sim/console/console.h"
+#include "sim/console/line_wrap.h"
 
 namespace moontrace {
 

@@ -9,7 +9,8 @@ namespace moontrace {
 /// One command's help as plain lines: what it does, how it is called, one line an option.
 std::string HelpText(const CLI::App& app);
 
-/// What each command and option is for; part of the catalogue (messages.h).
+/// What each command and option is for, as --help prints it. Options of one subject stand in the
+/// *messages.h of that subject.
 namespace say::help {
 inline constexpr const char* kProgram =
     "Moontrace: read and trace Moon, the tactile script, with a simulated stylus in MuJoCo.";

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
 #include "textures/typeset/style.h"
 
 /// Sentences about groove links and about tracing without lifting.

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "sim/console/console.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/setup_messages.h"
-#include "sim/wording/console.h"
 
 namespace moontrace {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "sim/scene/label.h"
+#include "sim/physics/label.h"
 #include "sim/setup/cli_app.h"
 #include "textures/typeset/style.h"
 

@@ -6,7 +6,7 @@
 
 #include "textures/typeset/typeset.h"
 
-/// Sentences about text on a geom of a model; see messages.h.
+/// Sentences about text on a geom of a model.
 namespace moontrace::say {
 
 std::string PageMoves(std::string_view geom);

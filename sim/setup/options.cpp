@@ -2,7 +2,6 @@
 
 #include <CLI/App.hpp>
 #include <charconv>
-#include <numbers>
 #include <string_view>
 
 #include "sim/setup/help.h"
@@ -11,9 +10,10 @@
 #include "sim/setup/writing_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 #include "textures/base/utf8.h"
-#include "textures/script/fallback.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/fallback.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/taught.h"
 #include "textures/typeset/typeset.h"
@@ -22,7 +22,6 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kMillimetre = 1e-3;
 constexpr double kLongest = 1000;  // [mm], of anything on a page
 constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20U;
 
@@ -131,7 +130,7 @@ void AddOptions(CLI::App& app, StyleOptions& options) {
   add_word("--fallback-script", options.fallback_script, help::kFallbackScript);
   add_word("--only", options.only, help::kOnly);
   AddOptions(app, options.links);
-  AddNumber(app, "--slant-deg", options.slant, -30, 30, std::numbers::pi / 180, help::kSlant);
+  AddNumber(app, "--slant-deg", options.slant, -30, 30, kDegree, help::kSlant);
   AddNumber(app, "--stretch", options.stretch, 0.5, 2, 1, help::kStretch);
   AddFlag(app, "--structure", options.structure, help::kStructure);
   AddNumber(app, "--heading-scale", options.heading_scale, 1, 5, 1, help::kHeadingScale);
@@ -183,7 +182,7 @@ void AddOptions(CLI::App& app, FeelOptions& options) {
         description);
   };
   add("--friction", options.scene.friction, 0, 2, 1, help::kFriction);
-  add("--tilt-deg", options.scene.tilt, -60, 60, std::numbers::pi / 180, help::kTilt);
+  add("--tilt-deg", options.scene.tilt, -60, 60, kDegree, help::kTilt);
   AddPath(app, "--model", "FILE", options.model, help::kModel);
 }
 
@@ -216,7 +215,7 @@ std::string ReadText(const TextOptions& options, const std::string& command, Con
 Script ScriptOf(const StyleOptions& options, const Label* label, std::string_view text) {
   const std::optional<std::string> named =
       options.script || label == nullptr ? options.script : label->script;
-  // One to fall back on may write what this one lacks, so then it is read whole.
+  // A fallback script may write what this one lacks, so this one is then read whole.
   Script script = FindScript(named.value_or("moon"), options.fallback_script ? "" : text);
   if (options.fallback_script)
     Borrow(script, FindScript(*options.fallback_script), *options.fallback_script);

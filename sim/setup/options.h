@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
-#include "sim/scene/label.h"
-#include "sim/scene/scene_options.h"
+#include "sim/console/console.h"
+#include "sim/physics/label.h"
+#include "sim/physics/scene_options.h"
 #include "sim/setup/cli_app.h"
 #include "sim/setup/link_options.h"
 #include "sim/setup/sheet_options.h"
-#include "sim/wording/console.h"
 #include "textures/field/surface.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

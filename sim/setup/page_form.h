@@ -13,8 +13,8 @@ struct LayoutOptions;
 struct Script;
 struct StyleOptions;
 
-/// How the letters and the paper that are felt differ from what is usual at their size. Factors
-/// keep their meaning when the size changes.
+/// How letters and paper differ from what is usual at their size. Factors keep their meaning when
+/// the size changes.
 struct PageForm {
   double depth = 1;              ///< of grooves, 0.2 to 2
   double width = 1;              ///< of grooves, with depth and rounding in proportion, 0.5 to 2

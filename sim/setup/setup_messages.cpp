@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "sim/console/wording.h"
 #include "sim/setup/writing_messages.h"
-#include "sim/wording/words.h"
 #include "textures/base/text_file.h"
 #include "textures/typeset/character_name.h"
 
@@ -15,7 +15,7 @@ std::string Where(const Replacement& replacement) {
   return fmt::format("line {}, character {}", replacement.line, replacement.column);
 }
 
-/// In words what cannot be seen or heard, otherwise as it is.
+/// A character that cannot be seen or heard by its name, any other as it is.
 std::string Was(const Replacement& replacement) {
   return replacement.name.empty() ? Quoted(replacement.was) : replacement.name;
 }

@@ -4,14 +4,13 @@
 
 #include <vector>
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
+#include "textures/base/units.h"
 #include "textures/typeset/rules.h"
 
 namespace moontrace::say {
 
 namespace {
-
-constexpr double kMillimetres = 1e3;
 
 std::string Mm(double metres) { return fmt::format("{:.3g} mm", kMillimetres * metres); }
 

@@ -1,18 +1,16 @@
 #include "sim/setup/sheet_options.h"
 
-#include <numbers>
-
-#include "sim/scene/label.h"
+#include "sim/console/console.h"
+#include "sim/physics/label.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/sheet_messages.h"
-#include "sim/wording/console.h"
+#include "textures/base/units.h"
 #include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr double kMillimetre = 1e-3;
 constexpr double kLongest = 1000;  // [mm]
 
 }  // namespace
@@ -39,7 +37,7 @@ void AddOptions(CLI::App& app, SheetOptions& options) {
       say::help::kTexture);
   add("--texture-amplitude-mm", options.amplitude, 0.0001, say::help::kTextureAmplitude);
   add("--texture-wavelength-mm", options.wavelength, 0.01, say::help::kTextureWavelength);
-  AddNumber(app, "--texture-angle-deg", options.angle, -180, 180, std::numbers::pi / 180,
+  AddNumber(app, "--texture-angle-deg", options.angle, -180, 180, kDegree,
             say::help::kTextureAngle);
 }
 

@@ -10,7 +10,7 @@ namespace moontrace {
 
 struct Label;
 
-/// What the sheet itself has beside text, as given: rules, a raised margin, a paper texture.
+/// What the sheet has besides text, as given: rules, a raised margin, a paper texture.
 struct SheetOptions {
   bool rules = false, raised_margin = false;
   std::optional<double> rule_width, rule_height;      ///< [m]

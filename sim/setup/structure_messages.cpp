@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
+#include "textures/base/units.h"
 
 namespace moontrace::say {
 
@@ -13,8 +13,7 @@ std::string Form(const LetterForm& form) {
   if (form == LetterForm{}) return {};
   std::string words;
   if (form.slant != 0) {
-    words = fmt::format("lean {} degrees to the {}",
-                        Short(std::abs(form.slant) * 180 / std::numbers::pi, 2),
+    words = fmt::format("lean {} degrees to the {}", Short(InDegrees(std::abs(form.slant)), 2),
                         form.slant > 0 ? "right" : "left");
   }
   if (form.stretch != 1) {

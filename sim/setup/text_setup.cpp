@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "sim/scene/scene.h"
 #include "sim/setup/model_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
@@ -19,16 +18,11 @@ namespace {
 /// Bounds time and memory: about five hours of hand time.
 constexpr std::size_t kMostSigns = 20000;
 
-/// What a model gives for the text: its first label, and the room on that label's geom.
-struct ModelPage {
-  Label label;
-  glm::dvec2 extent{0, 0};  ///< [m]
-  bool moves = false;       ///< the geom can be pushed
-};
-std::optional<ModelPage> PageOfModel(const FeelOptions& feel) {
-  if (feel.model.empty()) return std::nullopt;
-  const Scene scene = Scene::Load(feel.model, feel.scene);
-  return ModelPage{scene.labels().front(), scene.page_extent(), scene.page_moves()};
+/// None: no model was named, the shipped page lies there.
+std::optional<ModelPage> ModelPageFor(const TextRequest& request) {
+  if (request.feel.model.empty()) return std::nullopt;
+  if (request.model_page) return request.model_page;
+  return ModelPageOf(Scene::Load(request.feel.model, request.feel.scene));
 }
 
 /// The sheet cut to what carries it, a geom or a device's reach. A margin made for paper would
@@ -42,7 +36,7 @@ PageSpec CutTo(glm::dvec2 extent, PageSpec sheet, double margin, bool margin_giv
   return sheet;
 }
 
-/// The sheet that a model's geom gives; one asked for that is larger is said not to fit.
+/// The sheet that a model's geom carries; a remark says where the one asked for is larger.
 PageSpec OnGeom(const ModelPage& model, const PageSpec& asked, bool margin_given,
                 Console& console) {
   constexpr double kMargin = 0.001;  // [m]
@@ -66,7 +60,7 @@ std::string TextFor(const TextRequest& request, const Label* label, Console& con
   return ReadText(request.text, request.command, console);  // or says that there is none
 }
 
-/// A script that the label names is the model's mistake, if it is one.
+/// The script to use; a wrong one named by the label is reported as the model's mistake.
 Script ScriptFor(const TextRequest& request, const Label* label) {
   const bool of_label = label != nullptr && label->script && !request.style.script;
   if (!of_label) return ScriptOf(request.style, label);
@@ -79,9 +73,13 @@ Script ScriptFor(const TextRequest& request, const Label* label) {
 
 }  // namespace
 
+ModelPage ModelPageOf(const Scene& scene) {
+  return {scene.labels().front(), scene.page_extent(), scene.page_moves()};
+}
+
 TextSetup SetUpText(const TextRequest& request, Console& console) {
   constexpr double kDeviceMargin = 0.005;  // [m], from where the device strikes its own stops
-  const std::optional<ModelPage> model = PageOfModel(request.feel);
+  const std::optional<ModelPage> model = ModelPageFor(request);
   const Label* from = model ? &model->label : nullptr;
   if (model && model->moves) console.Remark(say::PageMoves(model->label.geom));
   TextSetup setup;

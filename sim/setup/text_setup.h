@@ -7,10 +7,12 @@
 #include <string>
 #include <string_view>
 
+#include "sim/console/console.h"
+#include "sim/physics/label.h"
+#include "sim/physics/scene.h"
 #include "sim/setup/options.h"
 #include "sim/setup/page_form.h"
-#include "sim/wording/console.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -23,6 +25,14 @@ struct TextSetup {
   Typeset set;
 };
 
+/// What a model gives for the text: its first label, and the room on that label's geom.
+struct ModelPage {
+  Label label;
+  glm::dvec2 extent{0, 0};  ///< as Scene::page_extent [m]
+  bool moves = false;       ///< the geom can be pushed
+};
+ModelPage ModelPageOf(const Scene& scene);
+
 /// What a text is made of.
 struct TextRequest {
   TextOptions text;
@@ -33,6 +43,8 @@ struct TextRequest {
   std::string default_text = {};  ///< where neither command line nor model bring one; empty: error
   std::optional<PageForm> form = {};  ///< none: as the others have it
   glm::dvec2 room{INFINITY};          ///< that a device can reach: pages are no larger [m]
+  /// What `feel.model` gives, where it has been loaded already; none: it is loaded for this.
+  std::optional<ModelPage> model_page = {};
 };
 
 /// Text, script and pages; what the command line leaves open comes from the model's first label.

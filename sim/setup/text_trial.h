@@ -16,7 +16,7 @@ void SetPress(const HandModel& hand, Relief relief, std::optional<double> press,
               PlanOptions& options);
 
 /// The shipped hand on one page of a text, as the command line has it; refers to `text`, which must
-/// outlive it. Speed, push, pictures and who looks on are the caller's.
+/// outlive it. Speed, push, pictures and watchers are the caller's to set.
 TrialSetup TrialOf(const TextSetup& text, std::size_t page, const FeelOptions& feel,
                    std::optional<double> press, std::uint64_t seed);
 

@@ -7,21 +7,21 @@
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/sheet_texture.h"
 
 namespace moontrace {
 
 namespace {
 
-/// A record is replayed from any folder.
+/// An absolute path: a record is replayed from any folder.
 std::string Whole(const std::string& path) {
   std::error_code error;
   const std::filesystem::path whole = std::filesystem::absolute(path, error).lexically_normal();
   return path.empty() || error ? path : whole.string();
 }
 
-/// A script's name stays one.
+/// The absolute path of a script's file; a script's name stays a name.
 std::string WholeScript(const std::string& script) {
   return IsScriptPath(script) ? Whole(script) : script;
 }

@@ -9,9 +9,9 @@
 
 namespace moontrace {
 
-/// What a record keeps beside the scene: enough to build page and field again, and to tell people
-/// what was traced. `script` is a name or a path, as FindScript takes it;
-/// paths are written whole, from the root.
+/// What a record keeps besides the scene: enough to build page and field again, and to say what was
+/// traced. `script` is a name or a path, as FindScript takes it; paths are written as absolute
+/// ones.
 struct TrialParameters {
   std::string text;
   std::string script;

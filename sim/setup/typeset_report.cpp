@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <vector>
 
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/sheet_messages.h"
+#include "textures/base/units.h"
 #include "textures/typeset/rules.h"
 
 namespace moontrace {
@@ -50,8 +50,6 @@ Json StructureJson(const Typeset& set) {
   json["heading_embossed"] = relief == Relief::kEmbossed;
   return json;
 }
-
-constexpr double kMillimetres = 1e3;
 
 Json RidgeJson(const Profile& profile) {
   return {{"width_mm", kMillimetres * profile.width},
@@ -133,7 +131,7 @@ Json TypesetJson(const Typeset& set, const Script& script) {
   json["letter_gap_mm"] = kMillimetres * set.style.letter_gap;
   json["h_form"] = set.style.h_form;
   json["grade"] = set.style.grade;
-  json["slant_deg"] = set.style.form.slant * 180 / std::numbers::pi;
+  json["slant_deg"] = InDegrees(set.style.form.slant);
   json["stretch"] = set.style.form.stretch;
   if (set.style.structure.read) json["structure"] = StructureJson(set);
   json["paper"] = {{"name", set.page.name},

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "sim/trial/metrics_json.h"
-#include "textures/script/script.h"
-#include "textures/typeset/groove_links.h"
+#include "textures/fonts/script.h"
+#include "textures/relief/groove_links.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

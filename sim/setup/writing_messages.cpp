@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 
 namespace moontrace::say {
 

@@ -1,4 +1,4 @@
-#include "sim/learner/aim_error.h"
+#include "sim/study/aim_error.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -21,7 +21,7 @@ class AimError {
   glm::dmat2 distortion_{0.0};
 };
 
-/// A number that follows from these two alone, spread evenly.
+/// A pseudo-random number that depends on these two alone.
 std::uint64_t SeedOf(std::uint64_t seed, std::string_view name);
 
 }  // namespace moontrace

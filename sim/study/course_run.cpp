@@ -1,4 +1,4 @@
-#include "sim/learner/course_run.h"
+#include "sim/study/course_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
-#include "lessons/machine/learning.h"
-#include "sim/learner/simulated_learner.h"
+#include "lessons/progress/learning.h"
+#include "sim/study/simulated_learner.h"
 #include "sim/trial/trial.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {
@@ -25,9 +25,9 @@ constexpr double kBetweenTrials = 4;  // to listen and to come back to the page 
 constexpr double kAnswering = 1;      // to say what it was [s]
 constexpr int kGreatestDays = 400;    // a course that takes longer is not finished
 constexpr int kIdleLimit = 200;       // events without a trial after which it is stuck
-constexpr int kToldTimes = 1;         // times that a told item is felt about for at one size
+constexpr int kTaughtTimes = 1;       // explorations of an item that was named, at each size
 
-/// Pages made once.
+/// Pages, each made once and kept.
 class PageShelf {
  public:
   const ItemPage& Page(const lesson_action::Show& show) {
@@ -73,28 +73,28 @@ class CourseRun {
   }
 
  private:
-  /// From sitting down until a break is proposed or the course ends.
+  /// From the start until a break is proposed or the course ends.
   void Session() {
     state_ = StartLesson(*setup_.course, std::move(result_.progress),
                          SeedOf(setup_.seed, "day" + std::to_string(result_.days)));
     state_.simulated = true;
     rest_ = false;
     idle_ = 0;
-    Tell(lesson_event::Begin{});
+    Send(lesson_event::Begin{});
     while (!rest_ && !result_.done && !result_.stuck) {
       if (setup_.check) setup_.check();
       Answer();
-      Tell(lesson_event::Tick{});
+      Send(lesson_event::Tick{});
     }
     result_.progress = std::move(state_.progress);
   }
 
   template <typename What>
-  void Tell(const What& what) {
+  void Send(const What& what) {
     LessonTurn turn = Advance(*setup_.course, std::move(state_), Event{time_, what});
     state_ = std::move(turn.state);
     for (const Action& action : turn.actions) {
-      std::visit([this](const auto& told) { this->Hear(told); }, action);
+      std::visit([this](const auto& each) { this->Hear(each); }, action);
     }
     if (++idle_ > kIdleLimit) result_.stuck = true;
   }
@@ -103,7 +103,7 @@ class CourseRun {
     switch (say.sentence) {
       case Sentence::kTraceIt:
       case Sentence::kLedAlong:
-        told_ = say.text;
+        named_ = say.text;
         break;
       case Sentence::kAskName:
       case Sentence::kAskPick:
@@ -151,7 +151,7 @@ class CourseRun {
         Name();
         break;
       case lesson_action::Await::kNext:
-        Tell(lesson_event::Said{lesson_event::Word::kNext});
+        Send(lesson_event::Said{lesson_event::Word::kNext});
         break;
       case lesson_action::Await::kEnd:
         if (!result_.done) result_.stuck = true;
@@ -167,25 +167,25 @@ class CourseRun {
                       MakeGuidancePath(page.strokes)};
     plan.gains.bead_speed *= push_.speed;
     const bool pushed = push_.mode != GuidanceMode::kOff && push_.help > 0;
-    const TracedItem traced = learner_.Trace(told_, page, pushed ? &plan : nullptr);
+    const TracedItem traced = learner_.Trace(named_, page, pushed ? &plan : nullptr);
     Pass(traced.measured.duration + kBetweenTrials);
-    // What has been named is also felt all over, to be known again.
-    int& times = felt_about_[{told_, show_.size}];
-    if (times < kToldTimes) {
+    // An item that was named is also explored once, so that it is recognised later.
+    int& times = felt_about_[{named_, show_.size}];
+    if (times < kTaughtTimes) {
       ++times;
       const double before = learner_.seconds();
       felt_ = learner_.Feel(page);
       Pass(learner_.seconds() - before);
-      Remember(told_);
+      Remember(named_);
     }
-    Tell(lesson_event::Traced{traced.measured});
+    Send(lesson_event::Traced{traced.measured});
   }
 
   void Name() {
     lesson_event::Answered answer;
-    if (not_understood_) {  // it says something that it was told
+    if (not_understood_) {  // it answers with something that it was taught
       answer.text =
-          learner_.shapes(show_.script).NameTold(felt_, learner_.day(), learner_.Guess()).label;
+          learner_.shapes(show_.script).NameTaught(felt_, learner_.day(), learner_.Guess()).label;
       answer.latency = kAnswering;
     } else {
       const double before = learner_.seconds();
@@ -196,7 +196,7 @@ class CourseRun {
     not_understood_ = false;
     answer.measured.duration = answer.latency;
     Pass(answer.latency + kBetweenTrials);
-    Tell(answer);
+    Send(answer);
   }
 
   std::string WhatItWas() {
@@ -228,8 +228,8 @@ class CourseRun {
   lesson_action::Push push_;
   lesson_action::Say asked_;
   lesson_action::Await await_ = lesson_action::Await::kNext;
-  std::string told_;  ///< the item that was named last
-  FeltShape felt_;    ///< what was felt last and not yet named
+  std::string named_;  ///< the item that was named last
+  FeltShape felt_;     ///< what was felt last and not yet named
   std::map<std::pair<std::string, double>, int> felt_about_;
   bool rest_ = false, not_understood_ = false;
   int idle_ = 0;

@@ -8,15 +8,15 @@
 
 #include "lessons/course/course.h"
 #include "lessons/course/trial.h"
-#include "lessons/machine/lesson_machine.h"
-#include "lessons/machine/progress.h"
-#include "sim/learner/learner_model.h"
+#include "lessons/progress/lesson_machine.h"
+#include "lessons/progress/progress.h"
+#include "sim/study/learner_model.h"
 
 namespace moontrace {
 
-/// A simulated learner goes through a course by itself, as a person would: it is shown pages, told
-/// what the lesson says, traces, feels and answers; each trial through the real scene. It never
-/// sees what the lesson machine keeps to itself.
+/// A simulated learner goes through a course by itself, as a person would: it is shown pages, hears
+/// what the lesson says, traces, explores and answers. Each trial runs in the real scene. It gets
+/// the lesson machine's actions only, never its state.
 struct CourseRunSetup {
   const Course* course = nullptr;  ///< must outlive the run
   LearnerModel learner;
@@ -25,8 +25,8 @@ struct CourseRunSetup {
   std::int64_t begin = 946684800;  ///< Unix time [s]: 1 January 2000, so that runs are alike
   std::vector<Trial> history;      ///< trials that came before, of the records
   std::size_t step_limit = 2000;   ///< trials in one step after which it is stuck
-  std::function<void(const Trial&)> keep;  ///< called with each trial to be kept; may be empty
-  /// Called with each sentence that is news of progress, and the day, from 1; may be empty.
+  std::function<void(const Trial&)> keep;  ///< called with each trial for the records; may be empty
+  /// Called with each sentence of the lesson, and the day, from 1; may be empty.
   std::function<void(const lesson_action::Say&, int day)> news;
   std::function<void()> check;  ///< called between trials; may throw to stop
 };

@@ -1,4 +1,4 @@
-#include "sim/learner/exploration.h"
+#include "sim/study/exploration.h"
 
 #include <algorithm>
 #include <cmath>

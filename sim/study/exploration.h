@@ -1,8 +1,8 @@
 #pragma once
 
 #include "devices/hand/hand.h"
-#include "sim/learner/learner_model.h"
-#include "sim/scene/pose.h"
+#include "sim/physics/pose.h"
+#include "sim/study/learner_model.h"
 #include "textures/field/element.h"
 
 namespace moontrace {

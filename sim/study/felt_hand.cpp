@@ -1,10 +1,11 @@
-#include "sim/learner/felt_hand.h"
+#include "sim/study/felt_hand.h"
 
 #include <cmath>
 
 #include "devices/hand/simulated_stylus.h"
-#include "sim/loop/tip_velocity.h"
+#include "sim/safety/tip_velocity.h"
 #include "textures/base/random.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -52,7 +53,6 @@ FeltTrack::FeltTrack(const Proprioception& sense, double tick, std::uint64_t see
 }
 
 double FeltTrack::Normal() {  // Box and Muller 1958, one of the two
-  constexpr double kTurn = 6.283185307179586;
   Random random(random_);
   const double u = 1 - random.Uniform(), v = random.Uniform();
   random_ = random.Bits();

@@ -10,8 +10,8 @@
 #include "devices/hand/hand.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/measure/felt_shape.h"
-#include "sim/learner/learner_model.h"
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
+#include "sim/study/learner_model.h"
 
 namespace moontrace {
 

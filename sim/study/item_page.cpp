@@ -1,8 +1,8 @@
-#include "sim/learner/item_page.h"
+#include "sim/study/item_page.h"
 
 #include <algorithm>
 
-#include "textures/typeset/glyph_group.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

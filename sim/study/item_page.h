@@ -5,7 +5,7 @@
 
 #include "lessons/measure/intended_strokes.h"
 #include "textures/field/field.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -16,7 +16,7 @@ struct ItemPage {
   TextPage page;
   TextureField field;
   std::vector<IntendedStroke> strokes;
-  /// What a hand feels about in: where any sign of the script could have strokes. The same for
+  /// The box that a hand explores: where any sign of the script could have strokes. The same for
   /// every letter of a size.
   Box box_P;
 };
@@ -24,7 +24,7 @@ struct ItemPage {
 /// How deep the grooves of an item's page are.
 struct ItemRelief {
   double grade = 1;  ///< of the script
-  /// Of the usual depth of the grooves: a shallow one can be felt but leads no hand. 0: blank.
+  /// Share of the usual depth: shallow grooves can be felt but do not guide the hand. 0: blank.
   double depth_share = 1;
 };
 

@@ -1,4 +1,4 @@
-#include "sim/learner/learner_model.h"
+#include "sim/study/learner_model.h"
 
 #include "textures/base/resources.h"
 #include "textures/base/toml_reader.h"

@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "lessons/machine/two_rate_memory.h"
 #include "lessons/measure/felt_shape.h"
 #include "lessons/measure/recogniser.h"
+#include "sim/study/two_rate_memory.h"
 
 namespace moontrace {
 
@@ -16,13 +16,13 @@ struct TracingSkill {
   double deviation = 6e-3;       ///< of a beginner's aim from the stroke, greatest [m]
   double deviation_share = 0.4;  ///< the same, of the letter's size, where that is less
   double general_share = 0.6;    ///< of the deviation that is the same for all letters
-  double restless_share = 0.06;  ///< that differs from trial to trial, of a beginner's deviation
-  double flank_share = 0.5;  ///< of the error that a flank keeps the tip from is felt by its force
-  double dependence = 0;     ///< share of what was learnt that is gone when the push is
-  int lessons_a_trial = 3;   ///< updates of the motor memory by one trial
+  double restless_share = 0.06;  ///< of a beginner's deviation, varies from trial to trial
+  double flank_share = 0.5;      ///< of an error prevented by a flank, felt by its force
+  double dependence = 0;         ///< share of what was learnt that is gone when the push is
+  int lessons_a_trial = 3;       ///< updates of the motor memory by one trial
 };
 
-/// How a learner feels about for what is on the page.
+/// How a learner explores what is on the page.
 struct Exploration {
   double press = 0.2;           ///< [N]
   double spacing_share = 0.17;  ///< between sweeps, of the letter's size
@@ -41,7 +41,7 @@ struct Proprioception {
   double height_noise = 0.03e-3;  ///< standard deviation of its height [m]
 };
 
-/// Everything that a simulated learner is, beside its hand (devices/hand.toml).
+/// Everything that a simulated learner is, besides its hand (devices/hand.toml).
 struct LearnerModel {
   TwoRates memory;
   TracingSkill tracing;

@@ -1,17 +1,17 @@
-#include "sim/learner/simulated_learner.h"
+#include "sim/study/simulated_learner.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "lessons/measure/trial_meter.h"
-#include "sim/learner/exploration.h"
+#include "sim/study/exploration.h"
 #include "sim/trial/plan.h"
 
 namespace moontrace {
 namespace {
 
-/// A plan at one moment after another.
+/// Reads a plan at ascending times.
 class PlanClock {
  public:
   explicit PlanClock(const Plan& plan) : plan_(plan) {}
@@ -35,8 +35,8 @@ class PlanClock {
   glm::dvec3 p_W_{0, 0, 0}, travel_W_{0, 0, 0};
 };
 
-/// How far the tip went along with an error of aim: 1 where it had all of it. Only what lies across
-/// the path counts, since a hand lags along it.
+/// How much of an error of aim the tip followed: 1 where it followed all of it. Only what lies
+/// across the path counts, since a hand lags along it.
 class FeltError {
  public:
   void Add(glm::dvec2 off, glm::dvec2 error, glm::dvec2 travel) {

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "lessons/course/trial.h"
-#include "lessons/machine/two_rate_memory.h"
 #include "lessons/measure/recogniser.h"
-#include "sim/learner/aim_error.h"
-#include "sim/learner/felt_hand.h"
-#include "sim/learner/item_page.h"
-#include "sim/learner/learner_model.h"
+#include "sim/study/aim_error.h"
+#include "sim/study/felt_hand.h"
+#include "sim/study/item_page.h"
+#include "sim/study/learner_model.h"
+#include "sim/study/two_rate_memory.h"
 
 namespace moontrace {
 
@@ -31,24 +31,26 @@ class SimulatedLearner {
  public:
   SimulatedLearner(const LearnerModel& model, const HandModel& hand, std::uint64_t seed);
 
-  /// Follows the strokes of a told item once. `push`: none, or its plan. Nothing is learnt about
+  /// Follows the strokes of a named item once. `push`: none, or its plan. Nothing is learnt about
   /// the aim on blank paper, where no error can be felt.
   TracedItem Trace(const std::string& item, const ItemPage& page, const GuidancePlan* push);
-  /// The same trial again as far as it taught, from the error that was felt in it.
+  /// Learns again what an earlier trial taught, from the error felt in it, without simulating it.
   void Relive(const std::string& item, double felt_error);
   /// Explores a page and returns what it felt.
   FeltShape Feel(const ItemPage& page);
   /// Time passes without practice.
   void Wait(double days);
 
-  /// What it remembers of a script's signs: whoever reads Moon does not answer with a bare corner.
+  /// What it remembers of one script's signs; apart, so that it answers in the script it is asked
+  /// in.
   Recogniser& shapes(const std::string& script = "") {
     return shapes_.try_emplace(script, Recogniser(model_.recognition)).first->second;
   }
   double day() const { return day_; }  ///< since the learner began
   /// Drawn anew each time: for guesses.
   std::uint64_t Guess() { return SeedOf(seed_, "guess" + std::to_string(++guesses_)); }
-  /// Error of the aim at an item now, of a beginner's, before its restlessness.
+  /// Present error of the aim at an item as a share of a beginner's, without the variation from
+  /// trial to trial.
   double AimErrorShare(const std::string& item, bool guided) const;
   double seconds() const { return hand_.seconds(); }  ///< of simulated work [s]
   const LearnerModel& model() const { return model_; }

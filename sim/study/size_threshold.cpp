@@ -1,10 +1,10 @@
-#include "sim/learner/size_threshold.h"
+#include "sim/study/size_threshold.h"
 
 #include <cmath>
 #include <stdexcept>
 
-#include "lessons/machine/item_choice.h"
-#include "sim/learner/item_page.h"
+#include "lessons/progress/item_choice.h"
+#include "sim/study/item_page.h"
 
 namespace moontrace {
 

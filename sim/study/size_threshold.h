@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lessons/machine/staircase.h"
-#include "sim/learner/simulated_learner.h"
-#include "textures/script/script.h"
+#include "sim/study/simulated_learner.h"
+#include "sim/study/staircase.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 

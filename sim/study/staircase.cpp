@@ -1,11 +1,11 @@
-#include "lessons/machine/staircase.h"
+#include "sim/study/staircase.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "lessons/machine/item_choice.h"
+#include "lessons/progress/item_choice.h"
 
 namespace moontrace {
 namespace {
@@ -47,12 +47,12 @@ void Staircase::Add(bool right) {
   }
 }
 
-void Staircase::Move(int way) {
-  if (way_ != 0 && way != way_) reversals_.push_back(level_);
-  way_ = way;
+void Staircase::Move(int direction) {
+  if (direction_ != 0 && direction != direction_) reversals_.push_back(level_);
+  direction_ = direction;
   const double step = rule_.steps[std::min(reversals_.size(), rule_.steps.size() - 1)];
   const double next =
-      rule_.geometric ? (way > 0 ? level_ * step : level_ / step) : level_ + way * step;
+      rule_.geometric ? (direction > 0 ? level_ * step : level_ / step) : level_ + direction * step;
   level_ = std::clamp(next, rule_.least, rule_.most);
 }
 

@@ -39,7 +39,8 @@ struct StaircaseRule {
 class Staircase {
  public:
   /// Throws std::invalid_argument for a rule that leads nowhere: `down` outside 1-3, no steps or
-  /// such as do not step, bounds crossed, a level of a geometric one not above 0, nothing to stop.
+  /// steps that change nothing, bounds crossed, a level of a geometric one not above 0, nothing to
+  /// stop.
   explicit Staircase(StaircaseRule rule);
 
   double level() const { return level_; }
@@ -54,12 +55,12 @@ class Staircase {
   std::optional<double> Threshold() const;
 
  private:
-  void Move(int way);
+  void Move(int direction);
 
   StaircaseRule rule_;
   double level_ = 0;
   int trials_ = 0, right_run_ = 0;
-  int way_ = 0;  ///< of the last move: -1 harder, 1 easier
+  int direction_ = 0;  ///< of the last move: -1 harder, 1 easier
   std::vector<double> reversals_;
 };
 

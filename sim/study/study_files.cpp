@@ -1,4 +1,4 @@
-#include "sim/learner/study_files.h"
+#include "sim/study/study_files.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -34,7 +34,7 @@ constexpr auto kGlance = std::chrono::milliseconds(50);
   throw LackError(fmt::format("cannot write {}: {}", path, std::strerror(error)));
 }
 
-/// An open file that is closed in the end.
+/// An open file, closed by the destructor.
 class OpenFile {
  public:
   OpenFile(const std::string& path, int flags)
@@ -45,7 +45,7 @@ class OpenFile {
   OpenFile& operator=(const OpenFile&) = delete;
   ~OpenFile() { ::close(file_); }
   int get() const { return file_; }
-  /// In one piece; a piece that was cut short is cut off when it is read again.
+  /// Appends in one write; a line that was cut short is dropped when the file is read again.
   void Append(const std::string& text) const {
     if (::write(file_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
       CannotWrite(path_, errno != 0 ? errno : ENOSPC);

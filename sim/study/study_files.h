@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/learner/study_protocol.h"
-#include "sim/learner/study_row.h"
-#include "sim/learner/study_run.h"
+#include "sim/study/study_protocol.h"
+#include "sim/study/study_row.h"
+#include "sim/study/study_run.h"
 
 namespace moontrace {
 
@@ -16,7 +16,7 @@ struct StudyOutput {
   std::string path;           ///< CSV; while it grows, a folder "PATH.parts" lies beside it
   int shard = 1, shards = 1;  ///< of its learners, shard from 1
   int threads = 1;
-  /// Called once the place of the rows is good and work begins; not where all is done already.
+  /// Called once the output is known to be writable and work begins; not if all is done already.
   std::function<void()> begins;
   std::function<void()> check;  ///< called by the caller's thread now and then; may throw to stop
   std::function<void(std::size_t done, std::size_t of)> progress;  ///< learners; may be empty

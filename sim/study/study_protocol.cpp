@@ -1,4 +1,4 @@
-#include "sim/learner/study_protocol.h"
+#include "sim/study/study_protocol.h"
 
 #include <fmt/core.h>
 
@@ -10,6 +10,7 @@
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
@@ -41,7 +42,7 @@ std::vector<std::string> Letters(const TomlTable& table, const char* key) {
 }
 
 double Millimetres(const TomlTable& table, const char* key, double otherwise) {
-  return 1e-3 * InRange(table, key, table.Number(key, otherwise), 1, 100);
+  return kMillimetre * InRange(table, key, table.Number(key, otherwise), 1, 100);
 }
 
 StudyCondition ReadCondition(const TomlTable& table) {

@@ -18,11 +18,11 @@ struct StudyCondition {
   int probe_every = 0;                   ///< one unguided trial in so many; 0: none
 };
 
-/// Letters' sizes by staircases at the end of a learner's trials; see sim/learner/size_threshold.h.
+/// Letters' sizes by staircases at the end of a learner's trials; see sim/study/size_threshold.h.
 struct StudyStaircase {
   double start = 0.02, least = 0.003;  ///< [m]
   int down = 2, trials = 40, staircases = 2;
-  int lessons = 2;  ///< times that each letter is told and felt before
+  int lessons = 2;  ///< times that each letter is taught, named and felt, before
 };
 
 /// A study: the same phases for each condition. From a TOML file, `lessons/studies/guidance.toml`

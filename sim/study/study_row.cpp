@@ -1,4 +1,4 @@
-#include "sim/learner/study_row.h"
+#include "sim/study/study_row.h"
 
 #include <fmt/core.h>
 

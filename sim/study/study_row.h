@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lessons/course/trial.h"
-#include "sim/learner/study_protocol.h"
+#include "sim/study/study_protocol.h"
 
 namespace moontrace {
 

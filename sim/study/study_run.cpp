@@ -1,4 +1,4 @@
-#include "sim/learner/study_run.h"
+#include "sim/study/study_run.h"
 
 #include <algorithm>
 #include <memory>
@@ -7,11 +7,11 @@
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
-#include "sim/learner/simulated_learner.h"
-#include "sim/learner/size_threshold.h"
+#include "sim/study/simulated_learner.h"
+#include "sim/study/size_threshold.h"
 #include "sim/trial/trial.h"
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/learner/study_protocol.h"
-#include "sim/learner/study_row.h"
+#include "sim/study/study_protocol.h"
+#include "sim/study/study_row.h"
 
 namespace moontrace {
 

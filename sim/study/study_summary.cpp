@@ -1,4 +1,4 @@
-#include "sim/learner/study_summary.h"
+#include "sim/study/study_summary.h"
 
 #include <algorithm>
 #include <array>

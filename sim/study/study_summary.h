@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/learner/study_row.h"
+#include "sim/study/study_row.h"
 
 namespace moontrace {
 
@@ -16,7 +16,7 @@ struct StudyCell {
   double mean = 0;       ///< tracing error; of "size-threshold" the size [m]
   double deviation = 0;  ///< standard deviation between learners [m]; 0 of one learner
   /// Of the learners' differences to the same seeds of the reference, the first condition that was
-  /// never guided: how much more error, and its 95 % interval [m]. No learners: is the reference.
+  /// never guided: how much more error, and its 95 % interval [m]. No pairs: this is the reference.
   std::size_t pairs = 0;
   double more = 0, more_low = 0, more_high = 0;
   double low = 0, high = 0;  ///< 95 % confidence interval of the mean, Student's t [m]

@@ -1,4 +1,4 @@
-#include "lessons/machine/two_rate_memory.h"
+#include "sim/study/two_rate_memory.h"
 
 #include <cmath>
 

@@ -12,7 +12,7 @@ struct TwoRates {
   double slow_days = 60, fast_days = 0.05;
 };
 
-/// What a hand has learnt of one thing: the share of an error that it makes good beforehand.
+/// What a hand has learnt of one thing: the share of an error that it corrects in advance.
 struct TwoRateMemory {
   double slow = 0, fast = 0;
   double total() const { return slow + fast; }

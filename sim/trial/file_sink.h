@@ -15,7 +15,7 @@ class FileSink {
  public:
   /// Makes `path`, which must not exist. The buffer is allocated here.
   explicit FileSink(std::string path);
-  /// Closes without a word; what was not written out is lost. Call Close for a file to be kept.
+  /// Closes silently; what is still buffered is lost. Call Close for a file to be kept.
   ~FileSink();
   FileSink(const FileSink&) = delete;
   FileSink& operator=(const FileSink&) = delete;

@@ -16,30 +16,6 @@ constexpr double kHop = 0.5;             // grooves this near run into each othe
 constexpr double kHopInFill = 1.5;       // within a filled area there is no wall [w]
 constexpr double kHopCost = 3;           // of a hop, times its length: grooves are preferred
 
-double LengthOf(const std::vector<Piece>& pieces) {
-  double length = 0;
-  for (const Piece& piece : pieces) length += Length(piece);
-  return length;
-}
-
-glm::dvec2 PointOf(const std::vector<Piece>& pieces, double s) {
-  for (const Piece& piece : pieces) {
-    const double length = Length(piece);
-    if (s <= length) return PointAt(piece, s);
-    s -= length;
-  }
-  return EndOf(pieces.back());
-}
-
-/// A piece from one length to another, backwards if the second is the less.
-Piece Cut(const Piece& piece, double from, double to) {
-  if (const Arc* arc = std::get_if<Arc>(&piece)) {
-    const double rate = arc->sweep / Length(piece);
-    return Arc{arc->center, arc->radius, arc->start + from * rate, (to - from) * rate};
-  }
-  return Line{PointAt(piece, from), PointAt(piece, to)};
-}
-
 void Append(const std::vector<Piece>& pieces, double from, double to, std::vector<Piece>& path) {
   std::vector<Piece> parts;
   double begin = 0;
@@ -48,7 +24,8 @@ void Append(const std::vector<Piece>& pieces, double from, double to, std::vecto
     const double length = Length(piece);
     const double a = std::clamp(low - begin, 0.0, length);
     const double b = std::clamp(high - begin, 0.0, length);
-    if (b - a > 1e-9) parts.push_back(from < to ? Cut(piece, a, b) : Cut(piece, b, a));
+    if (b - a > 1e-9)
+      parts.push_back(from < to ? PartBetween(piece, a, b) : PartBetween(piece, b, a));
     begin += length;
   }
   if (from > to) std::reverse(parts.begin(), parts.end());
@@ -145,7 +122,7 @@ class GrooveGraph {
   }
 
   void AddTrack(Track track, std::size_t parts) {
-    track.length = LengthOf(track.pieces);
+    track.length = Length(track.pieces);
     track.first = places_.size();
     const double spacing = width_ / 4 * static_cast<double>(parts);
     const auto steps = parts * static_cast<std::size_t>(std::ceil(track.length / spacing));
@@ -153,7 +130,7 @@ class GrooveGraph {
       if (track.ring && i == steps) break;  // the end is the start
       const double s =
           steps == 0 ? 0 : track.length * static_cast<double>(i) / static_cast<double>(steps);
-      places_.push_back({PointOf(track.pieces, s), tracks_.size(), s});
+      places_.push_back({PointAlong(track.pieces, s), tracks_.size(), s});
     }
     track.count = places_.size() - track.first;
     tracks_.push_back(std::move(track));
@@ -281,7 +258,7 @@ class GrooveGraph {
 };
 
 std::vector<Piece> TraceOf(const IntendedStroke& stroke) {
-  return LengthOf(stroke.spine_P) > 0 ? stroke.spine_P : std::vector<Piece>();
+  return Length(stroke.spine_P) > 0 ? stroke.spine_P : std::vector<Piece>();
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lessons/measure/intended_strokes.h"
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
 
 namespace moontrace {
 

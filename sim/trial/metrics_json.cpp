@@ -9,7 +9,7 @@ namespace moontrace {
 
 namespace {
 
-/// How the hand went, beside how near it kept.
+/// How the hand moved, besides how close to the strokes it kept.
 void AddConduct(Json& json, const TraceMetrics& metrics) {
   json["bias_mm"] = 1e3 * metrics.bias;
   json["dtw_mm"] = 1e3 * metrics.shape.warped;

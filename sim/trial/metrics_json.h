@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 /// JSON has no infinity: null stands for "without limit" and for "none".
 Json OrNull(double value);
 
-/// Then there are no errors either, and zero would read as perfect.
+/// Without a touch there are no errors either, and zero would read as perfect.
 inline bool NeverTouched(const TraceMetrics& metrics) { return !(metrics.contact_share > 0); }
 
 /// Metrics with the unit in the key, as `trace --json` and trial.json give them; errors are null

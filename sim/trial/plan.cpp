@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "sim/trial/speed_profile.h"
+#include "textures/base/overload.h"
 
 namespace moontrace {
 namespace {
@@ -44,10 +46,13 @@ bool IsSmooth(const Piece& a, const Piece& b) {
 /// The first `length` [m] of a piece.
 Piece FrontOf(const Piece& piece, double length) {
   const double share = std::min(1.0, length / Length(piece));
-  if (const Arc* arc = std::get_if<Arc>(&piece)) {
-    return Arc{arc->center, arc->radius, arc->start, share * arc->sweep};
-  }
-  return Line{StartOf(piece), PointAt(piece, length)};
+  const auto of_line = [length](const Line& line) {
+    return Line{line.from, PointAt(line, length)};
+  };
+  const auto of_arc = [share](const Arc& arc) {
+    return Arc{arc.center, arc.radius, arc.start, share * arc.sweep};
+  };
+  return std::visit<Piece>(Overload{of_line, of_arc}, piece);
 }
 
 /// A path cut at its corners; a smooth closed one goes `beyond` its start.
@@ -104,8 +109,7 @@ Lean LeanAfter(const std::vector<Piece>& before, const std::vector<Piece>& run, 
   const glm::dvec2 outwards = came - glm::dot(came, goes) * goes;
   const double across = glm::length(outwards);
   if (across < 1e-6) return {};
-  double length = 0;
-  for (const Piece& piece : run) length += Length(piece);
+  const double length = Length(run);
   // Legs at a smaller angle part later.
   const double scale = std::min(width / across, length / (kLeanWidths + kReturnWidths));
   return {kLeanShare * travelled / across * outwards, kLeanWidths * scale, kReturnWidths * scale};
@@ -219,11 +223,10 @@ void FollowRuns(PlanWriter& writer, const std::vector<std::vector<Piece>>& runs,
 }
 
 /// The arc of a ring traced by itself, none for other strokes.
-const Arc* RingOf(const std::vector<Piece>& trace) {
-  if (trace.empty()) return nullptr;
-  const Arc* arc = std::get_if<Arc>(&trace.front());
+std::optional<Arc> RingOf(const std::vector<Piece>& trace) {
+  if (trace.empty()) return std::nullopt;
   const bool closed = glm::distance(StartOf(trace.front()), EndOf(trace.back())) < 1e-6;
-  return closed && IsSmooth(trace.back(), trace.front()) ? arc : nullptr;
+  return closed && IsSmooth(trace.back(), trace.front()) ? ArcOf(trace.front()) : std::nullopt;
 }
 
 double LeanOf(const Arc& ring, double width) {
@@ -233,7 +236,8 @@ double LeanOf(const Arc& ring, double width) {
 /// A part of a ring, nearer to its middle.
 std::vector<Piece> Inwards(std::vector<Piece> part, double width) {
   for (Piece& piece : part) {
-    if (Arc* arc = std::get_if<Arc>(&piece)) arc->radius -= LeanOf(*arc, width);
+    std::visit(Overload{[](Line&) {}, [width](Arc& arc) { arc.radius -= LeanOf(arc, width); }},
+               piece);
   }
   return part;
 }
@@ -245,22 +249,24 @@ void FollowInwards(PlanWriter& writer, const std::vector<Piece>& part, double wi
   FollowRuns(writer, RunsOf(inner, width, 0), width);
 }
 
+/// Part `i`, from 0, of `count` equally long ones.
+Piece EqualPart(const Piece& piece, double i, double count) {
+  const auto of_line = [=, length = Length(piece)](const Line& line) {
+    return Line{PointAt(line, length * i / count), PointAt(line, length * (i + 1) / count)};
+  };
+  const auto of_arc = [=](const Arc& arc) {
+    const double sweep = arc.sweep / count;
+    return Arc{arc.center, arc.radius, arc.start + i * sweep, sweep};
+  };
+  return std::visit<Piece>(Overload{of_line, of_arc}, piece);
+}
+
 /// Pieces cut so that none is longer than `most`.
 std::vector<Piece> CutShort(const std::vector<Piece>& path, double most) {
   std::vector<Piece> parts;
   for (const Piece& piece : path) {
-    const double length = Length(piece);
-    const double count = std::ceil(length / most);
-    for (double i = 0; i < count; ++i) {
-      const Arc* arc = std::get_if<Arc>(&piece);
-      if (arc) {
-        const double sweep = arc->sweep / count;
-        parts.push_back(Arc{arc->center, arc->radius, arc->start + i * sweep, sweep});
-      } else {
-        parts.push_back(
-            Line{PointAt(piece, length * i / count), PointAt(piece, length * (i + 1) / count)});
-      }
-    }
+    const double count = std::ceil(Length(piece) / most);
+    for (double i = 0; i < count; ++i) parts.push_back(EqualPart(piece, i, count));
   }
   return parts;
 }
@@ -268,14 +274,13 @@ std::vector<Piece> CutShort(const std::vector<Piece>& path, double most) {
 /// Once round, in quarters between which the hand finds the groove's middle again.
 void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& stroke,
                const PlanOptions& options) {
-  double length = 0;
-  for (const Piece& piece : step.trace_P) length += Length(piece);
+  const double length = Length(step.trace_P);
   bool first = true;
   for (const Piece& part : CutShort(step.trace_P, length / 4 * (1 + 1e-9))) {
     if (!first && stroke.relief == Relief::kEngraved) {
       writer.EndSpan(TracePhase::kStroke, step.stroke);
       writer.Ease(stroke.width, PressOn(stroke, options));
-      writer.EndSpan(TracePhase::kWay, step.stroke);
+      writer.EndSpan(TracePhase::kTravel, step.stroke);
     }
     FollowInwards(writer, {part}, stroke.width);
     writer.Rest(kEndRest);
@@ -286,7 +291,7 @@ void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& s
 /// Leaves a ring: along it as far as needed, then away from it.
 void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& path, double width) {
   const auto in_ring = [&ring](const Piece& piece) {
-    const Arc* arc = std::get_if<Arc>(&piece);
+    const std::optional<Arc> arc = ArcOf(piece);
     return arc && glm::distance(arc->center, ring.center) < 1e-9 &&
            std::abs(arc->radius - ring.radius) < 1e-9;
   };
@@ -304,13 +309,13 @@ void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& pa
 
 void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedStroke>& strokes,
                const PlanOptions& options) {
-  const Arc* left = nullptr;  // the ring traced last
+  std::optional<Arc> left;  // the ring traced last
   for (const WalkStep& step : walk) {
     const IntendedStroke& stroke = strokes[step.stroke];
     if (&step == &walk.front()) {
       Land(writer, stroke, step.stroke, options);
     } else {
-      if (left != nullptr) {
+      if (left) {
         LeaveRing(writer, *left, step.path_P, stroke.width);
       } else {
         // a link begins shallower than the stroke: a hand that has drifted would slide back in that
@@ -319,11 +324,11 @@ void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedS
       }
       writer.Rest(kEndRest);
       if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));
-      writer.EndSpan(TracePhase::kWay, step.stroke);
+      writer.EndSpan(TracePhase::kTravel, step.stroke);
     }
-    left = walk.size() > 1 ? RingOf(step.trace_P) : nullptr;
+    left = walk.size() > 1 ? RingOf(step.trace_P) : std::nullopt;
     const auto runs = RunsOf(step.trace_P, stroke.width, stroke.width / 4);
-    if (left != nullptr) {
+    if (left) {
       TraceRing(writer, step, stroke, options);
     } else {
       FollowRuns(writer, runs, stroke.width);

@@ -6,7 +6,7 @@
 
 #include "devices/hand/hand.h"
 #include "lessons/measure/scoring.h"
-#include "sim/scene/pose.h"
+#include "sim/physics/pose.h"
 #include "sim/trial/line_walk.h"
 
 namespace moontrace {
@@ -38,7 +38,7 @@ struct Plan {
 
 /// For each walk: through the air to above its start and down (kAir, then
 /// kEntry), press, settle, follow it (kStroke, with a short rest at its end), lift (kLift). A dot
-/// is pressed and rested on. From stroke to stroke of one walk it goes over the page (kWay);
+/// is pressed and rested on. From stroke to stroke of one walk it goes over the page (kTravel);
 /// before each, and at the quarters of a ring, it eases its press in the groove, so that its drift
 /// is gone as it is after a landing. Where a link leaves a ring, the aim leans into the ring while
 /// that is traced, and out of it where it is left.

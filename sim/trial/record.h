@@ -8,8 +8,8 @@
 
 #include "devices/core/device.h"
 #include "lessons/guide/guidance.h"
-#include "sim/scene/scene.h"
-#include "sim/scene/scene_push.h"
+#include "sim/physics/scene.h"
+#include "sim/physics/scene_push.h"
 
 namespace moontrace {
 
@@ -22,7 +22,7 @@ struct RecordRow {
   double stroke = -1;  ///< intended stroke, -1 in the air
 };
 
-/// What a record says of itself beside the samples. `parameters_json` holds the caller's own
+/// What a record says of itself besides the samples. `parameters_json` holds the caller's own
 /// parameters (text, script, style, plan), enough to build page and field again.
 struct RecordHead {
   std::string parameters_json;
@@ -31,7 +31,7 @@ struct RecordHead {
   std::string subject_kind = "simulated";
 };
 
-/// Throws what Recorder would throw of a folder that is taken, before any work is done.
+/// Throws as Recorder does where the folder is not empty, before any work is done.
 void CheckRecordFolder(const std::string& folder);
 
 /// Writes a trial folder: trial.json, model.xml, samples.f64, events.jsonl (design section 5).

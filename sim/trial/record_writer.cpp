@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/scene/build_info.h"
+#include "sim/physics/build_info.h"
 #include "sim/trial/file_sink.h"
 #include "sim/trial/record.h"
 #include "sim/trial/record_columns.h"

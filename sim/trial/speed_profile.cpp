@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "textures/base/overload.h"
+
 namespace moontrace {
 namespace {
 
@@ -25,14 +27,15 @@ std::vector<double> SpeedLimits(const std::vector<Piece>& run, double speed, dou
   double begin = 0;
   for (const Piece& piece : run) {
     const double end = begin + Length(piece);
-    if (const Arc* arc = std::get_if<Arc>(&piece)) {
-      const double limit = std::min(speed, std::sqrt(kAcceleration * arc->radius));
+    const auto slow_down = [&](const Arc& arc) {
+      const double limit = std::min(speed, std::sqrt(kAcceleration * arc.radius));
       const auto first = static_cast<std::size_t>(std::floor(begin / spacing));
       const auto last = static_cast<std::size_t>(std::ceil(end / spacing));
       for (std::size_t i = first; i <= std::min(last, count - 1); ++i) {
         limits[i] = std::min(limits[i], limit);
       }
-    }
+    };
+    std::visit(Overload{[](const Line&) {}, slow_down}, piece);
     begin = end;
   }
   return limits;
@@ -77,8 +80,7 @@ std::vector<double> Timed(const Nodes& nodes) {
 }  // namespace
 
 std::vector<double> TimeRun(const std::vector<Piece>& run, double speed, double step) {
-  double length = 0;
-  for (const Piece& piece : run) length += Length(piece);
+  const double length = Length(run);
   if (!(length > 0)) return {0.0};
   const std::vector<double> arc_lengths = Timed(FastestWithin(run, length, speed));
   // The mean over the window up to each step: at rest before the first, at the end after the last.

@@ -4,9 +4,9 @@
 
 namespace moontrace {
 
-/// Energy that rendering put out while the page was touched: what TickResult::energy_out, which
-/// never falls, rose by in ticks of contact. In the air a hand feels the coupling alone; what that
-/// puts out is nothing that a page did.
+/// Energy that rendering put out while the page was touched: the sum of the rises of
+/// TickResult::energy_out (which never falls) in ticks of contact. In the air a hand feels the
+/// coupling alone, so energy from there is not the page's.
 class TouchEnergy {
  public:
   /// `energy_out` [J] since the loop began.

@@ -10,8 +10,8 @@
 #include "devices/hand/simulated_stylus.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/measure/link_meter.h"
-#include "sim/scene/coupling.h"
-#include "sim/scene/scene.h"
+#include "sim/physics/coupling.h"
+#include "sim/physics/scene.h"
 #include "sim/trial/metrics_json.h"
 #include "sim/trial/record.h"
 #include "textures/base/resources.h"
@@ -43,13 +43,6 @@ void Keep(std::vector<PathPoint>& path, const PathPoint& point, double spacing) 
     if (same && glm::distance(last.tip_P, point.tip_P) < spacing) return;
   }
   path.push_back(point);
-}
-
-double LengthOf(const IntendedStroke& stroke) {
-  if (stroke.kind == StrokeKind::kDot) return stroke.width;
-  double length = 0;
-  for (const Piece& piece : stroke.spine_P) length += Length(piece);
-  return length;
 }
 
 std::unique_ptr<Recorder> StartRecorder(const RecordRequest* request, const TrialSetup& setup,
@@ -181,9 +174,12 @@ GuidancePlan PlanOf(const TrialGuidance& guidance, const std::vector<IntendedStr
 }
 
 TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
-  const TextureField field = PageField(*setup.page, *setup.script, setup.style, setup.blank);
+  const std::shared_ptr<const TextureField> field =
+      setup.field != nullptr ? setup.field
+                             : std::make_shared<const TextureField>(
+                                   PageField(*setup.page, *setup.script, setup.style, setup.blank));
   Scene scene = Scene::Load(setup.model_path, setup.scene);
-  scene.SetField(&field);
+  scene.SetField(field.get());
   const std::vector<IntendedStroke> strokes =
       IntendedStrokes(*setup.page, *setup.script, setup.style);
   const Pose X_WP = scene.X_WP();
@@ -203,7 +199,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
                            ? std::numeric_limits<double>::infinity()
                            : ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
   TraceScorer scorer(strokes, setup.page->glyphs.size());
-  const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
+  const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, *field, scene);
   const auto start = std::chrono::steady_clock::now();
   LinkMeter link_meter(strokes, links);
   RunTicks(setup, plan, scene, *stylus, scorer, link_meter, LiftCounter(strokes, *setup.page),

@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,14 +14,14 @@
 #include "devices/core/device.h"
 #include "devices/hand/hand.h"
 #include "lessons/guide/guidance.h"
-#include "sim/scene/page_field.h"
-#include "sim/scene/scene_options.h"
-#include "sim/scene/scene_push.h"
+#include "sim/console/console.h"
+#include "sim/physics/page_field.h"
+#include "sim/physics/scene_options.h"
+#include "sim/physics/scene_push.h"
 #include "sim/trial/plan.h"
 #include "sim/trial/trial_result.h"
-#include "sim/wording/console.h"
 #include "textures/field/field.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -45,7 +46,9 @@ struct TrialSetup {
   const Script* script = nullptr;  ///< must outlive the trial
   const TextPage* page = nullptr;  ///< must outlive the trial
   TypeStyle style;
-  bool blank = false;      ///< the same plan on paper without grooves
+  bool blank = false;  ///< the same plan on paper without grooves
+  /// The page's own (PageField), where somebody else looks at it too; none: the trial builds it.
+  std::shared_ptr<const TextureField> field;
   std::string model_path;  ///< MJCF; empty = the shipped page
   SceneOptions scene;
   HandModel hand;

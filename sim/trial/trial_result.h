@@ -21,11 +21,11 @@ struct PathPoint {
 struct TrialResult {
   TraceScore score;
   double energy_out = 0;  ///< put out by sampling, greatest seen [J]
-  /// ForceBound (sim/scene/coupling.h) of a device that moves evenly; infinite on a page that can
+  /// ForceBound (sim/physics/coupling.h) of a device that moves evenly; infinite on a page that can
   /// move [N].
   double force_bound = 0;
   double duration = 0;          ///< simulated [s]
-  double real_time_factor = 0;  ///< simulated over elapsed time; the only value that is not exact
+  double real_time_factor = 0;  ///< simulated over elapsed time; the only value that varies
   double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
   std::size_t ticks = 0;
   std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there

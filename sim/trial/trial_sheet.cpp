@@ -47,7 +47,7 @@ Json ParseBounded(std::string_view text, const std::string& where, int greatest_
   }
 }
 
-/// A caller's JSON text, to be put into ours.
+/// A caller's JSON text, to be embedded in ours.
 Json ParseObject(const std::string& text, const std::string& name) {
   if (text.size() > kGreatestTextBytes / 2) {
     throw InputError(fmt::format("record: {} take {} bytes; at most {} can be kept", name,

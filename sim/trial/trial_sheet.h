@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/scene/build_info.h"
+#include "sim/physics/build_info.h"
 #include "sim/trial/record.h"
 
 namespace moontrace {

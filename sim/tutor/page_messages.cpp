@@ -2,10 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <numbers>
-
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 
 namespace moontrace::say {
 
@@ -13,7 +12,7 @@ std::string PageWordsHelp() {
   return fmt::format(
       "Behind size, depth, width, spacing, pitch and tilt stands a number, as in size 20 mm, depth "
       "50 %, tilt 10 degrees; behind form {}; behind paper {}.",
-      kFormChoices, kPaperChoices);
+      Joined(FormChoices(), " or "), Joined(PaperChoices(), " or "));
 }
 
 std::string PageBecomes(const PageCommand& command) {
@@ -30,7 +29,7 @@ std::string PageBecomes(const PageCommand& command) {
     case PageWord::kPitch:
       return fmt::format("lines apart {} of the usual", Percent(value));
     case PageWord::kTilt:
-      return fmt::format("page tilted by {} degrees", Short(value * 180 / std::numbers::pi, 1));
+      return fmt::format("page tilted by {} degrees", Short(InDegrees(value), 1));
     case PageWord::kEngraved:
       return "engraved, letters are grooves";
     case PageWord::kEmbossed:

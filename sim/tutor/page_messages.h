@@ -5,7 +5,7 @@
 
 #include "sim/tutor/page_words.h"
 
-/// Sentences about a page that is changed while it is felt; see messages.h.
+/// Sentences about a page that is changed while it is felt.
 namespace moontrace::say {
 
 /// What the words want behind them.

@@ -1,24 +1,50 @@
 #include "sim/tutor/page_words.h"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
+#include "sim/console/wording.h"
 #include "sim/tutor/word_line.h"
 #include "sim/tutor/word_messages.h"
+#include "textures/base/enum_names.h"
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr std::string_view NameOf(PageWord word) {
+  switch (word) {
+    case PageWord::kSize:
+      return "size";
+    case PageWord::kDepth:
+      return "depth";
+    case PageWord::kWidth:
+      return "width";
+    case PageWord::kSpacing:
+      return "spacing";
+    case PageWord::kPitch:
+      return "pitch";
+    case PageWord::kTilt:
+      return "tilt";
+    case PageWord::kEngraved:
+      return "engraved";
+    case PageWord::kEmbossed:
+      return "embossed";
+    case PageWord::kForm:
+      return "form";
+    case PageWord::kPaper:
+      return "paper";
+  }
+  return {};
+}
 
 /// Null for words that want no number.
 const NumberRule* RuleOf(PageWord word) {
   static const std::vector<NumberUnit> shares = {{"%", 0.01}, {"percent", 0.01}, {"times", 1}};
   static const NumberRule size = {
-      "mm, 1 to 1000", 1, 1000, 1e-3, {{"mm", 1}, {"cm", 10}, {"m", 1000}}};
+      "mm, 1 to 1000", 1, 1000, kMillimetre, {{"mm", 1}, {"cm", 10}, {"m", 1000}}};
   static const NumberRule depth = {"20 to 200 %", 0.2, 2, 1, shares};
   static const NumberRule width = {"50 to 200 %", 0.5, 2, 1, shares};
   static const NumberRule spaces = {"100 to 300 %", 1, 3, 1, shares};
@@ -59,20 +85,28 @@ std::variant<PageCommand, std::string> ReadPaper(std::string_view word, std::str
   command.paper = PaperKindOf(name);
   // an array's heights are in a file, which a word cannot bring
   if (command.paper && *command.paper != PaperKind::kSampled) return command;
-  return say::WordCannotBe(word, given, kPaperChoices);
+  return say::WordCannotBe(word, given, say::Joined(PaperChoices(), " or "));
 }
 
 }  // namespace
 
+const std::vector<std::string>& FormChoices() {
+  static const std::vector<std::string> choices = {"crescent", "arc", "pocket", "reverse-n"};
+  return choices;
+}
+
+const std::vector<std::string>& PaperChoices() {
+  static const std::vector<std::string> choices = {"smooth", "sine", "grid", "noise"};
+  return choices;
+}
+
 const std::vector<std::string>& PageWords() {
-  static const std::vector<std::string> words = {"size",  "depth", "width",    "spacing",
-                                                 "pitch", "tilt",  "engraved", "embossed",
-                                                 "form",  "paper"};
+  static const std::vector<std::string> words = AllNames(&NameOf);
   return words;
 }
 
 std::variant<PageCommand, std::string> ReadPageCommand(PageWord word, std::string_view behind) {
-  const std::string& name = PageWords()[static_cast<std::size_t>(word)];
+  const std::string name(NameOf(word));
   PageCommand command{word};
   if (const NumberRule* rule = RuleOf(word)) {
     const auto read = ReadNumberBehind(name, *rule, behind);
@@ -85,7 +119,9 @@ std::variant<PageCommand, std::string> ReadPageCommand(PageWord word, std::strin
     return command;
   }
   const bool is_form = word == PageWord::kForm;
-  if (behind.empty()) return say::WordWants(name, is_form ? kFormChoices : kPaperChoices);
+  if (behind.empty()) {
+    return say::WordWants(name, say::Joined(is_form ? FormChoices() : PaperChoices(), " or "));
+  }
   if (!is_form) return ReadPaper(name, behind);
   command.h_form = FormNamed(behind);
   return command;

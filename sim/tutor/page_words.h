@@ -26,9 +26,9 @@ enum class PageWord : std::uint8_t {
   kPaper,     ///< paper; none: smooth
 };
 
-/// What may stand behind "form" and "paper", for people.
-inline constexpr const char* kFormChoices = "crescent, arc, pocket or reverse-n";
-inline constexpr const char* kPaperChoices = "smooth, sine, grid or noise";
+/// What may stand behind "form" and "paper", in the order in which people see it.
+const std::vector<std::string>& FormChoices();
+const std::vector<std::string>& PaperChoices();
 
 /// One change, read.
 struct PageCommand {

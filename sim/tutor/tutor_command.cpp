@@ -1,6 +1,7 @@
 #include "sim/tutor/tutor_command.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -24,9 +25,10 @@ struct Rule {
   const char* wants = "";
 };
 
-const std::vector<Rule>& Rules() {
+/// In the order of TutorWord; "?" stands for itself.
+constexpr auto kRules = [] {
   using W = TutorWord;
-  static const std::vector<Rule> rules = {
+  return std::to_array<Rule>({
       {W::kSize, "size", Behind::kPage},
       {W::kHelp, "help", Behind::kHelp},
       {W::kMode, "mode", Behind::kMode, kGuidanceModes},
@@ -52,9 +54,9 @@ const std::vector<Rule>& Rules() {
       {W::kEmbossed, "embossed", Behind::kPage},
       {W::kForm, "form", Behind::kPage},
       {W::kPaper, "paper", Behind::kPage},
-  };
-  return rules;
-}
+  });
+}();
+static_assert(kRules.size() == static_cast<std::size_t>(TutorWord::kQuestion));
 
 /// Without control characters and broken bytes, and without blanks at the ends.
 std::string Cleaned(std::string_view line) {
@@ -126,7 +128,8 @@ std::variant<TutorCommand, TutorRefusal> ReadBehind(const Rule& rule, const std:
 const std::vector<std::string>& TutorWords() {
   static const std::vector<std::string> words = [] {
     std::vector<std::string> names;
-    for (const Rule& rule : Rules()) names.emplace_back(rule.name);
+    names.reserve(kRules.size());
+    for (const Rule& rule : kRules) names.emplace_back(rule.name);
     return names;
   }();
   return words;
@@ -135,11 +138,11 @@ const std::vector<std::string>& TutorWords() {
 std::variant<TutorCommand, TutorRefusal> ReadTutorCommand(std::string_view line) {
   const std::string clean = Cleaned(line);
   if (clean.empty()) return TutorRefusal{say::TutorSaidNothing()};
-  // not a broken byte that is shown so
+  // not a broken byte, which is shown as "?" too
   if (clean == "?" && line.find('?') != std::string_view::npos) return TutorCommand{};
   const WordLine said = SplitWord(clean);
   const WordChoice choice = ChooseWord(said.word, TutorWords());
-  if (choice.index) return ReadBehind(Rules()[*choice.index], said.behind);
+  if (choice.index) return ReadBehind(kRules[*choice.index], said.behind);
   if (!choice.begun.empty()) return TutorRefusal{say::WordAmbiguous(said.word, choice.begun)};
   return TutorRefusal{say::WordUnknown(said.word, NearestWord(said.word, TutorWords()))};
 }

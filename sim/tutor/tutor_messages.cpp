@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/wording/words.h"
+#include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

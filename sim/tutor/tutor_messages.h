@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-/// Sentences of the tutor's door to a lesson; see messages.h.
+/// Sentences of the tutor's door to a lesson.
 namespace moontrace::say {
 
 namespace help {

@@ -15,9 +15,9 @@
 #include <thread>
 #include <utility>
 
+#include "sim/console/line_buffer.h"
 #include "sim/tutor/tutor_messages.h"
 #include "sim/tutor/tutor_socket.h"
-#include "sim/wording/line_buffer.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 
@@ -107,10 +107,10 @@ struct TutorServer::State {
 
   std::vector<Tutor> tutors;  ///< the thread's
   std::size_t last_number = 0;
-  bool resting = false;  ///< no descriptor was left for one who came
+  bool resting = false;  ///< no file descriptor was left for a new tutor
 
   std::deque<Line> batch;  ///< the caller's, see Next
-  bool batch_told = true;
+  bool batch_ended = true;
   std::thread thread;
 };
 
@@ -195,10 +195,10 @@ void TutorServer::State::LetIn() {
     count = tutors.size();
   }
   Note(say::TutorCame(last_number));
-  Send(tutors.back());  // last: who has been greeted can be told things
+  Send(tutors.back());  // the greeting; last, when this tutor is counted
 }
 
-/// Whether so many lines of this tutor wait for the lesson that it must wait too.
+/// Whether so many lines of this tutor wait for the lesson that no more are read from it.
 bool TutorServer::State::Crowded(std::size_t number) const {
   const std::lock_guard<std::mutex> guard(mutex);
   const auto found = waiting.find(number);
@@ -270,15 +270,15 @@ TutorServer::~TutorServer() {
 std::optional<TutorServer::Line> TutorServer::Next() {
   State& state = *state_;
   if (state.batch.empty()) {
-    // "none" ends every batch, so that a loop over Next ends however fast a tutor types
-    if (!std::exchange(state.batch_told, true)) return std::nullopt;
+    // nullopt ends every batch, so that a loop over Next ends however fast a tutor types
+    if (!std::exchange(state.batch_ended, true)) return std::nullopt;
     {
       const std::lock_guard<std::mutex> guard(state.mutex);
       if (state.lines.empty()) return std::nullopt;
       state.batch.swap(state.lines);
       for (auto& waits : state.waiting) waits.second = 0;
     }
-    state.batch_told = false;
+    state.batch_ended = false;
     state.Wake();  // there is room again
   }
   Line line = std::move(state.batch.front());

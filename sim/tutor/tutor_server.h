@@ -21,11 +21,11 @@ class TutorServer {
     std::string text;       ///< valid UTF-8 without control characters
   };
 
-  /// Opens `tutor-LEARNER.sock` and listens. `greeting`: the line that each tutor is met with.
+  /// Opens `tutor-LEARNER.sock` and listens. `greeting`: the first line that each tutor gets.
   /// Throws LackError, one line: a live lesson of this learner has the socket; the folder is
   /// another's or open to others; no room. What a dead program left behind is taken over.
   TutorServer(const std::string& learner, std::string_view greeting);
-  /// Tutors are told the rest of what is theirs (for at most 0.2 s), and let go.
+  /// Sends tutors the lines still queued for them (for at most 0.2 s) and disconnects them.
   ~TutorServer();
   TutorServer(const TutorServer&) = delete;
   TutorServer& operator=(const TutorServer&) = delete;
@@ -36,7 +36,7 @@ class TutorServer {
   void Answer(std::size_t tutor, std::string_view line);
   /// One line to every tutor: what the learner is told.
   void SendToAll(std::string_view line);
-  /// Lets one tutor go once what is theirs has been sent: its "quit".
+  /// Disconnects one tutor once its lines have been sent: its "quit".
   void Dismiss(std::size_t tutor);
 
   /// Comings and goings since the last call, one sentence each, for the learner to know.

@@ -24,11 +24,11 @@ std::string LearnerOfSocket(const std::string& file_name);
 
 /// Whether the program at the other end belongs to this user.
 inline bool IsOwner(const ucred& peer, uid_t self) noexcept { return peer.uid == self; }
-/// The same for a connected socket; false where the system does not tell.
+/// The same for a connected socket; false where the system does not say.
 bool PeerIsOwner(int fd) noexcept;
 
-/// A listening socket with mode 0600 that is removed with its owner. Whose it is, a locked file
-/// beside it tells, so that what a dead program left is taken over without a race.
+/// A listening socket with mode 0600 that is removed with its owner. A locked file beside it shows
+/// that the owner lives, so that what a dead program left is taken over without a race.
 class TutorSocket {
  public:
   /// Throws LackError: a live program has it, something else lies there, the system refuses.

@@ -52,7 +52,7 @@ StrokeRecorder::StrokeRecorder(double longest) : longest_(longest) {}
 void StrokeRecorder::Add(double time, glm::dvec3 tip_P, bool in_contact) {
   if (!std::isfinite(time) || !IsFinite(tip_P)) return;
   if (!samples_.empty() && time <= samples_.back().time) return;
-  if (samples_.empty() && !in_contact) return;  // the way there is no part of the stroke
+  if (samples_.empty() && !in_contact) return;  // the approach is no part of the stroke
   full_ = full_ || (!samples_.empty() && time - samples_.front().time > longest_);
   if (!full_) samples_.push_back({time, tip_P, in_contact});
 }

@@ -9,14 +9,14 @@
 
 namespace moontrace {
 
-/// A line of the text face: a word, and what stands behind it, without blanks at their ends.
+/// A typed line: a word, and what stands behind it, without blanks at their ends.
 struct WordLine {
   std::string word;  ///< in small letters
   std::string behind;
 };
 WordLine SplitWord(std::string_view line);
 
-/// What a word among several was meant.
+/// Which of several words was meant.
 struct WordChoice {
   std::optional<std::size_t> index;  ///< of the word; none: unknown or ambiguous
   std::vector<std::string> begun;    ///< the words that begin with what was given

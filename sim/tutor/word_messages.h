@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// Sentences about words that were typed, and their numbers; see messages.h.
+/// Sentences about words that were typed, and their numbers.
 namespace moontrace::say {
 
 /// "Words, or their beginning or number: 1 size, 2 help."

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
-#include "sim/scene/mujoco_compat.h"
+#include "sim/physics/mujoco_compat.h"
 #include "sim/view/view_text.h"
 #include "textures/base/error.h"
 

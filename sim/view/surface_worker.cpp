@@ -49,7 +49,7 @@ struct SurfaceWorker::State {
       wish.reset();
       working = true;
       lock.unlock();
-      Raster raster = ShadeField(now.page->field, now.view_P, now.page->sheet_P, now.width,
+      Raster raster = ShadeField(*now.page->field, now.view_P, now.page->sheet_P, now.width,
                                  now.height, now.shade, Threads());
       lock.lock();
       done = Surface{std::move(raster), std::move(now)};

@@ -1,8 +1,7 @@
 #include "sim/view/view_page.h"
 
 #include <algorithm>
-
-#include "sim/scene/page_field.h"
+#include <utility>
 
 namespace moontrace {
 
@@ -22,14 +21,16 @@ ViewPage::Letter LetterOf(const PlacedGlyph& placed, const Script& script, const
 
 }  // namespace
 
-std::shared_ptr<const ViewPage> MakeViewPage(const TextPage& page, const PageSpec& sheet,
-                                             const Script& script, const TypeStyle& style,
-                                             std::string_view source, bool blank,
+std::shared_ptr<const ViewPage> MakeViewPage(const Typeset& set, std::size_t index,
+                                             const Script& script, std::string_view source,
+                                             std::shared_ptr<const TextureField> field, bool blank,
                                              std::uint32_t number) {
+  const TextPage& page = set.pages.at(index);
+  const TypeStyle& style = set.style;
   auto view = std::make_shared<ViewPage>();
   view->number = number;
-  view->field = PageField(page, script, style, blank);
-  view->sheet_P = {{0, 0}, {sheet.width, sheet.height}};
+  view->field = std::move(field);
+  view->sheet_P = {{0, 0}, {set.page.width, set.page.height}};
   view->width = style.width;
   view->letters.reserve(page.glyphs.size());
   for (const PlacedGlyph& placed : page.glyphs) {

@@ -12,17 +12,17 @@
 #include "lessons/measure/intended_strokes.h"
 #include "textures/field/element.h"
 #include "textures/field/field.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
 
 /// A page as the viewer shows it; never changed once it is shown, shared by threads.
 struct ViewPage {
-  std::uint32_t number = 0;  ///< LoopSnapshot::page
-  TextureField field;
-  Box sheet_P;       ///< the paper [m]
-  double width = 0;  ///< of a groove [m]
+  std::uint32_t number = 0;                   ///< LoopSnapshot::page
+  std::shared_ptr<const TextureField> field;  ///< never null
+  Box sheet_P;                                ///< the paper [m]
+  double width = 0;                           ///< of a groove [m]
   struct Letter {
     Box box_P;          ///< its em box [m]
     std::string print;  ///< the characters it stands for; empty: none
@@ -32,10 +32,11 @@ struct ViewPage {
   std::vector<IntendedStroke> strokes;
 };
 
-/// `source`: the text that was set. `blank`: paper without grooves.
-std::shared_ptr<const ViewPage> MakeViewPage(const TextPage& page, const PageSpec& sheet,
-                                             const Script& script, const TypeStyle& style,
-                                             std::string_view source, bool blank,
+/// The page `index` of a set, from 0. `source`: the text that was set. `field`: the page's own
+/// (PageField), the one that is felt. `blank`: paper without grooves.
+std::shared_ptr<const ViewPage> MakeViewPage(const Typeset& set, std::size_t index,
+                                             const Script& script, std::string_view source,
+                                             std::shared_ptr<const TextureField> field, bool blank,
                                              std::uint32_t number);
 
 /// What the viewer shows of one instant. Frame P of the page `page`.

@@ -6,7 +6,7 @@
 
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
-#include "textures/script/fallback.h"
+#include "textures/fonts/fallback.h"
 #include "textures/typeset/typeset.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

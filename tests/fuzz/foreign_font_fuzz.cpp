@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "tests/fuzz/sound_script.h"
-#include "textures/script/foreign_font.h"
+#include "textures/fonts/foreign_font.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);

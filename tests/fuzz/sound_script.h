@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "textures/base/error.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 /// What every reader of foreign letters must keep to, whatever the bytes.
 namespace moontrace {

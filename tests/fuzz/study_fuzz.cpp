@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "sim/learner/study_protocol.h"
-#include "sim/learner/study_row.h"
-#include "sim/learner/study_run.h"
-#include "sim/learner/study_summary.h"
+#include "sim/study/study_protocol.h"
+#include "sim/study/study_row.h"
+#include "sim/study/study_run.h"
+#include "sim/study/study_summary.h"
 #include "textures/base/error.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <string_view>
 
-#include "textures/script/svg_path.h"
+#include "textures/fonts/svg_path.h"
 
 namespace {
 

@@ -7,9 +7,9 @@
 
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/back_translate.h"
-#include "textures/typeset/glyph_group.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/taught.h"
 #include "textures/typeset/typeset.h"

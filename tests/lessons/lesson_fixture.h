@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lessons/machine/lesson_machine.h"
+#include "lessons/progress/lesson_machine.h"
 
 namespace moontrace {
 

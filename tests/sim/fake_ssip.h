@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "sim/console/line_buffer.h"
 #include "sim/tutor/tutor_socket.h"
-#include "sim/wording/line_buffer.h"
 
 namespace moontrace {
 

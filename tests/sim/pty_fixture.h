@@ -71,11 +71,15 @@ class PtySession {
       if (std::chrono::steady_clock::now() > end || !Read(200)) return false;
     }
   }
-  /// Sends a line and waits for a line of answer behind its echo.
+  /// Sends a line and waits for a line of answer behind its echo. What is still being said is read
+  /// before: the terminal would write the echo into its midst.
   bool Ask(const std::string& line) {
-    found_ = all_.size();
+    do {
+      found_ = all_.size();
+      Read(40);  // twice as long as the program waits for a line before it looks around
+    } while (all_.size() != found_);
     Send(line + "\n");
-    return WaitFor(line + "\r\n") && WaitFor("\r\n");
+    return WaitFor(line) && WaitFor("\r\n") && WaitFor("\r\n");
   }
   /// Reads what comes within so many milliseconds, or to the end.
   void ReadFor(int milliseconds) {

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
 #include "sim/trial/record.h"
 #include "textures/base/error.h"
 #include "textures/field/field.h"

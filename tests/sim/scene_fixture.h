@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
 #include "textures/base/error.h"
 
 namespace moontrace {

@@ -3,16 +3,14 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 #include "sim/audio/sound_synthesis.h"
 #include "sim/audio/sound_table.h"
 #include "tests/source_path.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
-
-inline constexpr double kTurn = 2 * std::numbers::pi;
 
 inline std::vector<float> Render(const SoundTable& table, Earcon earcon) {
   return RenderEarcon(table.earcons[static_cast<std::size_t>(earcon)]);

@@ -12,8 +12,8 @@
 #include <string>
 #include <thread>
 
+#include "sim/console/line_buffer.h"
 #include "sim/tutor/tutor_socket.h"
-#include "sim/wording/line_buffer.h"
 #include "tests/sim/eventually.h"
 
 namespace moontrace {

@@ -2,11 +2,13 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "sim/physics/page_field.h"
 #include "sim/view/panel.h"
 #include "sim/view/view_page.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -15,7 +17,9 @@ inline std::shared_ptr<const ViewPage> PageOf(const std::string& text, std::uint
   const Script script = FindScript("moon");
   const PageSpec sheet{"custom", 0.12, 0.06, 0.005};
   const Typeset set = SetText(text, script, DefaultStyle(0.012, Relief::kEngraved, script), sheet);
-  return MakeViewPage(set.pages.at(0), sheet, script, set.style, text, false, number);
+  auto field =
+      std::make_shared<const TextureField>(PageField(set.pages.at(0), script, set.style, false));
+  return MakeViewPage(set, 0, script, text, std::move(field), false, number);
 }
 
 /// A heading, then one control of each kind that says something.

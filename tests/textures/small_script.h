@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 

@@ -45,7 +45,7 @@ inline std::uint64_t DigestOf(std::string_view text) noexcept {
 
 /// "0x" and sixteen lower-case digits: how digests stand in files.
 std::string ToHex(std::uint64_t value);
-/// The way back; nothing unless `text` is exactly what ToHex writes.
+/// The inverse of ToHex; nothing unless `text` is exactly what ToHex writes.
 std::optional<std::uint64_t> FromHex(std::string_view text);
 
 }  // namespace moontrace

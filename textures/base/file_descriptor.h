@@ -29,10 +29,10 @@ class FileDescriptor {
   int fd_;
 };
 
-/// The address of a local socket. False, and errno tells why, for a path that is too long.
+/// The address of a local socket. False, with the reason in errno, for a path that is too long.
 bool LocalAddress(const std::string& path, sockaddr_un& address);
 
-/// Connects to a local socket; none, and errno tells why, if nobody listens. Does not block.
+/// Connects to a local socket; none, with the reason in errno, if nobody listens. Does not block.
 FileDescriptor ConnectTo(const std::string& path);
 
 }  // namespace moontrace

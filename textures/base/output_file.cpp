@@ -22,7 +22,7 @@ constexpr int kMostLinks = 40;  // as the kernel follows
   throw LackError(OneLine(path, 300) + ": cannot be written (" + cause + "); choose another place");
 }
 
-/// Where the bytes go in the end: renaming would put a file in the place of a link or a device.
+/// Where the bytes finally go: renaming onto a link or a device would replace it by a file.
 std::string TargetOf(const std::string& path) {
   if (path == "-") CannotWrite(path, "it stands for standard input");
   std::error_code ignored;
@@ -39,7 +39,7 @@ std::string TargetOf(const std::string& path) {
   return place.string();
 }
 
-/// A sibling of the place, gone again unless it took the place.
+/// A file beside the target; removed unless it was renamed to the target.
 class Partial {
  public:
   explicit Partial(const std::string& path)

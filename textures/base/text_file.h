@@ -22,11 +22,11 @@ std::string OneLine(std::string_view text, std::size_t limit = 60);
 /// Characters (code points, not bytes) of UTF-8, however it is broken.
 std::size_t CountCharacters(std::string_view utf8) noexcept;
 
-/// Letters A to Z made small, for words and endings that may be written either way.
+/// A to Z in lower case, for words and file endings in which case does not matter.
 std::string LowerCase(std::string_view text);
 
-/// Throws InputError (file:line:column, the encoding where its mark tells it, cure) unless the
-/// bytes are UTF-8.
+/// Throws InputError (file:line:column, the encoding where a byte order mark shows it, cure) unless
+/// the bytes are UTF-8.
 void RequireUtf8(std::string_view bytes, const std::string& file_name);
 
 /// Reads a whole file. Throws InputError (path, cause, cure): missing, a folder, unreadable, more

@@ -86,7 +86,8 @@ std::string Shown(std::string_view utf8) {
 
 bool IsHidden(char32_t code) noexcept {
   if ((code & 0xFFFEU) == 0xFFFEU || (code >= 0xFDD0 && code <= 0xFDEF)) return true;
-  if (code == 0x2065 || (code >= 0xE0000 && code <= 0xE0FFF)) return true;  // kept for such marks
+  // reserved for such characters
+  if (code == 0x2065 || (code >= 0xE0000 && code <= 0xE0FFF)) return true;
   const auto category = Category(code);
   return category == UTF8PROC_CATEGORY_CC || category == UTF8PROC_CATEGORY_CF ||
          category == UTF8PROC_CATEGORY_ZL || category == UTF8PROC_CATEGORY_ZP ||

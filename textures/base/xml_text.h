@@ -6,7 +6,8 @@
 namespace moontrace {
 
 /// Text as it may stand in XML and HTML, in elements and in quoted attributes: & < > and " written
-/// as entities. What has no place in XML at all, control characters say, is the caller's to mend.
+/// as entities. Characters that XML does not allow at all, such as control characters, are left to
+/// the caller.
 std::string EscapedXml(std::string_view text);
 
 }  // namespace moontrace

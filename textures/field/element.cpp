@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
-#include <numbers>
+#include <optional>
 
 #include "textures/base/overload.h"
 #include "textures/field/fill.h"
@@ -12,20 +12,6 @@
 namespace moontrace {
 
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
-
-glm::dvec2 Direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
-bool IsWhole(const Arc& arc) { return std::abs(arc.sweep) >= kTurn; }
-/// A whole circle ends where it starts, however far beyond a turn its sweep says.
-double SweepOf(const Arc& arc) { return std::clamp(arc.sweep, -kTurn, kTurn); }
-
-/// How far along the sweep the direction of `v` lies, in [0, 2 pi), counted in the arc's own sense.
-double AngleAlong(const Arc& arc, glm::dvec2 v) {
-  const double turned = std::atan2(v.y, v.x) - arc.start;
-  const double along = std::fmod(arc.sweep < 0 ? -turned : turned, kTurn);
-  return along < 0 ? along + kTurn : along;
-}
 
 /// Vector from the spine to `p`, or nothing where the butt-ended shape does not reach.
 std::optional<glm::dvec2> FromSpine(const Line& line, glm::dvec2 p) {
@@ -77,30 +63,6 @@ Magnitude Faded(const Element& element, const Along& along, glm::dvec2 from_spin
   return {q * q * sample.height, q * sample.slope * away + by_q * along.gradient};
 }
 
-glm::dvec2 NearestOnLine(const Line& line, glm::dvec2 p) {
-  const glm::dvec2 along = line.to - line.from;
-  const double length2 = glm::dot(along, along);
-  const double t = length2 > 0 ? glm::dot(p - line.from, along) / length2 : 0;
-  return line.from + std::clamp(t, 0.0, 1.0) * along;
-}
-
-glm::dvec2 NearestOnArc(const Arc& arc, glm::dvec2 p) {
-  const glm::dvec2 v = p - arc.center;
-  if (IsWhole(arc) || AngleAlong(arc, v) <= std::abs(arc.sweep)) {
-    const double distance = glm::length(v);
-    return distance > 0 ? arc.center + v * (arc.radius / distance)
-                        : arc.center + arc.radius * Direction(arc.start);
-  }
-  const glm::dvec2 start = StartOf(arc), end = EndOf(arc);
-  return glm::dot(p - start, p - start) <= glm::dot(p - end, p - end) ? start : end;
-}
-
-glm::dvec2 NearestOn(const Piece& piece, glm::dvec2 p) {
-  return std::visit(Overload{[p](const Line& line) { return NearestOnLine(line, p); },
-                             [p](const Arc& arc) { return NearestOnArc(arc, p); }},
-                    piece);
-}
-
 Magnitude ToMagnitude(const ProfileSample& sample, glm::dvec2 from_spine, double distance) {
   if (sample.height == 0) return {};
   return {sample.height,
@@ -134,111 +96,7 @@ Magnitude OfFill(const Fill& fill, const Profile& profile, glm::dvec2 p) {
   return ToMagnitude(EvaluateFill(profile, inside), from_edge, inside);
 }
 
-/// The box of an arc's ends, grown by the circle's four extreme points, as far as they lie on the
-/// arc.
-void IncludeExtremes(Box& box, const Arc& arc) {
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    const glm::dvec2 way = Direction(quarter * kTurn / 4);
-    if (IsWhole(arc) || AngleAlong(arc, way) <= std::abs(arc.sweep)) {
-      Include(box, arc.center + arc.radius * way);
-    }
-  }
-}
-
 }  // namespace
-
-void Include(Box& box, glm::dvec2 p) {
-  box.min = glm::min(box.min, p);
-  box.max = glm::max(box.max, p);
-}
-void Include(Box& box, const Box& other) {
-  box.min = glm::min(box.min, other.min);
-  box.max = glm::max(box.max, other.max);
-}
-Box Grown(const Box& box, double by) { return {box.min - by, box.max + by}; }
-Box Moved(const Box& box, glm::dvec2 by) { return {box.min + by, box.max + by}; }
-bool Contains(const Box& box, glm::dvec2 p) noexcept {
-  return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
-}
-bool Overlap(const Box& a, const Box& b) noexcept {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
-
-glm::dvec2 StartOf(const Piece& piece) {
-  return std::visit(
-      Overload{
-          [](const Line& line) { return line.from; },
-          [](const Arc& arc) { return arc.center + arc.radius * Direction(arc.start); },
-      },
-      piece);
-}
-
-glm::dvec2 EndOf(const Piece& piece) {
-  return std::visit(Overload{
-                        [](const Line& line) { return line.to; },
-                        [](const Arc& arc) {
-                          return arc.center + arc.radius * Direction(arc.start + SweepOf(arc));
-                        },
-                    },
-                    piece);
-}
-
-double Length(const Piece& piece) {
-  return std::visit(Overload{
-                        [](const Line& line) { return glm::length(line.to - line.from); },
-                        [](const Arc& arc) { return arc.radius * std::abs(SweepOf(arc)); },
-                    },
-                    piece);
-}
-
-glm::dvec2 PointAt(const Piece& piece, double s) {
-  const double length = Length(piece);
-  const double share = length > 0 ? std::clamp(s / length, 0.0, 1.0) : 0;
-  return std::visit(
-      Overload{
-          [share](const Line& line) { return line.from + share * (line.to - line.from); },
-          [share](const Arc& arc) {
-            return arc.center + arc.radius * Direction(arc.start + share * SweepOf(arc));
-          },
-      },
-      piece);
-}
-
-glm::dvec2 TangentAt(const Piece& piece, double s) {
-  const double length = Length(piece);
-  const auto of_line = [length](const Line& line) {
-    return length > 0 ? (line.to - line.from) / length : glm::dvec2(1.0, 0.0);
-  };
-  const auto of_arc = [length, s](const Arc& arc) {
-    const double share = length > 0 ? std::clamp(s / length, 0.0, 1.0) : 0;
-    const glm::dvec2 outward = Direction(arc.start + share * SweepOf(arc));
-    return arc.sweep < 0 ? glm::dvec2(outward.y, -outward.x) : glm::dvec2(-outward.y, outward.x);
-  };
-  return std::visit(Overload{of_line, of_arc}, piece);
-}
-
-double DistanceTo(const Piece& piece, glm::dvec2 p) { return glm::length(p - NearestOn(piece, p)); }
-
-Piece Placed(const Piece& piece, double scale, glm::dvec2 origin) {
-  const auto of_line = [=](const Line& line) {
-    return Line{scale * line.from + origin, scale * line.to + origin};
-  };
-  const auto of_arc = [=](Arc arc) {
-    arc.center = scale * arc.center + origin;
-    arc.radius *= scale;
-    return arc;
-  };
-  return std::visit<Piece>(Overload{of_line, of_arc}, piece);
-}
-
-Box BoundsOf(const Piece& piece) {
-  Box box;
-  Include(box, StartOf(piece));
-  Include(box, EndOf(piece));
-  std::visit(Overload{[](const Line&) {}, [&box](const Arc& arc) { IncludeExtremes(box, arc); }},
-             piece);
-  return box;
-}
 
 Box BoundsOf(const Element& element) {
   const double half = 0.5 * element.profile.width;

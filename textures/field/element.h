@@ -1,43 +1,13 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <optional>
 #include <variant>
 #include <vector>
 
+#include "textures/field/piece.h"
 #include "textures/field/profile.h"
 
 namespace moontrace {
-
-/// An axis-aligned rectangle; empty while min > max.
-struct Box {
-  glm::dvec2 min{1e300, 1e300};
-  glm::dvec2 max{-1e300, -1e300};
-  bool operator==(const Box&) const = default;
-};
-void Include(Box& box, glm::dvec2 p);
-void Include(Box& box, const Box& other);
-Box Grown(const Box& box, double by);
-Box Moved(const Box& box, glm::dvec2 by);
-bool Contains(const Box& box, glm::dvec2 p) noexcept;
-bool Overlap(const Box& a, const Box& b) noexcept;
-
-/// A straight line between two points, butt ends: it covers only points whose foot lies on it.
-struct Line {
-  glm::dvec2 from{0, 0};
-  glm::dvec2 to{0, 0};
-  bool operator==(const Line&) const = default;
-};
-
-/// A piece of a circle from angle `start` through `sweep` [rad], counter-clockwise positive, butt
-/// ends. |sweep| >= 2 pi is the whole circle.
-struct Arc {
-  glm::dvec2 center{0, 0};
-  double radius = 0;  ///< > 0
-  double start = 0;
-  double sweep = 0;
-  bool operator==(const Arc&) const = default;
-};
 
 /// The circle of radius zero: caps line ends and rounds corners.
 struct Dot {
@@ -45,27 +15,11 @@ struct Dot {
   bool operator==(const Dot&) const = default;
 };
 
-/// A piece of a stroke or of an outline, travelled from its first point to its last.
-using Piece = std::variant<Line, Arc>;
-
 /// The area within a closed outline (each piece starts where the one before ends).
 struct Fill {
   std::vector<Piece> outline;
   bool operator==(const Fill&) const = default;
 };
-
-glm::dvec2 StartOf(const Piece& piece);
-glm::dvec2 EndOf(const Piece& piece);
-double Length(const Piece& piece);
-/// Point at arc length `s` from the start, held to the piece.
-glm::dvec2 PointAt(const Piece& piece, double s);
-/// Unit direction of travel at arc length `s`.
-glm::dvec2 TangentAt(const Piece& piece, double s);
-/// Distance of `p` to the nearest point of the piece, its ends included.
-double DistanceTo(const Piece& piece, glm::dvec2 p);
-/// The piece scaled about the origin and then moved.
-Piece Placed(const Piece& piece, double scale, glm::dvec2 origin);
-Box BoundsOf(const Piece& piece);
 
 using Shape = std::variant<Line, Arc, Dot, Fill>;
 

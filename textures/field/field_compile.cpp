@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <map>
-#include <numbers>
 
 #include "textures/base/error.h"
 #include "textures/base/overload.h"
@@ -16,8 +15,6 @@ namespace moontrace {
 namespace {
 
 using CompiledLayer = TextureField::CompiledLayer;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting,
                    std::vector<PlacedGroup>& leaves) {
@@ -79,10 +76,10 @@ FlatElement FlattenLine(const Line& line) {
 
 FlatElement FlattenArc(const Arc& arc) {
   FlatElement flat = FlattenRound(arc.center, arc.radius);
-  if (std::abs(arc.sweep) >= kTurn) return flat;
+  if (IsWhole(arc)) return flat;
   const double middle = arc.start + 0.5 * arc.sweep;
   flat.kind = FlatKind::kArc;
-  flat.direction = {std::cos(middle), std::sin(middle)};
+  flat.direction = DirectionOf(middle);
   flat.cos_half = std::cos(0.5 * arc.sweep);
   return flat;
 }

@@ -1,9 +1,10 @@
 #include "textures/field/fill.h"
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 
 #include "textures/base/overload.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -16,8 +17,8 @@ void AddStraight(glm::dvec2 a, glm::dvec2 b, std::vector<RisingEdge>& edges) {
 
 /// Adds an arc, cut where it passes the top or the bottom of its circle.
 void AddArc(const Arc& arc, std::vector<RisingEdge>& edges) {
-  constexpr double kHalfTurn = std::numbers::pi;
-  const double sweep = std::clamp(arc.sweep, -2 * kHalfTurn, 2 * kHalfTurn);
+  constexpr double kHalfTurn = kTurn / 2;
+  const double sweep = SweepOf(arc);
   const double low = std::min(arc.start, arc.start + sweep);
   const double high = std::max(arc.start, arc.start + sweep);
   std::vector<double> cuts = {low};
@@ -29,9 +30,8 @@ void AddArc(const Arc& arc, std::vector<RisingEdge>& edges) {
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const bool right = std::cos(0.5 * (cuts[i] + cuts[i + 1])) > 0;
     // ends of the whole arc are taken from PointAt's formula so that neighbours meet to the bit
-    const glm::dvec2 a = arc.center + arc.radius * glm::dvec2(std::cos(cuts[i]), std::sin(cuts[i]));
-    const glm::dvec2 b =
-        arc.center + arc.radius * glm::dvec2(std::cos(cuts[i + 1]), std::sin(cuts[i + 1]));
+    const glm::dvec2 a = arc.center + arc.radius * DirectionOf(cuts[i]);
+    const glm::dvec2 b = arc.center + arc.radius * DirectionOf(cuts[i + 1]);
     const bool rises = a.y < b.y;
     const glm::dvec2 bottom = rises ? a : b, top = rises ? b : a;
     if (bottom.y < top.y) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "textures/field/element.h"
+#include "textures/field/piece.h"
 
 namespace moontrace {
 

@@ -7,14 +7,14 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
+#include "textures/base/enum_names.h"
 #include "textures/base/error.h"
+#include "textures/base/units.h"
 #include "textures/field/paper_shape.h"
 
 namespace moontrace {
 
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 // Gradient noise has magnitude at most 1/sqrt 2, in a cell's middle with all four vectors pointing
 // there: scaled to 1.
@@ -92,25 +92,13 @@ Sample Unit(const PaperTexture& texture, const Box& box, glm::dvec2 p) noexcept 
   return {sample.height, sample.gradient * density};
 }
 
-double Mm(double metres) { return metres * 1000; }
-
 void CheckLength(double value, const char* what) {
   if (value > 0 && value <= kLongest) return;
   throw InputError(fmt::format("{} of {:.6g} mm: give a number above zero, up to {:.0f}", what,
-                               Mm(value), Mm(kLongest)));
+                               InMillimetres(value), InMillimetres(kLongest)));
 }
 
-}  // namespace
-
-std::optional<PaperKind> PaperKindOf(std::string_view name) {
-  for (const auto kind :
-       {PaperKind::kSine, PaperKind::kGrid, PaperKind::kNoise, PaperKind::kSampled}) {
-    if (NameOf(kind) == name) return kind;
-  }
-  return std::nullopt;
-}
-
-std::string NameOf(PaperKind kind) {
+constexpr std::string_view NameOfKind(PaperKind kind) {
   switch (kind) {
     case PaperKind::kSine:
       return "sine";
@@ -123,6 +111,14 @@ std::string NameOf(PaperKind kind) {
   }
   return {};
 }
+
+}  // namespace
+
+std::optional<PaperKind> PaperKindOf(std::string_view name) {
+  return ValueNamed(name, &NameOfKind);
+}
+
+std::string NameOf(PaperKind kind) { return std::string(NameOfKind(kind)); }
 
 Sample Evaluate(const PaperPatch& patch, glm::dvec2 p_P) noexcept {
   const Box& box = patch.box_P;
@@ -187,12 +183,14 @@ void Check(const PaperPatch& patch) {
   }
   const double slope = BoundsOf(texture, patch.box_P).slope;
   if (slope <= kSteepestPaper) return;
-  const std::string what = texture.kind == PaperKind::kSampled && !texture.tiled
-                               ? "picture"
-                               : fmt::format("wavelength {:.4g} mm", Mm(texture.wavelength));
+  const std::string what =
+      texture.kind == PaperKind::kSampled && !texture.tiled
+          ? "picture"
+          : fmt::format("wavelength {:.4g} mm", InMillimetres(texture.wavelength));
   throw InputError(
       fmt::format("texture amplitude {:.4g} mm is too steep for the {}: at most {:.3g} mm",
-                  Mm(texture.amplitude), what, Mm(texture.amplitude * kSteepestPaper / slope)));
+                  InMillimetres(texture.amplitude), what,
+                  InMillimetres(texture.amplitude * kSteepestPaper / slope)));
 }
 
 }  // namespace moontrace

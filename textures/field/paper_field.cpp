@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "textures/base/error.h"
+#include "textures/base/units.h"
 #include "textures/field/paper_shape.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr std::size_t kMostPatches = 4096;
 constexpr std::size_t kMostCells = 64;  // along a side
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
+#include "textures/base/units.h"
 #include "textures/field/element.h"
 
 /// What the plain paper texture and the compiled one share.
@@ -14,7 +15,6 @@ namespace moontrace {
 struct LatticeDirections {
   std::array<glm::dvec2, 256> unit{};
   LatticeDirections() {
-    constexpr double kTurn = 6.283185307179586;
     for (std::size_t i = 0; i < unit.size(); ++i) {
       const double angle = kTurn * (static_cast<double>(i) + 0.5) / 256;
       unit[i] = {std::cos(angle), std::sin(angle)};

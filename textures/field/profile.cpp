@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "textures/base/error.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -48,7 +49,7 @@ void Check(const Profile& profile) {
   }
   throw InputError(fmt::format(
       "groove {:g} by {:g} mm, rounding {:g} mm: give all above 0, rounding to width / 4",
-      profile.width * 1e3, profile.depth * 1e3, profile.rounding * 1e3));
+      kMillimetres * profile.width, kMillimetres * profile.depth, kMillimetres * profile.rounding));
 }
 
 }  // namespace moontrace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "textures/base/overload.h"
@@ -37,19 +36,16 @@ Foot FootOnLine(const Line& line, glm::dvec2 p) {
 }
 
 Foot FootOnArc(const Arc& arc, glm::dvec2 p) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   Foot foot{.distance = -1};
   const glm::dvec2 v = p - arc.center;
   const double distance = glm::length(v);
   if (distance == 0) return foot;
   const double sense = arc.sweep < 0 ? -1 : 1;
-  double along = std::fmod(sense * (std::atan2(v.y, v.x) - arc.start), kTurn);
-  if (along < 0) along += kTurn;
-  const double sweep = std::abs(arc.sweep);
-  if (sweep < kTurn && along > sweep) return foot;
+  const double along = AngleAlong(arc, v), sweep = std::abs(arc.sweep);
+  if (!IsWhole(arc) && along > sweep) return foot;
   foot.distance = std::abs(distance - arc.radius);
   if (foot.distance > 0) foot.gradient = (distance < arc.radius ? -1.0 : 1.0) / distance * v;
-  if (sweep >= kTurn) {
+  if (IsWhole(arc)) {
     foot.inset = std::numeric_limits<double>::max();
     return foot;
   }

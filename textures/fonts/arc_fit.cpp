@@ -1,18 +1,17 @@
-#include "textures/script/arc_fit.h"
+#include "textures/fonts/arc_fit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <optional>
 
 #include "textures/base/overload.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kDeepest = 12;              ///< halvings of the range of t
 constexpr std::size_t kLongestRun = 32;   ///< pieces that may become one; bounds the time
 constexpr double kSameCircle = 1e-9;      ///< of the radius: equal but for rounding
@@ -101,15 +100,6 @@ struct Run {
   Piece joined;
 };
 
-glm::dvec2 PointAlong(const std::vector<Piece>& pieces, double s) {
-  for (const Piece& piece : pieces) {
-    const double length = Length(piece);
-    if (s <= length) return PointAt(piece, s);
-    s -= length;
-  }
-  return EndOf(pieces.back());
-}
-
 /// Centre of the circle through three points, or nothing for points on a line.
 std::optional<glm::dvec2> CenterOf(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
   const glm::dvec2 ab = b - a, ac = c - a;
@@ -122,10 +112,9 @@ std::optional<glm::dvec2> CenterOf(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 double Angle(glm::dvec2 v) { return std::atan2(v.y, v.x); }
 
 /// One arc through first, middle and last point of the pieces; the whole circle when these close.
-std::optional<Piece> ArcThrough(const std::vector<Piece>& pieces, double total_sweep,
-                                double tolerance) {
-  double length = 0;
-  for (const Piece& piece : pieces) length += Length(piece);
+std::optional<Arc> ArcThrough(const std::vector<Piece>& pieces, double total_sweep,
+                              double tolerance) {
+  const double length = Length(pieces);
   const glm::dvec2 first = StartOf(pieces.front()), last = EndOf(pieces.back());
   const bool closed = glm::length(last - first) <= tolerance && std::abs(total_sweep) > kTurn / 2;
   const std::optional<glm::dvec2> center =
@@ -163,10 +152,10 @@ std::optional<Piece> JoinedArc(const Run& run, const Arc& next, double tolerance
   }
   std::vector<Piece> pieces = run.pieces;
   pieces.emplace_back(next);
-  const std::optional<Piece> arc = ArcThrough(pieces, sweep, tolerance);
+  const std::optional<Arc> arc = ArcThrough(pieces, sweep, tolerance);
   // Both turns must agree, or the arc would run round the circle's other side.
-  if (!arc || std::abs(std::get<Arc>(*arc).sweep - sweep) > 0.5) return std::nullopt;
-  return LiesOn(std::get<Arc>(*arc), pieces, tolerance) ? arc : std::nullopt;
+  if (!arc || std::abs(arc->sweep - sweep) > 0.5) return std::nullopt;
+  return LiesOn(*arc, pieces, tolerance) ? std::optional<Piece>(*arc) : std::nullopt;
 }
 
 std::optional<Piece> JoinedLine(const Run& run, const Line& next, double tolerance) {

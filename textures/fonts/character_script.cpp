@@ -1,4 +1,4 @@
-#include "textures/script/character_script.h"
+#include "textures/fonts/character_script.h"
 
 #include <filesystem>
 #include <system_error>

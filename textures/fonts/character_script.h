@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 

@@ -1,4 +1,4 @@
-#include "textures/script/fallback.h"
+#include "textures/fonts/fallback.h"
 
 #include <fmt/core.h>
 #include <utf8proc.h>

@@ -3,13 +3,13 @@
 #include <string>
 #include <string_view>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
-/// What is written for characters that a script has no form of, before they are given up: another
+/// What is written for characters that a script has no form of, before they are left out: another
 /// script's glyph if one was named, Unicode's decomposition (fold.h), letters that sound alike, the
-/// character's name. Each is told and counted (Typeset::folded).
+/// character's name. Each is reported and counted (Typeset::folded).
 
 /// Reads transliterations and names of characters from a TOML file into the script. Throws
 /// InputError (file:line:column, cause, cure).

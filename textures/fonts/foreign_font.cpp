@@ -1,9 +1,9 @@
-#include "textures/script/foreign_font.h"
+#include "textures/fonts/foreign_font.h"
 
 #include <filesystem>
 
 #include "textures/base/text_file.h"
-#include "textures/script/svg_font.h"
+#include "textures/fonts/svg_font.h"
 
 namespace moontrace {
 namespace {

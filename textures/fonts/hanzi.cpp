@@ -1,4 +1,4 @@
-#include "textures/script/hanzi.h"
+#include "textures/fonts/hanzi.h"
 
 #include <fmt/core.h>
 
@@ -15,8 +15,8 @@
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
-#include "textures/script/character_script.h"
-#include "textures/script/polyline.h"
+#include "textures/fonts/character_script.h"
+#include "textures/fonts/polyline.h"
 
 namespace moontrace {
 
@@ -38,7 +38,7 @@ Json ParseJson(std::string_view json, const std::string& where) {
   } catch (const Json::parse_error& error) {
     throw InputError(where + ":" + std::to_string(error.byte) +
                      ": broken JSON; get the file of medians again");
-  } catch (const Json::exception&) {  // a number beyond all bounds
+  } catch (const Json::exception&) {  // a number out of range
     throw InputError(where + ": JSON that cannot be read; get the file of medians again");
   }
 }
@@ -90,7 +90,7 @@ char32_t CharacterAtFront(std::string_view line) {
   return OnlyCharacter(std::string(line.substr(kKey.size(), end - kKey.size())));
 }
 
-/// RequireUtf8 for one line, whose number `where` tells already.
+/// RequireUtf8 for one line, whose number is in `where` already.
 void RequireUtf8Line(std::string_view line, const std::string& where) {
   if (const std::optional<std::size_t> bad = FirstBadUtf8(line)) {
     throw InputError(fmt::format("{}:{}: this is not UTF-8; save it as UTF-8", where, *bad + 1));

@@ -1,14 +1,14 @@
-#include "textures/script/hershey.h"
+#include "textures/fonts/hershey.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
-#include "textures/script/polyline.h"
+#include "textures/base/units.h"
+#include "textures/fonts/polyline.h"
 
 namespace moontrace {
 namespace {
@@ -108,8 +108,7 @@ class JhfReader {
     stroke.pieces = RoundedPolyline(points, kPolylineTolerance);
     if (stroke.pieces.empty() && !points.empty()) {
       stroke.kind = StrokeKind::kDot;
-      stroke.pieces.emplace_back(
-          Arc{points.front(), kDotRadius / kUnitsInEm, 0, 2 * std::numbers::pi});
+      stroke.pieces.emplace_back(Arc{points.front(), kDotRadius / kUnitsInEm, 0, kTurn});
     }
     if (!stroke.pieces.empty()) glyph.strokes.push_back(std::move(stroke));
     points.clear();

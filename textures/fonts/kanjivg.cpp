@@ -1,4 +1,4 @@
-#include "textures/script/kanjivg.h"
+#include "textures/fonts/kanjivg.h"
 
 #include <fmt/core.h>
 
@@ -13,10 +13,10 @@
 #include "textures/base/error.h"
 #include "textures/base/overload.h"
 #include "textures/base/text_file.h"
-#include "textures/script/arc_fit.h"
-#include "textures/script/character_script.h"
-#include "textures/script/svg_path.h"
-#include "textures/script/svg_source.h"
+#include "textures/fonts/arc_fit.h"
+#include "textures/fonts/character_script.h"
+#include "textures/fonts/svg_path.h"
+#include "textures/fonts/svg_source.h"
 
 namespace moontrace {
 
@@ -39,7 +39,8 @@ unsigned StrokeNumber(const char* id) {
   return read.ec == std::errc() && read.ptr == end ? number : std::numeric_limits<unsigned>::max();
 }
 
-/// From the drawing (y down, from 0) to the em box (y up): mirrored pieces turn the other way.
+/// From the drawing (y down, from 0) to the em box (y up): mirrored arcs turn in the opposite
+/// sense.
 Piece InEm(const Piece& piece) {
   const auto point = [](glm::dvec2 p) { return glm::dvec2(p.x, kBox - p.y) / kBox; };
   return std::visit<Piece>(

@@ -1,4 +1,4 @@
-#include "textures/script/needed_characters.h"
+#include "textures/fonts/needed_characters.h"
 
 #include <utf8proc.h>
 

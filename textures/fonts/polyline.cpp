@@ -1,11 +1,11 @@
-#include "textures/script/polyline.h"
+#include "textures/fonts/polyline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "textures/script/arc_fit.h"
+#include "textures/fonts/arc_fit.h"
 
 namespace moontrace {
 namespace {

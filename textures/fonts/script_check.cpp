@@ -1,4 +1,4 @@
-#include "textures/script/script_check.h"
+#include "textures/fonts/script_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +28,6 @@ struct Sample {
   glm::dvec2 direction{1, 0};
   double at = 0;  ///< arc length from the stroke's start [em]
 };
-
-double LengthOf(const Stroke& stroke) {
-  double length = 0;
-  for (const Piece& piece : stroke.pieces) length += Length(piece);
-  return length;
-}
 
 std::vector<Sample> SamplesOf(const Stroke& stroke, double step) {
   std::vector<Sample> samples;
@@ -66,7 +60,7 @@ class GlyphChecker {
                std::vector<ScriptFinding>& findings)
       : glyph_(glyph), index_(index), size_(size), findings_(findings) {
     double total = 0;
-    for (const Stroke& stroke : glyph.strokes) total += LengthOf(stroke);
+    for (const Stroke& stroke : glyph.strokes) total += Length(stroke.pieces);
     const double step = std::max(kStep, total / kMostSamples);
     for (const Stroke& stroke : glyph.strokes) {
       samples_.push_back(IsLine(stroke) ? SamplesOf(stroke, step) : std::vector<Sample>());
@@ -153,10 +147,10 @@ class GlyphChecker {
 
   double NeededSpacing() const { return (size_.groove + size_.probe_diameter) / size_.size; }
 
-  /// Along the stroke from one sample to another, round a ring the shorter way.
-  double Way(std::size_t i, const Sample& a, const Sample& b) const {
-    const double way = std::abs(a.at - b.at);
-    return IsRing(i) ? std::min(way, samples_[i].back().at - way) : way;
+  /// Arc length along stroke i between two of its samples; on a ring the shorter of the two.
+  double ArcLength(std::size_t i, const Sample& a, const Sample& b) const {
+    const double length = std::abs(a.at - b.at);
+    return IsRing(i) ? std::min(length, samples_[i].back().at - length) : length;
   }
 
   /// Which sample is nearest, and how near the stroke itself is: distances to samples would waver
@@ -166,14 +160,16 @@ class GlyphChecker {
     Nearest nearest;
     const std::vector<Sample>& samples = samples_[j];
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (itself && Way(j, samples[k], to) < apart) continue;
+      if (itself && ArcLength(j, samples[k], to) < apart) continue;
       const double distance = glm::length(samples[k].p - to.p);
       if (distance < nearest.distance) nearest = {distance, k};
     }
     if (nearest.distance > 1e200) return nearest;
     for (std::size_t k = nearest.index > 0 ? nearest.index - 1 : 0;
          k <= nearest.index && k + 1 < samples.size(); ++k) {
-      if (itself && std::min(Way(j, samples[k], to), Way(j, samples[k + 1], to)) < apart) continue;
+      if (itself &&
+          std::min(ArcLength(j, samples[k], to), ArcLength(j, samples[k + 1], to)) < apart)
+        continue;
       const Line chord{samples[k].p, samples[k + 1].p};
       nearest.distance = std::min(nearest.distance, DistanceTo(Piece(chord), to.p));
     }
@@ -206,11 +202,11 @@ class GlyphChecker {
       }
       const bool least = (k == 0 || nearest[k - 1].distance >= at.distance) &&
                          (k + 1 == one.size() || nearest[k + 1].distance >= at.distance);
-      // At the edge of what is kept out the distance only grows with the way between them.
-      const bool at_edge = itself && Way(i, beside, one[k]) < 1.1 * apart + 2 * kStep;
+      // At the edge of the neighbourhood the distance just grows with the arc length: no gap.
+      const bool at_edge = itself && ArcLength(i, beside, one[k]) < 1.1 * apart + 2 * kStep;
       if (least && !at_edge) narrow = std::min(narrow, at.distance);
     }
-    if (itself) overlap /= 2;  // each of the two ways was counted
+    if (itself) overlap /= 2;  // counted once from either side
     if (overlap > kLeastOverlap + meeting) Add(Kind::kOverlap, i, j, overlap * size_.size);
     if (narrow < NeededSpacing() * (1 - 1e-9)) {
       Add(Kind::kNarrowGap, i, j, narrow * size_.size - size_.groove, size_.probe_diameter);
@@ -219,8 +215,8 @@ class GlyphChecker {
 
   void CheckItself(std::size_t i) {
     if (samples_[i].empty()) return;
-    // Half a circle as wide as is needed is this long: what is nearer along the way is no gap. The
-    // two ends of a ring lie at each other, as a meeting does.
+    // Half a circle as wide as is needed is this long: what is nearer along the stroke is no gap.
+    // The two ends of a ring touch, as at a meeting.
     CheckAlong(i, i, std::max(0.1, std::numbers::pi / 2 * NeededSpacing()));
   }
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
@@ -12,7 +12,7 @@ struct ScriptFinding {
   enum class Kind {
     kSplit,     ///< one stroke ends where another goes on in its direction: one cut in two
     kLift,      ///< a stroke starts where the one before ends, at a corner: the pen could stay down
-    kReversed,  ///< two strokes that would be one if either ran the other way
+    kReversed,  ///< two strokes that would be one if either were reversed
     kOverlap,   ///< one stroke runs along another, or back along itself
     kTightBend,  ///< a bend narrower than the groove or the probe
     kNarrowGap   ///< strokes pass so near that the probe feels no surface between their grooves

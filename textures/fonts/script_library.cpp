@@ -1,4 +1,4 @@
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 #include <fmt/core.h>
 
@@ -12,15 +12,15 @@
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
-#include "textures/script/fallback.h"
-#include "textures/script/foreign_font.h"
-#include "textures/script/hanzi.h"
-#include "textures/script/hershey.h"
-#include "textures/script/kanjivg.h"
-#include "textures/script/needed_characters.h"
-#include "textures/script/script_rules.h"
-#include "textures/script/svg_font.h"
-#include "textures/script/svg_source.h"
+#include "textures/fonts/fallback.h"
+#include "textures/fonts/foreign_font.h"
+#include "textures/fonts/hanzi.h"
+#include "textures/fonts/hershey.h"
+#include "textures/fonts/kanjivg.h"
+#include "textures/fonts/needed_characters.h"
+#include "textures/fonts/script_rules.h"
+#include "textures/fonts/svg_font.h"
+#include "textures/fonts/svg_source.h"
 
 namespace moontrace {
 
@@ -56,7 +56,7 @@ std::string UserFolder() {
   return home.empty() ? home : home + "/.local/share/moontrace/scripts";
 }
 
-/// Appends what lies in a folder, by name; `is_ours` tells by path whether it is a script.
+/// Appends what lies in a folder, by name; `is_ours` says by path whether it is a script.
 template <typename Test>
 void AppendFolder(const std::string& folder, const std::string& prefix, const Test& is_ours,
                   std::vector<ScriptEntry>& entries) {

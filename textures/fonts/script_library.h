@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
-/// A script that lies somewhere under a name.
+/// A script that can be found by name.
 struct ScriptEntry {
   std::string name;  ///< for `--script`: "moon", "rowmans", "hershey:rowmans"
   std::string path;  ///< of its file or folder

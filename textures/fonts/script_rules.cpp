@@ -1,4 +1,4 @@
-#include "textures/script/script_rules.h"
+#include "textures/fonts/script_rules.h"
 
 #include <algorithm>
 #include <set>

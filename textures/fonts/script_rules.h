@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 

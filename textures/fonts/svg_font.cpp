@@ -1,4 +1,4 @@
-#include "textures/script/svg_font.h"
+#include "textures/fonts/svg_font.h"
 
 #include <fmt/core.h>
 
@@ -14,9 +14,9 @@
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
-#include "textures/script/svg_path.h"
-#include "textures/script/svg_shapes.h"
-#include "textures/script/svg_source.h"
+#include "textures/fonts/svg_path.h"
+#include "textures/fonts/svg_shapes.h"
+#include "textures/fonts/svg_source.h"
 
 namespace moontrace {
 namespace {

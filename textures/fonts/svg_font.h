@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
@@ -26,7 +26,7 @@ struct SvgFont {
 /// Reads the first <font> of an SVG document; each <glyph> by `SvgShapes`, the `d` attribute first,
 /// filled areas last. Curves become arcs within 0.001 em. A glyph without glyph-name goes by its
 /// character; one for the space with nothing drawn is left out; <missing-glyph> is not read, since
-/// what a script has no sign for is told and left out.
+/// what a script has no sign for is reported and left out.
 ///
 /// One em is the font-face's cap-height. Where that is absent or 0, kOwn takes units-per-em (which
 /// our fonts set equal; fontforge drops the cap-height of a font without capitals), kForeign the

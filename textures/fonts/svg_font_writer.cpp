@@ -1,4 +1,4 @@
-#include "textures/script/svg_font_writer.h"
+#include "textures/fonts/svg_font_writer.h"
 
 #include <fmt/core.h>
 

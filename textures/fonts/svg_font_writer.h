@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
 /// The SVG 1.1 stroke font of a script as design section 4.7 fixes it: 1000 units an em, y up,
 /// lines as L, arcs as A (split where they pass a third of a turn, so that no reader can take the
-/// other way round), an open subpath a stroke, closed ones filled, dots closed circles, rings
+/// arc on the other side), an open subpath a stroke, closed ones filled, dots closed circles, rings
 /// behind the other strokes of their glyph (fontforge would close them elsewhere). An arc of a
 /// radius that readers refuse becomes lines within 1e-4 em of it. Coordinates have four decimals:
 /// 1e-7 em. ParseScript reads the same script back from it and WriteRules.

@@ -1,19 +1,18 @@
-#include "textures/script/svg_path.h"
+#include "textures/fonts/svg_path.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <system_error>
 
 #include "textures/base/text_file.h"
-#include "textures/script/arc_fit.h"
+#include "textures/base/units.h"
+#include "textures/fonts/arc_fit.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Shares of the tolerance: for fitting a curve, for joining its arcs, for joining exact pieces.
 constexpr double kFitShare = 0.5, kJoinShare = 0.4, kExactShare = 1e-3;
 /// Radii that differ less, relatively, make a circle.
@@ -29,7 +28,7 @@ struct SvgArc {
   glm::dvec2 to{0, 0};
   glm::dvec2 radii{0, 0};  ///< magnitudes, > 0
   double turn = 0;         ///< of the ellipse's x axis [rad]
-  bool large = false;      ///< the longer way round
+  bool large = false;      ///< the arc of more than half a turn
   bool positive = false;   ///< towards growing angles
 };
 
@@ -77,7 +76,7 @@ EllipseArc ByCenter(const SvgArc& arc) {
 Curve CurveOf(const EllipseArc& arc) {
   return {[arc](double t) {
             const double angle = arc.start + t * arc.sweep;
-            const glm::dvec2 unit(std::cos(angle), std::sin(angle));
+            const glm::dvec2 unit = DirectionOf(angle);
             return arc.center + Turned(arc.radii * unit, arc.turn);
           },
           [arc](double t) {

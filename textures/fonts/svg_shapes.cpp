@@ -1,10 +1,9 @@
-#include "textures/script/svg_shapes.h"
+#include "textures/fonts/svg_shapes.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "textures/base/overload.h"
@@ -18,8 +17,7 @@ constexpr std::size_t kDeepest = 32;  ///< <g> and <use> within each other
 StrokeKind KindOf(const Subpath& subpath) {
   if (!subpath.closed) return StrokeKind::kStroke;
   const bool circle = std::visit(
-      Overload{[](const Line&) { return false; },
-               [](const Arc& arc) { return std::abs(arc.sweep) >= 2 * std::numbers::pi; }},
+      Overload{[](const Line&) { return false; }, [](const Arc& arc) { return IsWhole(arc); }},
       subpath.pieces.front());
   return circle && subpath.pieces.size() == 1 ? StrokeKind::kDot : StrokeKind::kFill;
 }

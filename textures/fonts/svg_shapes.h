@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "textures/script/script.h"
-#include "textures/script/svg_path.h"
-#include "textures/script/svg_source.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/svg_path.h"
+#include "textures/fonts/svg_source.h"
 
 namespace moontrace {
 

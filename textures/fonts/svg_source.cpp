@@ -1,11 +1,11 @@
-#include "textures/script/svg_source.h"
+#include "textures/fonts/svg_source.h"
 
 #include <algorithm>
 
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
-#include "textures/script/svg_path.h"
+#include "textures/fonts/svg_path.h"
 
 namespace moontrace {
 

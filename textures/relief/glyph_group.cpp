@@ -1,4 +1,4 @@
-#include "textures/typeset/glyph_group.h"
+#include "textures/relief/glyph_group.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "textures/base/overload.h"
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
+#include "textures/relief/structure_patches.h"
 #include "textures/typeset/rules.h"
 #include "textures/typeset/sheet_texture.h"
-#include "textures/typeset/structure_patches.h"
 
 namespace moontrace {
 namespace {

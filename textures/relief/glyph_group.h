@@ -1,7 +1,7 @@
 #pragma once
 
 #include "textures/field/texture.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
 
 namespace moontrace {

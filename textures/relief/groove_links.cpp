@@ -1,4 +1,4 @@
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "textures/typeset/letter_links.h"
+#include "textures/relief/letter_links.h"
 
 namespace moontrace {
 namespace {
@@ -173,12 +173,10 @@ class LinkList {
     }
     const auto [at, is_new] = found_.try_emplace(key, kNone);
     if (!is_new) return at->second;
-    LinkShape shape;
-    shape.kind = linker.kind();
-    shape.spine = linker.Between(page_.glyphs[i].glyph, page_.glyphs[i + 1].glyph, Offset(i, i + 1),
-                                 others, crossed, Arrival(i), shape);
-    if (shape.spine.empty()) return kNone;
-    list_.shapes.push_back(std::move(shape));
+    LetterLink link = linker.Between(page_.glyphs[i].glyph, page_.glyphs[i + 1].glyph,
+                                     Offset(i, i + 1), others, crossed, Arrival(i));
+    if (link.spine.empty()) return kNone;
+    list_.shapes.push_back({std::move(link.spine), link.from_level, link.to_level, linker.kind()});
     return at->second = list_.shapes.size() - 1;
   }
 
@@ -191,18 +189,6 @@ class LinkList {
 };
 
 }  // namespace
-
-std::optional<LinkReach> LinkReachOf(std::string_view name) {
-  for (const LinkReach reach : {LinkReach::kNone, LinkReach::kLetters, LinkReach::kWords}) {
-    if (NameOf(reach) == name) return reach;
-  }
-  return std::nullopt;
-}
-
-std::string NameOf(LinkReach reach) {
-  if (reach == LinkReach::kNone) return "none";
-  return reach == LinkReach::kLetters ? "letters" : "words";
-}
 
 GrooveLinks LinkPage(const TextPage& page, const Script& script, const TypeStyle& style) {
   if (style.links.reach == LinkReach::kNone) return {};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "textures/field/texture.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
 
 namespace moontrace {

@@ -1,10 +1,11 @@
-#include "textures/typeset/letter_links.h"
+#include "textures/relief/letter_links.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "textures/base/units.h"
 #include "textures/typeset/rules.h"
 
 namespace moontrace {
@@ -12,7 +13,6 @@ namespace moontrace {
 namespace {
 
 constexpr int kRingRays = 12, kDotRays = 8;
-constexpr double kTurn = 6.283185307179586476925;
 constexpr double kLeastTurn = 0.6, kWidestTurn = 1.25;  // radius of the sharpest turn [w]
 constexpr double kReachTurn = 0.45;                     // of the room above and below a line
 constexpr double kRoomAside = 1;                        // beyond both letters along the line [em]
@@ -47,10 +47,10 @@ const LinkedLetter& LetterLinks::LetterOf(std::size_t glyph) {
   return at->second;
 }
 
-std::vector<Piece> LetterLinks::Between(std::size_t a, std::size_t b, glm::dvec2 offset,
-                                        const std::vector<LinkWall>& others,
-                                        const std::vector<Ray>& crossed,
-                                        std::optional<glm::dvec2> arrived, LinkShape& shape) {
+LetterLink LetterLinks::Between(std::size_t a, std::size_t b, glm::dvec2 offset,
+                                const std::vector<LinkWall>& others,
+                                const std::vector<Ray>& crossed,
+                                std::optional<glm::dvec2> arrived) {
   const LinkedLetter &first = LetterOf(a), &second = LetterOf(b);
   if (first.parts.empty() || second.parts.empty()) return {};
   LinkEnds from = EndsOf(first.parts.back(), true, arrived ? arrived : first.reaches_last);
@@ -60,9 +60,8 @@ std::vector<Piece> LetterLinks::Between(std::size_t a, std::size_t b, glm::dvec2
   for (const LinkWall& wall : second.walls) {
     to.end.walls.push_back({Placed(wall.piece, 1, offset), wall.half});
   }
-  shape.from_level = from.level;
-  shape.to_level = to.level;
-  return Find(from.end, to.end, first.box, Moved(second.box, offset), others, crossed, false);
+  return {Find(from.end, to.end, first.box, Moved(second.box, offset), others, crossed, false),
+          from.level, to.level};
 }
 
 bool LetterLinks::IsNear(const std::vector<Piece>& spine, std::size_t glyph, glm::dvec2 at) {
@@ -92,14 +91,12 @@ LinkEnds LetterLinks::EndsOf(const Stroke& stroke, bool leaving,
   if (stroke.kind == StrokeKind::kDot) {
     const glm::dvec2 middle = CenterOf(stroke);
     for (int i = 0; i < kDotRays; ++i) {
-      const double angle = kTurn * i / kDotRays;
-      const glm::dvec2 way(std::cos(angle), std::sin(angle));
+      const glm::dvec2 way = DirectionOf(kTurn * i / kDotRays);
       if (!straight || glm::dot(way, *straight) > 0.49) ends.end.rays.push_back({middle, way});
     }
     ends.level += DotRadius(stroke);
   } else if (IsRing(stroke, style_.width)) {
-    double length = 0;
-    for (const Piece& piece : stroke.pieces) length += Length(piece);
+    const double length = Length(stroke.pieces);
     for (int i = 0; i < kRingRays; ++i)
       ends.end.rays.push_back(RayAt(stroke, length * i / kRingRays));
     ends.end.own = kRingLinkOwn * style_.width;

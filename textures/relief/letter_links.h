@@ -5,8 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "textures/typeset/groove_links.h"
-#include "textures/typeset/link.h"
+#include "textures/fonts/script.h"
+#include "textures/relief/link.h"
+#include "textures/typeset/style.h"
 
 namespace moontrace {
 
@@ -30,6 +31,12 @@ struct LinkEnds {
   double level = 0;  ///< as deep as the letters from this end [m]
 };
 
+/// A link between two letters, from the first one's origin.
+struct LetterLink {
+  std::vector<Piece> spine;             ///< [m], in the direction of travel, without a corner
+  double from_level = 0, to_level = 0;  ///< first and last length that are as deep as letters [m]
+};
+
 /// Finds links for the letters of lines of one kind: within a letter, and from one to the next.
 class LetterLinks {
  public:
@@ -40,13 +47,12 @@ class LetterLinks {
   /// Made once for each glyph. Throws std::out_of_range for one that the script has not.
   const LinkedLetter& LetterOf(std::size_t glyph);
 
-  /// The centre line from a glyph's last stroke to the first of the next, which stands at `offset`;
-  /// empty if none keeps the gap to both and to `others`, or crosses `crossed` too flatly.
-  /// `arrived`: the direction by which the last link reached a letter that is one dot. Sets the
-  /// levels of `shape`.
-  std::vector<Piece> Between(std::size_t a, std::size_t b, glm::dvec2 offset,
-                             const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
-                             std::optional<glm::dvec2> arrived, LinkShape& shape);
+  /// From a glyph's last stroke to the first of the next, which stands at `offset`; without a spine
+  /// if none keeps the gap to both and to `others`, or crosses `crossed` too flatly. `arrived`: the
+  /// direction by which the last link reached a letter that is one dot.
+  LetterLink Between(std::size_t a, std::size_t b, glm::dvec2 offset,
+                     const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
+                     std::optional<glm::dvec2> arrived);
 
   /// Whether a glyph that stands at `at` is nearer to a link than the gap.
   bool IsNear(const std::vector<Piece>& spine, std::size_t glyph, glm::dvec2 at);

@@ -1,16 +1,16 @@
-#include "textures/typeset/link.h"
+#include "textures/relief/link.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
-#include <numbers>
 #include <queue>
+
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kNoTurn = 1e-7;          // [rad]; what rounding leaves of a turn that is none
 constexpr double kTurns[] = {1, 2, 4};    // in least radii
 constexpr std::size_t kMostTries = 3000;  // bounds the time of a hopeless task
@@ -60,12 +60,6 @@ Parts PartsOf(const Ray& from, const Ray& to, double from_radius, double to_radi
 /// The arc that begins at `p` on the circle.
 Arc ArcFrom(glm::dvec2 center, double radius, glm::dvec2 p, double sweep) {
   return {center, std::abs(radius), std::atan2(p.y - center.y, p.x - center.x), sweep};
-}
-
-double Length(const std::vector<Piece>& path) {
-  double length = 0;
-  for (const Piece& piece : path) length += Length(piece);
-  return length;
 }
 
 /// A wall with what rules most of it out at once.

@@ -4,26 +4,13 @@
 #include <variant>
 #include <vector>
 
-#include "textures/base/overload.h"
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
 
 namespace moontrace {
 namespace {
 
 constexpr double kRamp = 1.5;        // length over which it becomes shallow [w]
 constexpr double kShortestRamp = 1;  // below this a ramp is steeper than a flank [w]
-
-/// The part of a piece between two lengths.
-Piece PartOf(const Piece& piece, double from, double to) {
-  const auto of_line = [=](const Line& line) {
-    return Line{PointAt(line, from), PointAt(line, to)};
-  };
-  const auto of_arc = [=](const Arc& arc) {
-    const double rate = arc.sweep / Length(arc);
-    return Arc{arc.center, arc.radius, arc.start + from * rate, (to - from) * rate};
-  };
-  return std::visit<Piece>(Overload{of_line, of_arc}, piece);
-}
 
 /// How a link's profile is along its way, as q of Fade: level, ramp, level, ramp, level.
 struct DepthAlong {
@@ -54,8 +41,7 @@ DepthAlong DepthOf(const LinkShape& shape, const TypeStyle& style, double length
 }  // namespace
 
 Group BuildLink(const LinkShape& shape, const TypeStyle& style) {
-  double length = 0;
-  for (const Piece& piece : shape.spine) length += Length(piece);
+  const double length = Length(shape.spine);
   const DepthAlong depth = DepthOf(shape, style, length);
   const auto profile = [&style](double q) {
     return Profile{q * style.width, q * q * style.depth, q * style.rounding};
@@ -71,7 +57,7 @@ Group BuildLink(const LinkShape& shape, const TypeStyle& style) {
     }
     cuts.push_back(own);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      const Piece part = PartOf(piece, cuts[i], cuts[i + 1]);
+      const Piece part = PartBetween(piece, cuts[i], cuts[i + 1]);
       const double from = depth.ShareAt(begin + cuts[i]), to = depth.ShareAt(begin + cuts[i + 1]);
       Element element{Dot{}, profile(from == to ? from : 1), {}};
       std::visit([&element](const auto& line_or_arc) { element.shape = line_or_arc; }, part);

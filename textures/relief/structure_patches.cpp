@@ -1,18 +1,20 @@
-#include "textures/typeset/structure_patches.h"
+#include "textures/relief/structure_patches.h"
 
 #include <algorithm>
+
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-// Waves along the line for headings, across it for quotations, a grid for links: three feels that
-// fingers tell apart. Amplitudes of 20 um stay far below the strokes' depth.
+// Waves along the line for headings, across it for quotations, a grid for links: three textures
+// that fingers can distinguish. Amplitudes of 20 um stay far below the strokes' depth.
 PaperTexture TextureOf(LineKind kind, bool link, double size) {
   PaperTexture texture;
   texture.amplitude = 20e-6;
   texture.wavelength = size / 6;
   texture.kind = link ? PaperKind::kGrid : PaperKind::kSine;
-  constexpr double kQuarterTurn = 1.5707963267948966;
+  constexpr double kQuarterTurn = kTurn / 4;
   texture.angle = !link && kind == LineKind::kQuotation ? kQuarterTurn : 0;
   return texture;
 }

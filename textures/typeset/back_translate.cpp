@@ -25,7 +25,7 @@ class Reader {
   virtual std::string Read(const std::vector<Sign>& signs) const = 0;
 };
 
-// By the rules of a script, the other way round.
+// By the rules of a script, applied in reverse.
 class SignReader : public Reader {
  public:
   SignReader(const Script& script, double grade);
@@ -225,7 +225,7 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
   }
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
   BackTranslation result;
-  Typeset notes;  // SetText tells them one by one
+  Typeset notes;  // only counted here; SetText reports them one by one
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
   for (std::size_t number = 1; folder.NextLine(line); ++number) {

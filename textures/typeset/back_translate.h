@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
 
 namespace moontrace {
@@ -26,10 +26,10 @@ struct BackTranslation {
 ///
 /// By a script's own rules: at each place the contraction of the grade with the most signs that may
 /// stand there is read before letters, one for a whole word before one for a part of it; digits
-/// follow the numeral sign until another sign. What Moon cannot tell apart is read in one way: a
-/// capital as a small letter, a letter a to j directly behind a number as a digit, at grade 2 the
-/// word "l" as "like". Braille is read by liblouis, capitals kept; its contractions have exceptions
-/// that back-translation need not know.
+/// follow the numeral sign until another sign. What Moon cannot distinguish is always read as one
+/// of the two: a capital as a small letter, a letter a to j directly behind a number as a digit, at
+/// grade 2 the word "l" as "like". Braille is read by liblouis, capitals kept; its contractions
+/// have exceptions that back-translation need not know.
 ///
 /// `wanted` is what the Folder makes of the text: small letters where the script has no others,
 /// without accents that it lacks, and without protect marks and characters that have no sign.

@@ -81,7 +81,7 @@ constexpr Named kNames[] = {
     {0xFFFD, "replacement character"},
 };
 
-// What has no look of its own: controls, formats, private and unassigned ones, marks on nothing.
+// Characters that cannot be seen: controls, formats, private and unassigned ones, lone marks.
 bool IsUnseen(char32_t c) {
   const auto category = utf8proc_category(static_cast<utf8proc_int32_t>(c));
   return category == UTF8PROC_CATEGORY_CN || category >= UTF8PROC_CATEGORY_ZL ||

@@ -7,14 +7,14 @@
 #include <unordered_map>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 
 /// Longest text [bytes] and most folded characters that are taken.
 constexpr std::size_t kMostText = std::size_t{16} << 20;
 
-/// How a character that the script has no form of is written all the same.
+/// By what a character that the script has no form of is replaced.
 enum class Replaced : std::uint8_t {
   kFolded,          ///< by the script's table or Unicode's decomposition
   kOtherScript,     ///< by the glyph of another script

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "textures/base/error.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
@@ -15,8 +16,6 @@ constexpr double kSlack = 1e-9;        // a line that fits but for rounding fits
 constexpr double kGuideAdvance = 0.9;  // [em]; nothing follows a guide on its line
 
 constexpr double kMostIndent = 0.125;  // of a quotation, of the line
-
-double Mm(double metres) { return metres * 1000; }
 
 Box BoundsOf(const Glyph& glyph) {
   Box box{{0, 0}, {0, 0}};
@@ -108,7 +107,7 @@ void Layout::CheckRoom() const {
   throw InputError(
       fmt::format("page: {:.4g} mm within its margins, a line needs {:.4g} mm: choose smaller "
                   "letters",
-                  Mm(room_), Mm(Row().size)));
+                  InMillimetres(room_), InMillimetres(Row().size)));
 }
 
 // Whether the row that is being set runs right to left.
@@ -230,7 +229,8 @@ void Layout::Put(const Sign& sign) {
     throw InputError(
         fmt::format("the sign '{}' hangs {:.4g} mm below the sheet: choose a margin of "
                     "{:.4g} mm or more",
-                    script_.glyphs[sign.glyph].name, -Mm(lowest), -Mm(Row().lowest[sign.glyph])));
+                    script_.glyphs[sign.glyph].name, -InMillimetres(lowest),
+                    -InMillimetres(Row().lowest[sign.glyph])));
   }
   pages_.back().glyphs.push_back(placed);
   pen_ += Row().advance[sign.glyph];
@@ -244,8 +244,8 @@ void Layout::Place(const std::vector<Sign>& signs, std::size_t at) {
   if (!Fits(signs, at, at + 1, pen_)) {
     throw InputError(fmt::format(
         "lines are {:.4g} mm {}, the letter '{}' needs {:.4g} mm: choose smaller letters",
-        Mm(line_length_), direction_ == LineDirection::kVertical ? "high" : "wide",
-        script_.glyphs[sign.glyph].name, Mm(Row().extent[sign.glyph])));
+        InMillimetres(line_length_), direction_ == LineDirection::kVertical ? "high" : "wide",
+        script_.glyphs[sign.glyph].name, InMillimetres(Row().extent[sign.glyph])));
   }
   Put(sign);
 }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
 #include "textures/typeset/writer.h"
 

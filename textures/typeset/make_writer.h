@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/writer.h"
 
 namespace moontrace {

@@ -8,7 +8,8 @@
 
 #include "textures/base/error.h"
 #include "textures/base/overload.h"
-#include "textures/script/arc_fit.h"
+#include "textures/base/units.h"
+#include "textures/fonts/arc_fit.h"
 
 namespace moontrace {
 namespace {
@@ -21,19 +22,20 @@ constexpr double kLeastStretch = 0.5, kMostStretch = 2;
 struct Map {
   double stretch = 1, lean = 0, fixed = 0;
   glm::dvec2 Point(glm::dvec2 p) const { return {stretch * p.x + lean * (p.y - fixed), p.y}; }
-  glm::dvec2 Way(glm::dvec2 v) const { return {stretch * v.x + lean * v.y, v.y}; }
+  glm::dvec2 Direction(glm::dvec2 v) const { return {stretch * v.x + lean * v.y, v.y}; }
 };
 
 // Quarter turns at most: a whole ellipse ends where it starts and has no chord to begin from.
 void AppendArc(const Arc& arc, const Map& map, std::vector<Piece>& pieces) {
-  const double sweep = std::clamp(arc.sweep, -2 * std::numbers::pi, 2 * std::numbers::pi);
+  const double sweep = SweepOf(arc);
   const double parts = std::max(1.0, std::ceil(std::abs(sweep) / (std::numbers::pi / 2) - 1e-9));
   for (double part = 0; part < parts; ++part) {
     const Piece quarter =
         Arc{arc.center, arc.radius, arc.start + sweep * part / parts, sweep / parts};
     const double length = Length(quarter);
-    const Curve curve{[=](double t) { return map.Point(PointAt(quarter, t * length)); },
-                      [=](double t) { return length * map.Way(TangentAt(quarter, t * length)); }};
+    const Curve curve{
+        [=](double t) { return map.Point(PointAt(quarter, t * length)); },
+        [=](double t) { return length * map.Direction(TangentAt(quarter, t * length)); }};
     for (const Piece& fitted : FitArcs(curve, kTolerance)) pieces.push_back(fitted);
   }
 }
@@ -70,7 +72,7 @@ void Check(const Script& script, const LetterForm& form) {
     throw InputError(
         fmt::format("letters of slant {:.4g} degrees and stretch {:.4g}: give -30 to 30 degrees "
                     "and 0.5 to 2",
-                    form.slant * 180 / std::numbers::pi, form.stretch));
+                    InDegrees(form.slant), form.stretch));
   }
 }
 

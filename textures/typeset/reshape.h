@@ -1,6 +1,6 @@
 #pragma once
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 namespace moontrace {
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "textures/base/error.h"
+#include "textures/base/units.h"
 #include "textures/typeset/text_page.h"
 
 namespace moontrace {
@@ -23,8 +24,6 @@ constexpr double kRounding = 0.2;      // of the width
 constexpr double kSteepest = 5;        // as of grooves
 constexpr double kSlack = 1e-9;        // [m]
 
-double Mm(double metres) { return metres * 1000; }
-
 /// In hundredths of a millimetre, never less than what is needed.
 double MmAtLeast(double metres) { return std::ceil(metres * 1e5 - 1e-6) / 100; }
 
@@ -36,14 +35,15 @@ Profile ProfileOf(double width, double height, double size) {
 void CheckRidge(double width, double height, double size, const char* what) {
   if (!(width >= 0 && height >= 0 && std::isfinite(width + height))) {
     throw InputError(fmt::format("{}: width {:.4g} mm, height {:.4g} mm: give numbers above zero",
-                                 what, Mm(width), Mm(height)));
+                                 what, InMillimetres(width), InMillimetres(height)));
   }
   const Profile profile = ProfileOf(width, height, size);
   const double slope = GreatestSlope(profile);
   if (slope <= kSteepest * (1 + 1e-12)) return;
-  throw InputError(fmt::format(
-      "{}: height {:.4g} mm is too steep for the width {:.4g} mm: at most {:.4g} mm", what,
-      Mm(profile.depth), Mm(profile.width), Mm(profile.depth * kSteepest / slope)));
+  throw InputError(
+      fmt::format("{}: height {:.4g} mm is too steep for the width {:.4g} mm: at most {:.4g} mm",
+                  what, InMillimetres(profile.depth), InMillimetres(profile.width),
+                  InMillimetres(profile.depth * kSteepest / slope)));
 }
 
 /// Where things lie across the lines: up the page, or from left to right where lines run down it.
@@ -176,7 +176,7 @@ std::vector<Line> RulesOf(const Ink& ink, const Box& area, const TypeStyle& styl
       throw InputError(
           fmt::format("line pitch {:.4g} mm leaves no room for rules {:.4g} mm wide: at least "
                       "{:.4g} mm",
-                      Mm(base_before - line.base), Mm(width),
+                      InMillimetres(base_before - line.base), InMillimetres(width),
                       MmAtLeast(base_before - line.base + above + half - free_from)));
     }
     AddRule(above, area, across, away, half, ink.guides, rules);
@@ -209,7 +209,7 @@ void CheckSheet(const Box& box, const TextPage& page, const char* what) {
   if (over <= kSlack) return;
   const double margin = page.text_area_P.min.x - page.sheet_P.min.x;
   throw InputError(fmt::format("{}: no room in a margin of {:.4g} mm, choose {:.4g} mm or more",
-                               what, Mm(margin), MmAtLeast(margin + over)));
+                               what, InMillimetres(margin), MmAtLeast(margin + over)));
 }
 
 std::shared_ptr<const Group> Ridge(const std::vector<Piece>& pieces, const Profile& profile,
@@ -236,7 +236,7 @@ Profile MarginProfile(const TypeStyle& style) {
 double RuleGap(const TypeStyle& style) {
   const double least = kShare * style.size;
   if (style.links.reach == LinkReach::kNone) return least;
-  // links have their way between letters and rule
+  // links run between letters and rule
   const double free = style.line_pitch - style.size - style.width - 2 * RuleProfile(style).width;
   return std::max(least, kLinkedShare * free / 2);
 }

@@ -4,7 +4,7 @@
 
 #include "textures/field/element.h"
 #include "textures/field/texture.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
 
 namespace moontrace {
@@ -13,7 +13,7 @@ namespace moontrace {
 Profile RuleProfile(const TypeStyle& style);
 Profile MarginProfile(const TypeStyle& style);
 /// Least distance between the rim of a ridge and that of a stroke: a tenth of the size; with groove
-/// links, which need a way there, most of the space between lines [m].
+/// links, which run there, most of the space between lines [m].
 double RuleGap(const TypeStyle& style);
 
 /// Throws InputError when a width or height is not finite, below zero, or steeper than 5.

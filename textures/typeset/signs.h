@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/text_page.h"
 #include "textures/typeset/writer.h"

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "textures/base/enum_names.h"
 #include "textures/base/error.h"
+#include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-// Letters smaller than a fingertip can resolve anything in; also keeps the arithmetic sane.
+// A fingertip resolves nothing in smaller letters; it also keeps the arithmetic in range.
 constexpr double kSmallestSize = 1e-3;  // [m]
 
 // Strokes of one sign and of neighbouring letters lie half an em apart or more (the bars of the
@@ -28,11 +30,10 @@ constexpr double kGreatestHeading = 5;  // over the text
 
 constexpr double kLargestGap = 1;  // between paragraphs [m]
 
-double Mm(double metres) { return metres * 1000; }
-
 void CheckPositive(double value, const char* what) {
   if (!std::isfinite(value) || value <= 0) {
-    throw InputError(fmt::format("{} of {:.6g} mm: give a number above zero", what, Mm(value)));
+    throw InputError(
+        fmt::format("{} of {:.6g} mm: give a number above zero", what, InMillimetres(value)));
   }
 }
 
@@ -45,27 +46,28 @@ void CheckGroove(const TypeStyle& style) {
     throw InputError(
         fmt::format("groove width {:.4g} mm is wider than a letter of {:.4g} mm can "
                     "hold: at most {:.4g} mm",
-                    Mm(style.width), Mm(style.size), Mm(widest)));
+                    InMillimetres(style.width), InMillimetres(style.size), InMillimetres(widest)));
   }
   // A rounding of exactly w/4 may come in with an error from unit conversion.
   if (style.rounding > style.width / 4 * (1 + 1e-12)) {
-    throw InputError(
-        fmt::format("rounding {:.4g} mm is above a quarter of the groove width "
-                    "{:.4g} mm: at most {:.4g} mm",
-                    Mm(style.rounding), Mm(style.width), Mm(style.width / 4)));
+    throw InputError(fmt::format(
+        "rounding {:.4g} mm is above a quarter of the groove width "
+        "{:.4g} mm: at most {:.4g} mm",
+        InMillimetres(style.rounding), InMillimetres(style.width), InMillimetres(style.width / 4)));
   }
   const double run = style.width / 2 - style.rounding;
   if (style.depth > kSteepestFlank * run) {
     throw InputError(
         fmt::format("groove depth {:.4g} mm is too steep for the width {:.4g} mm: at "
                     "most {:.4g} mm",
-                    Mm(style.depth), Mm(style.width), Mm(kSteepestFlank * run)));
+                    InMillimetres(style.depth), InMillimetres(style.width),
+                    InMillimetres(kSteepestFlank * run)));
   }
   if (!(style.blend_radius >= 0 && style.blend_radius <= style.width / 2)) {
     throw InputError(
         fmt::format("blend radius {:.4g} mm: give 0 to half the groove width, "
                     "{:.4g} mm",
-                    Mm(style.blend_radius), Mm(style.width / 2)));
+                    InMillimetres(style.blend_radius), InMillimetres(style.width / 2)));
   }
 }
 
@@ -78,7 +80,7 @@ void CheckLinks(const TypeStyle& style) {
   const double gap = style.links.gap.value_or(0);
   if (!(gap >= 0 && gap <= style.size)) {
     throw InputError(fmt::format("link gap {:.4g} mm: give 0 to {:.4g} mm, a letter's height",
-                                 Mm(gap), Mm(style.size)));
+                                 InMillimetres(gap), InMillimetres(style.size)));
   }
 }
 
@@ -91,14 +93,14 @@ void CheckSpacing(const TypeStyle& style, const Script& script) {
     throw InputError(
         fmt::format("letter gap {:.4g} mm: letters would run backwards, give more "
                     "than {:.4g} mm",
-                    Mm(style.letter_gap), -Mm(narrowest)));
+                    InMillimetres(style.letter_gap), -InMillimetres(narrowest)));
   }
   const double space = script.space_advance * style.size;
   if (!(space + style.word_gap > 0 && std::isfinite(space + style.word_gap))) {
     throw InputError(
         fmt::format("word gap {:.4g} mm: words would run backwards, give more than "
                     "{:.4g} mm",
-                    Mm(style.word_gap), -Mm(space)));
+                    InMillimetres(style.word_gap), -InMillimetres(space)));
   }
   // Below that, the feet of one line and the tops of the next are one groove.
   CheckPositive(style.line_pitch, "line pitch");
@@ -106,21 +108,23 @@ void CheckSpacing(const TypeStyle& style, const Script& script) {
     throw InputError(
         fmt::format("line pitch {:.4g} mm: lines would run into each other, at least "
                     "{:.4g} mm",
-                    Mm(style.line_pitch), Mm(style.size + style.width)));
+                    InMillimetres(style.line_pitch), InMillimetres(style.size + style.width)));
   }
 }
 
-}  // namespace
-
-std::optional<LineDirection> LineDirectionOf(std::string_view name) {
-  for (const auto lines : {LineDirection::kLeftToRight, LineDirection::kRightToLeft,
-                           LineDirection::kAlternate, LineDirection::kVertical}) {
-    if (NameOf(lines) == name) return lines;
+constexpr std::string_view NameOfReach(LinkReach reach) {
+  switch (reach) {
+    case LinkReach::kNone:
+      return "none";
+    case LinkReach::kLetters:
+      return "letters";
+    case LinkReach::kWords:
+      return "words";
   }
-  return std::nullopt;
+  return {};
 }
 
-std::string NameOf(LineDirection lines) {
+constexpr std::string_view NameOfLines(LineDirection lines) {
   switch (lines) {
     case LineDirection::kLeftToRight:
       return "left-to-right";
@@ -133,6 +137,20 @@ std::string NameOf(LineDirection lines) {
   }
   return {};
 }
+
+}  // namespace
+
+std::optional<LinkReach> LinkReachOf(std::string_view name) {
+  return ValueNamed(name, &NameOfReach);
+}
+
+std::string NameOf(LinkReach reach) { return std::string(NameOfReach(reach)); }
+
+std::optional<LineDirection> LineDirectionOf(std::string_view name) {
+  return ValueNamed(name, &NameOfLines);
+}
+
+std::string NameOf(LineDirection lines) { return std::string(NameOfLines(lines)); }
 
 namespace {
 
@@ -187,15 +205,15 @@ void CheckStyle(const TypeStyle& style, const Script& script) {
   CheckPositive(style.size, "letter size");
   if (style.size < kSmallestSize) {
     throw InputError(fmt::format("letter size {:.4g} mm is too small to feel: at least {:.4g} mm",
-                                 Mm(style.size), Mm(kSmallestSize)));
+                                 InMillimetres(style.size), InMillimetres(kSmallestSize)));
   }
   CheckGroove(style);
   CheckLinks(style);
   CheckSpacing(style, script);
   const double gap = style.paragraph_gap.value_or(0);
   if (!(gap >= 0 && gap <= kLargestGap)) {
-    throw InputError(
-        fmt::format("paragraph gap {:.4g} mm: give 0 to {:.4g} mm", Mm(gap), Mm(kLargestGap)));
+    throw InputError(fmt::format("paragraph gap {:.4g} mm: give 0 to {:.4g} mm", InMillimetres(gap),
+                                 InMillimetres(kLargestGap)));
   }
 }
 

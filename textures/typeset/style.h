@@ -7,7 +7,7 @@
 
 #include "textures/field/paper.h"
 #include "textures/field/texture.h"
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/reshape.h"
 #include "textures/typeset/structure.h"
 

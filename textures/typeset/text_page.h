@@ -39,7 +39,8 @@ struct TextPage {
   Box text_area_P;  ///< between the margins [m]
 };
 
-/// Something the script has no sign for, wrote otherwise, or cannot tell from something else.
+/// A character that the script has no sign for, writes by another sign, or cannot distinguish from
+/// another.
 struct Replacement {
   std::string was;         ///< the character(s) as in the text; a control character as "U+001B"
   std::string became;      ///< empty: left out

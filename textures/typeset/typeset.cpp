@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "textures/base/error.h"
+#include "textures/base/units.h"
 #include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/layout.h"
@@ -23,8 +24,6 @@ constexpr std::size_t kMostSigns = std::size_t{16} << 20;
 constexpr double kCustomMargin = 0.01;  // [m]
 constexpr double kLargestPage = 5;      // [m]; commands take less, a geom may be as large
 
-double Mm(double metres) { return metres * 1000; }
-
 bool ReadNumber(std::string_view text, double& value) {
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
   return read.ec == std::errc() && read.ptr == text.data() + text.size();
@@ -35,17 +34,18 @@ void CheckSides(const PageSpec& page) {
   if (!(std::min(page.width, page.height) > 0 &&
         std::max(page.width, page.height) <= kLargestPage)) {
     throw InputError(fmt::format("page {:.6g} x {:.6g} mm: give sides above 0, at most {:.0f} mm",
-                                 Mm(page.width), Mm(page.height), Mm(kLargestPage)));
+                                 InMillimetres(page.width), InMillimetres(page.height),
+                                 InMillimetres(kLargestPage)));
   }
 }
 
 void CheckPage(const PageSpec& page) {
   CheckSides(page);
   if (!(page.margin >= 0 && std::min(page.width, page.height) > 2 * page.margin)) {
-    throw InputError(
-        fmt::format("page {:.6g} x {:.6g} mm, margins {:.6g} mm: give sides above twice that, or "
-                    "smaller margins",
-                    Mm(page.width), Mm(page.height), Mm(page.margin)));
+    throw InputError(fmt::format(
+        "page {:.6g} x {:.6g} mm, margins {:.6g} mm: give sides above twice that, or "
+        "smaller margins",
+        InMillimetres(page.width), InMillimetres(page.height), InMillimetres(page.margin)));
   }
 }
 

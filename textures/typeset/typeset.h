@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
 
 namespace moontrace {

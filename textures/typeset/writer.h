@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/text_page.h"
 

@@ -44,7 +44,7 @@ void* MapPage(int page, int protection) {
   return place == MAP_FAILED ? nullptr : place;
 }
 
-void Tell(HelperPage& page, Phase phase, const std::string& text) {
+void Report(HelperPage& page, Phase phase, const std::string& text) {
   const std::size_t size = std::min(text.size(), page.text.size() - 1);
   std::memcpy(page.text.data(), text.data(), size);
   page.text[size] = '\0';
@@ -212,10 +212,10 @@ void RunHelper(const ProgramPage& program, HelperPage& page) {
     try {
       device.Run();
     } catch (const std::runtime_error& error) {
-      Tell(page, Phase::kLost, error.what());  // at once: the device's closing may take its time
+      Report(page, Phase::kLost, error.what());  // at once: the device's closing may take its time
     }
   } catch (const std::runtime_error& error) {
-    Tell(page, Phase::kFailed, error.what());
+    Report(page, Phase::kFailed, error.what());
   }
 }
 

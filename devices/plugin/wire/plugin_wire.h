@@ -54,7 +54,7 @@ struct ProgramPage {
   SharedValue<Command> command;
 };
 
-/// Written by the helper. `description` and `text` are complete before `phase` tells of them.
+/// Written by the helper. `description` and `text` are complete before `phase` announces them.
 struct HelperPage {
   std::atomic<Phase> phase{Phase::kStarting};
   std::atomic<std::uint64_t> beats{0};  ///< rounds of reading and writing that are complete

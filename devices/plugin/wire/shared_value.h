@@ -31,7 +31,7 @@ class SharedValue {
   }
 
   /// True and the newest value, or false if there is none but the one of `seen`, which the reader
-  /// keeps between calls and starts at 0, or if the writer is amid writing all the time.
+  /// keeps between calls and starts at 0, or if the writer was writing at every try.
   bool Take(T& value, std::uint64_t& seen) const noexcept {
     for (int tries = 0; tries < 64; ++tries) {
       const std::uint64_t count = count_.load(std::memory_order_acquire);

@@ -65,13 +65,14 @@ TEST(Homing, BeginsAgainWhenTheSenseIsWrong) {
   double time = 0;
   Hold(homing, Away(300, 0, 0), time, 0.1);
   ASSERT_EQ(Hold(homing, kRestCounts, time, 1.1), HomingStep::kMove);
-  EXPECT_EQ(Hold(homing, Away(350, 0, 0), time, 0.1), HomingStep::kWrongWay);  // to the left
+  EXPECT_EQ(Hold(homing, Away(350, 0, 0), time, 0.1), HomingStep::kWrongDirection);  // to the left
   // The counts at that moment are the first of the new attempt.
   EXPECT_EQ(Hold(homing, kRestCounts, time, 1.1), HomingStep::kMove);
 }
 
 TEST(Homing, HasASentenceForEveryStepThatFitsALine) {
-  for (const HomingStep step : {HomingStep::kRest, HomingStep::kMove, HomingStep::kWrongWay}) {
+  for (const HomingStep step :
+       {HomingStep::kRest, HomingStep::kMove, HomingStep::kWrongDirection}) {
     EXPECT_FALSE(SentenceOf(step).empty());
     EXPECT_LE(SentenceOf(step).size(), 80u);
   }

@@ -10,8 +10,8 @@
 #include "lessons/course/course.h"
 #include "lessons/course/lesson_order.h"
 #include "lessons/course/taught_signs.h"
-#include "textures/script/script.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -145,7 +145,7 @@ TEST(GuidanceOrder, OneStrokeAfterTheOtherWithTheLeadThroughTheAirBetween) {
   EXPECT_EQ(state.stroke, 0U);
   GuidanceResult result = Guide(plan, state, {0.01, 0, 0.003}, {0, 0, 0}, kGuideTick);  // lifted
   EXPECT_EQ(state.stroke, 1U);
-  EXPECT_TRUE(state.on_way);
+  EXPECT_TRUE(state.in_transit);
   EXPECT_LT(glm::length(result.force_P), 0.01);  // nothing springs
   // a hand that stays is drawn towards the next start, as far as the leash
   for (int i = 0; i < 1000; ++i) {
@@ -157,7 +157,7 @@ TEST(GuidanceOrder, OneStrokeAfterTheOtherWithTheLeadThroughTheAirBetween) {
   // and there the second stroke is taken up
   MoveTip(plan, state, {0.01, 0}, {0, 0.01}, 1000);
   HoldTip(plan, state, {0, 0.01}, 100);
-  EXPECT_FALSE(state.on_way);
+  EXPECT_FALSE(state.in_transit);
   EXPECT_TRUE(state.captured);
   MoveTip(plan, state, {0, 0.01}, {0.01, 0.01}, 300);
   HoldTip(plan, state, {0.01, 0.012}, 160);

@@ -34,7 +34,7 @@ class LinkMeterTest : public testing::Test {
     for (int i = 0; i <= 10; ++i) add(TracePhase::kStroke, 0, {0, 0.01 - i * 1e-3, 0});
     sample.in_contact = in_contact;
     for (int i = 0; i <= 20; ++i) {
-      add(TracePhase::kWay, 1, {i * 1e-3, i > 5 && i < 15 ? aside : 0, 0});
+      add(TracePhase::kTravel, 1, {i * 1e-3, i > 5 && i < 15 ? aside : 0, 0});
     }
     sample.in_contact = true;
     for (int i = 0; i <= 10; ++i) add(TracePhase::kStroke, 1, {0.02, i * 1e-3, 0});

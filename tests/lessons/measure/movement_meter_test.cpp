@@ -11,12 +11,12 @@
 namespace moontrace {
 namespace {
 
-constexpr double kWay = 0.02;  // [m]
+constexpr double kDistance = 0.02;  // [m]
 
-/// Where a minimum-jerk move over kWay within `time` is (Flash and Hogan 1985).
+/// Where a minimum-jerk move over kDistance within `time` is (Flash and Hogan 1985).
 double PlaceAt(double at, double time) {
   const double s = at / time;
-  return kWay * s * s * s * (10 - 15 * s + 6 * s * s);
+  return kDistance * s * s * s * (10 - 15 * s + 6 * s * s);
 }
 
 MovementMeter Moved(double time, double rate, double noise = 0) {

@@ -1,4 +1,4 @@
-#include "lessons/machine/answer.h"
+#include "lessons/progress/answer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lessons/machine/fsrs.h"
+#include "lessons/progress/fsrs.h"
 
 #include <gtest/gtest.h>
 

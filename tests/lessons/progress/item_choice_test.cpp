@@ -1,4 +1,4 @@
-#include "lessons/machine/item_choice.h"
+#include "lessons/progress/item_choice.h"
 
 #include <gtest/gtest.h>
 

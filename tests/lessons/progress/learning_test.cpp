@@ -1,8 +1,8 @@
-#include "lessons/machine/learning.h"
+#include "lessons/progress/learning.h"
 
 #include <gtest/gtest.h>
 
-#include "lessons/machine/lesson_way.h"
+#include "lessons/progress/lesson_path.h"
 #include "tests/lessons/lesson_fixture.h"
 
 namespace moontrace {

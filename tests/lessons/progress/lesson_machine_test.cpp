@@ -1,4 +1,4 @@
-#include "lessons/machine/lesson_machine.h"
+#include "lessons/progress/lesson_machine.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/learning.h"
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/learning.h"
+#include "lessons/progress/mastery.h"
 #include "tests/lessons/lesson_fixture.h"
 
 namespace moontrace {

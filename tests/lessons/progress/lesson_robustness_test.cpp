@@ -6,7 +6,7 @@
 #include <random>
 
 #include "lessons/course/lesson_items.h"
-#include "lessons/machine/learning.h"
+#include "lessons/progress/learning.h"
 #include "tests/lessons/lesson_fixture.h"
 
 namespace moontrace {

@@ -1,11 +1,11 @@
-#include "lessons/machine/mastery.h"
+#include "lessons/progress/mastery.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "lessons/machine/learning.h"
-#include "lessons/machine/progress.h"
+#include "lessons/progress/learning.h"
+#include "lessons/progress/progress.h"
 #include "tests/lessons/lesson_fixture.h"
 
 namespace moontrace {

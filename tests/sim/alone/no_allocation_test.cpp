@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "sim/loop/button.h"
-#include "sim/loop/safety.h"
+#include "sim/safety/safety.h"
 #include "tests/counted_memory.h"
 #include "tests/sim/scene_fixture.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/console/line_wrap.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {

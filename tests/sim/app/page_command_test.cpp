@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/console/line_wrap.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/source_path.h"
 

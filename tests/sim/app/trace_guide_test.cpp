@@ -1,7 +1,5 @@
 // trace --guide MODE --help-level N.
 
-#include "sim/setup/guide_options.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/sim/cli_fixture.h"

@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "sim/audio/sound_messages.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

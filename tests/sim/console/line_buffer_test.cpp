@@ -1,4 +1,4 @@
-#include "sim/wording/line_buffer.h"
+#include "sim/console/line_buffer.h"
 
 #include <gtest/gtest.h>
 

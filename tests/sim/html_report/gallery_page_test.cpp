@@ -1,4 +1,4 @@
-#include "sim/report/gallery_page.h"
+#include "sim/html_report/gallery_page.h"
 
 #include <gtest/gtest.h>
 

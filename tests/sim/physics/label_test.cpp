@@ -1,4 +1,4 @@
-#include "sim/scene/label.h"
+#include "sim/physics/label.h"
 
 #include <glm/vec2.hpp>
 

@@ -1,5 +1,5 @@
 // The proxy is never left behind: over every glyph, direction, speed and friction the force on the
-// device stays under the analytic bound (sim/scene/coupling.h), which is printed.
+// device stays under the analytic bound (sim/physics/coupling.h), which is printed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 
-#include "sim/scene/coupling.h"
-#include "sim/scene/scene.h"
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
+#include "sim/physics/coupling.h"
+#include "sim/physics/scene.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

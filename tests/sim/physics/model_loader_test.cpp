@@ -1,4 +1,4 @@
-#include "sim/scene/model_loader.h"
+#include "sim/physics/model_loader.h"
 
 #include <filesystem>
 #include <fstream>

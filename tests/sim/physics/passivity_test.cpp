@@ -1,4 +1,4 @@
-#include "sim/scene/passivity.h"
+#include "sim/physics/passivity.h"
 
 #include <gtest/gtest.h>
 

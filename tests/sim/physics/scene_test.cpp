@@ -1,4 +1,4 @@
-#include "sim/scene/scene.h"
+#include "sim/physics/scene.h"
 
 #include <mujoco/mujoco.h>
 
@@ -319,6 +319,41 @@ TEST(SceneFriction, TooHighForTheSlopeIsRefusedWithTheNumbers) {
   Scene scene = Scene::Load("", options);
   EXPECT_EQ(ErrorOf([&] { scene.SetField(&field); }),
             "friction 0.6 is too high for the slope 1.67: at most 0.53");
+}
+
+// What a device holds is known only once the model has been loaded: it must not be compiled again.
+TEST(SceneOptionsChange, IsBitForBitALoadWithThem) {
+  const TextureField field = GrooveAlongY();
+  SceneOptions softer;
+  softer.coupling_stiffness = 300;
+  softer.coupling_damping = 4;
+  softer.surface.force_cap = 0.7;
+  Scene changed = Scene::Load("", {});
+  changed.SetField(&field);
+  for (int i = 0; i < 50; ++i) changed.Tick(TipAt({1e-5 * i, 0.01, -0.002}));
+  changed.SetOptions(softer);
+  Scene loaded = Scene::Load("", softer);
+  EXPECT_EQ(changed.State(), loaded.State());
+  EXPECT_EQ(changed.substeps(), loaded.substeps());
+  EXPECT_EQ(changed.remarks(), loaded.remarks());
+  for (Scene* scene : {&changed, &loaded}) scene->SetField(&field);
+  for (int i = 0; i < 500; ++i) {
+    const DeviceState tip = TipAt({1e-5 * i - 0.002, 0.01, -0.002});
+    ASSERT_EQ(changed.Tick(tip).force_W, loaded.Tick(tip).force_W) << i;
+  }
+  EXPECT_EQ(changed.State(), loaded.State());
+}
+
+TEST(SceneOptionsChange, LeavesTickAndTiltAsTheyWereCompiled) {
+  SceneOptions options;
+  options.tick = 0.0005;
+  options.tilt = 0.2;
+  Scene scene = Scene::Load("", options);
+  const Pose X_WP = scene.X_WP();
+  scene.SetOptions({});
+  EXPECT_EQ(scene.options().tick, 0.0005);
+  EXPECT_EQ(scene.options().tilt, 0.2);
+  EXPECT_EQ(scene.X_WP().R, X_WP.R);
 }
 
 TEST(SceneFriction, SlidingOnPaperCostsMuTimesThePress) {

@@ -9,7 +9,7 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/reshape.h"
 #include "textures/typeset/rules.h"
 #include "textures/typeset/typeset.h"

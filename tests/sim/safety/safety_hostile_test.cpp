@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "sim/loop/safety.h"
+#include "sim/safety/safety.h"
 
 namespace moontrace {
 namespace {

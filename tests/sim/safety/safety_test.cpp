@@ -1,4 +1,4 @@
-#include "sim/loop/safety.h"
+#include "sim/safety/safety.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/loop/still_tip.h"
+#include "sim/safety/still_tip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/loop/tip_velocity.h"
+#include "sim/safety/tip_velocity.h"
 
 #include <gtest/gtest.h>
 

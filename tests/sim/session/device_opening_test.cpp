@@ -7,7 +7,7 @@
 
 #include "devices/core/device_error.h"
 #include "devices/hid/homing.h"
-#include "sim/wording/console.h"
+#include "sim/console/console.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/source_path.h"
 

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <thread>
 
+#include "sim/session/tip_words.h"
+#include "sim/trial/trial.h"
 #include "tests/source_path.h"
 #include "textures/base/error.h"
 
@@ -38,18 +40,18 @@ class LoopSessionTest : public ::testing::Test {
 
 TEST_F(LoopSessionTest, SaysTheWayToTheBookmark) {
   const glm::dvec2 letter_P = session_.text().set.pages[0].glyphs[1].origin_P;
-  session_.SetMark({letter_P.x + 0.004, letter_P.y + 0.010, 0});
-  EXPECT_EQ(session_.WayToMark(TipAt({letter_P.x, letter_P.y + 0.0125, 0})),
+  const auto mark = LetterPlaceOf(session_.felt(), {letter_P.x + 0.004, letter_P.y + 0.010});
+  EXPECT_EQ(WayToMark(session_, mark, TipAt({letter_P.x, letter_P.y + 0.0125, 0})),
             "Bookmark at O, page 1 of 1: 4 mm right, 2.5 mm down.");
 }
 
 TEST_F(LoopSessionTest, TheBookmarkStaysAtItsPlaceOfTheLetterAtAnotherSize) {
   const glm::dvec2 before_P = session_.text().set.pages[0].glyphs[1].origin_P;
-  session_.SetMark({before_P.x + 0.004, before_P.y + 0.010, 0});
+  const auto mark = LetterPlaceOf(session_.felt(), {before_P.x + 0.004, before_P.y + 0.010});
   session_.Resize(true, before_P.x * glm::dvec3(1, 0, 0));
   const glm::dvec2 letter_P = session_.text().set.pages[0].glyphs[1].origin_P;
   // a quarter larger: 5 mm and 12.5 mm from the letter's origin
-  EXPECT_EQ(session_.WayToMark(TipAt({letter_P.x, letter_P.y, 0})),
+  EXPECT_EQ(WayToMark(session_, mark, TipAt({letter_P.x, letter_P.y, 0})),
             "Bookmark at O, page 1 of 1: 5 mm right, 12.5 mm up.");
 }
 
@@ -81,17 +83,42 @@ TEST_F(LoopSessionTest, StaysAsItWasWhereAFormCannotBe) {
   EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.02);
 }
 
-TEST_F(LoopSessionTest, StaysAsItWasWhereAnotherHandCannotBeLoaded) {
+// The text can be set, and only the loop refuses its page: grooves twice as deep are too steep for
+// this friction.
+TEST(LoopSessionPage, StaysAsItWasWhereItCannotBeFelt) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  Console console(in, out, err);
+  SessionRequest request;
+  request.text.text.text = "MOON\nMOON";
+  request.text.style.size = 0.02;
+  request.text.feel.scene.friction = 0.3;
+  LoopSession session(request, console);
+  const FeltPage before = session.felt();
+  const PageForm form_before = session.form();
+  PageForm deep = form_before;
+  deep.depth = 2;
+  EXPECT_THROW(session.SetForm(deep, {0, 0}), InputError);
+  EXPECT_EQ(session.felt().text, before.text);
+  EXPECT_EQ(session.felt().field, before.field);
+  EXPECT_EQ(session.felt().shown, before.shown);
+  EXPECT_EQ(session.form(), form_before);
+  EXPECT_DOUBLE_EQ(session.text().set.style.size, 0.02);
+  session.SetSize(0.01, {0, 0});
+  EXPECT_DOUBLE_EQ(session.text().set.style.size, 0.01);
+  EXPECT_EQ(session.form(), form_before);
+}
+
+TEST_F(LoopSessionTest, ReadsTheHandOnce) {
   // a data folder that has the scripts, but no devices/hand.toml
   const std::filesystem::path data = std::filesystem::path(testing::TempDir()) / "no_hand";
   std::filesystem::remove_all(data);
   std::filesystem::create_directories(data);
   std::filesystem::create_directory_symlink(SourcePath("textures"), data / "textures");
   setenv("MOONTRACE_DATA", data.c_str(), 1);
-  EXPECT_THROW(session_.SetSize(0.01, {0, 0}), LackError);
+  EXPECT_THROW(ShippedHand(), LackError);
+  EXPECT_NO_THROW(session_.SetSize(0.01, {0, 0}));
   unsetenv("MOONTRACE_DATA");
-  EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.02);
-  session_.SetSize(0.01, {0, 0});
   EXPECT_DOUBLE_EQ(session_.text().set.style.size, 0.01);
 }
 
@@ -147,7 +174,7 @@ TEST(LoopSessionForm, BeginsAsTheCommandLineHasIt) {
 }
 
 TEST_F(LoopSessionTest, WithoutABookmarkItSaysHowToSetOne) {
-  EXPECT_EQ(session_.WayToMark(TipAt({0, 0, 0})),
+  EXPECT_EQ(WayToMark(session_, std::nullopt, TipAt({0, 0, 0})),
             "No bookmark yet: press the button twice to set one.");
 }
 

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "sim/wording/line_reader.h"
+#include "sim/console/line_reader.h"
 
 namespace moontrace {
 namespace {

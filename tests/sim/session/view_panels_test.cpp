@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/session/loop_words.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "sim/scene/label.h"
+#include "sim/physics/label.h"
 #include "sim/setup/sheet_options.h"
 #include "tests/sim/cli_fixture.h"
 #include "textures/base/error.h"

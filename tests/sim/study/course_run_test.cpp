@@ -1,6 +1,6 @@
 // A simulated learner goes through a course by the real lesson machine, each trial through the real
 // scene.
-#include "sim/learner/course_run.h"
+#include "sim/study/course_run.h"
 
 #include <gtest/gtest.h>
 

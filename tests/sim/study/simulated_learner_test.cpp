@@ -1,4 +1,4 @@
-#include "sim/learner/simulated_learner.h"
+#include "sim/study/simulated_learner.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
-#include "sim/learner/exploration.h"
+#include "sim/study/exploration.h"
 #include "sim/trial/trial.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -1,12 +1,12 @@
-#include "sim/learner/size_threshold.h"
+#include "sim/study/size_threshold.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "sim/learner/learner_model.h"
+#include "sim/study/learner_model.h"
 #include "sim/trial/trial.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {

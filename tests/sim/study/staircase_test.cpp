@@ -1,4 +1,4 @@
-#include "lessons/machine/staircase.h"
+#include "sim/study/staircase.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/learner/study_protocol.h"
+#include "sim/study/study_protocol.h"
 
 #include <gtest/gtest.h>
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "sim/app/study_messages.h"
-#include "sim/learner/study_files.h"
-#include "sim/learner/study_summary.h"
+#include "sim/study/study_files.h"
+#include "sim/study/study_summary.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/source_path.h"
 #include "textures/base/error.h"

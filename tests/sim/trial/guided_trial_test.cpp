@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/setup/guide_options.h"
 #include "sim/trial/trial.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -28,7 +27,7 @@ class GuidedTrial : public testing::Test {
     setup.blank = blank;
     setup.hand = ShippedHand();
     setup.hand.drift = 0.1;
-    setup.guidance = GuidanceOf({mode, help});
+    if (mode != GuidanceMode::kOff) setup.guidance = GuidanceAt(mode, help);
     return RunTrial(setup, record);
   }
 

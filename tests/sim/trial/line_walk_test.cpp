@@ -1,5 +1,5 @@
 #include "sim/trial/line_walk.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "sim/trial/trial.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "sim/scene/scene_impl.h"
+#include "sim/physics/scene_impl.h"
 #include "sim/trial/record.h"
 #include "sim/trial/record_columns.h"
 #include "tests/sim/record_fixture.h"

@@ -13,8 +13,8 @@
 #include "sim/picture/field_shading.h"
 #include "sim/view/gl_headless.h"
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

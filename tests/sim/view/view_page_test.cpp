@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
-#include "textures/script/script_library.h"
+#include "sim/physics/page_field.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -20,7 +22,9 @@ struct Page {
     set = SetText(text, script, DefaultStyle(0.012, Relief::kEngraved, script), sheet);
   }
   std::shared_ptr<const ViewPage> View(bool blank = false) const {
-    return MakeViewPage(set.pages.at(0), sheet, script, set.style, text, blank, 7);
+    auto field =
+        std::make_shared<const TextureField>(PageField(set.pages.at(0), script, set.style, blank));
+    return MakeViewPage(set, 0, script, text, std::move(field), blank, 7);
   }
 };
 
@@ -70,7 +74,7 @@ TEST(ViewPage, EveryLettersStrokesAreWhereTheFieldSays) {
     for (const IntendedStroke& stroke : view->strokes) {
       EXPECT_EQ(stroke.glyph, 0U);
       for (const Piece& piece : stroke.spine_P) {
-        const Sample sample = view->field.SampleAt(PointAt(piece, 0.5 * Length(piece)));
+        const Sample sample = view->field->SampleAt(PointAt(piece, 0.5 * Length(piece)));
         EXPECT_NEAR(sample.displacement, -page.set.style.depth, 1e-9) << c;
       }
     }
@@ -81,7 +85,7 @@ TEST(ViewPage, BlankPaperHasLettersButNoGrooves) {
   const auto view = Page("moon").View(true);
   EXPECT_EQ(view->letters.size(), 4U);
   EXPECT_TRUE(view->strokes.empty());
-  EXPECT_EQ(view->field.greatest_displacement(), 0);
+  EXPECT_EQ(view->field->greatest_displacement(), 0);
 }
 
 }  // namespace

@@ -77,28 +77,5 @@ TEST(Fill, OfACrescentEqualsTheDifferenceOfTwoDiscs) {
   EXPECT_GT(inside, 1000);
 }
 
-TEST(Piece, IsTravelledAtUnitSpeedFromStartToEnd) {
-  const Piece arc = Arc{{1, 2}, 0.5, 0.3, -2.0};
-  EXPECT_DOUBLE_EQ(Length(arc), 1.0);
-  EXPECT_NEAR(glm::length(PointAt(arc, 0) - StartOf(arc)), 0, 1e-15);
-  EXPECT_NEAR(glm::length(PointAt(arc, 1) - EndOf(arc)), 0, 1e-15);
-  const glm::dvec2 moved = (PointAt(arc, 0.4 + 1e-6) - PointAt(arc, 0.4 - 1e-6)) / 2e-6;
-  EXPECT_NEAR(glm::length(moved - TangentAt(arc, 0.4)), 0, 1e-9);
-}
-
-TEST(Piece, BoundsHoldEveryPointAndTouchTheExtremes) {
-  const Piece arc = Arc{{0, 0}, 1, 0.25 * kPi, kPi};  // passes the top and the left
-  const Box box = BoundsOf(arc);
-  EXPECT_NEAR(box.max.y, 1, 1e-15);
-  EXPECT_NEAR(box.min.x, -1, 1e-15);
-  EXPECT_NEAR(box.min.y, -std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(box.max.x, std::sqrt(0.5), 1e-15);
-}
-
-TEST(Piece, DistanceReachesTheEnds) {
-  EXPECT_DOUBLE_EQ(DistanceTo(Line{{0, 0}, {1, 0}}, {2, 0}), 1);
-  EXPECT_NEAR(DistanceTo(Arc{{0, 0}, 1, 0, kPi / 2}, {1, -1}), 1, 1e-15);
-}
-
 }  // namespace
 }  // namespace moontrace

@@ -12,7 +12,7 @@
 
 #include "tests/textures/sample_page.h"
 #include "textures/base/error.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/relief/glyph_group.h"
 
 namespace moontrace {
 namespace {

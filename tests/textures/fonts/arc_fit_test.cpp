@@ -1,4 +1,4 @@
-#include "textures/script/arc_fit.h"
+#include "textures/fonts/arc_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -12,10 +12,10 @@
 #include "tests/source_path.h"
 #include "tests/textures/stroke_distance.h"
 #include "textures/base/text_file.h"
-#include "textures/script/script.h"
-#include "textures/script/script_check.h"
-#include "textures/script/script_library.h"
-#include "textures/script/svg_font_writer.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/script_check.h"
+#include "textures/fonts/script_library.h"
+#include "textures/fonts/svg_font_writer.h"
 
 namespace moontrace {
 namespace {

@@ -1,4 +1,4 @@
-#include "textures/script/foreign_font.h"
+#include "textures/fonts/foreign_font.h"
 
 #include <gtest/gtest.h>
 

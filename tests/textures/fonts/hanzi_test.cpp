@@ -1,4 +1,4 @@
-#include "textures/script/hanzi.h"
+#include "textures/fonts/hanzi.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "textures/script/hershey.h"
+#include "textures/fonts/hershey.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "textures/script/kanjivg.h"
+#include "textures/fonts/kanjivg.h"
 
 #include <gtest/gtest.h>
 

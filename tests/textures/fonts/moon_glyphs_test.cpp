@@ -14,8 +14,8 @@
 
 #include "tests/source_path.h"
 #include "textures/base/resources.h"
-#include "textures/script/script.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -1,4 +1,4 @@
-#include "textures/script/polyline.h"
+#include "textures/fonts/polyline.h"
 
 #include <gtest/gtest.h>
 

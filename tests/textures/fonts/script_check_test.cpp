@@ -1,5 +1,5 @@
-#include "textures/script/script_check.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_check.h"
+#include "textures/fonts/script_library.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 #include <gtest/gtest.h>
 

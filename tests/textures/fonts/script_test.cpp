@@ -1,4 +1,4 @@
-#include "textures/script/script.h"
+#include "textures/fonts/script.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "tests/source_path.h"
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "textures/field/element.h"
-#include "textures/script/script.h"
-#include "textures/script/script_check.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/script_check.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -1,4 +1,4 @@
-#include "textures/script/svg_font.h"
+#include "textures/fonts/svg_font.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "textures/script/svg_font_writer.h"
+#include "textures/fonts/svg_font_writer.h"
 #include "tests/textures/stroke_distance.h"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 
 #include "tests/source_path.h"
 #include "textures/base/text_file.h"
-#include "textures/script/foreign_font.h"
-#include "textures/script/hershey.h"
-#include "textures/script/kanjivg.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/foreign_font.h"
+#include "textures/fonts/hershey.h"
+#include "textures/fonts/kanjivg.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {

@@ -1,4 +1,4 @@
-#include "textures/script/svg_path.h"
+#include "textures/fonts/svg_path.h"
 
 #include <gtest/gtest.h>
 

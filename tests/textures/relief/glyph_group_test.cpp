@@ -4,7 +4,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "tests/textures/small_script.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

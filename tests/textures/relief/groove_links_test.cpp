@@ -1,4 +1,4 @@
-#include "textures/typeset/groove_links.h"
+#include "textures/relief/groove_links.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 
 #include "tests/textures/sample_page.h"
 #include "textures/field/field.h"
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
-#include "textures/typeset/link.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
+#include "textures/relief/link.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

@@ -1,4 +1,4 @@
-#include "textures/typeset/link.h"
+#include "textures/relief/link.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/louis.h"
 
 namespace moontrace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/make_writer.h"
 #include "textures/typeset/typeset.h"
 

@@ -9,8 +9,8 @@
 #include "textures/base/error.h"
 #include "textures/field/field.h"
 #include "textures/field/field_layer.h"
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/typeset.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "textures/base/resources.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/typeset.h"
 

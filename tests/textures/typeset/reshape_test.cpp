@@ -9,7 +9,7 @@
 
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

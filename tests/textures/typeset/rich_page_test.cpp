@@ -6,9 +6,9 @@
 
 #include "tests/textures/gradient_walk.h"
 #include "textures/field/field.h"
-#include "textures/script/script.h"
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
+#include "textures/fonts/script.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {

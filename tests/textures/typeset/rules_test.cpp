@@ -13,9 +13,9 @@
 #include "tests/textures/sample_page.h"
 #include "textures/base/error.h"
 #include "textures/field/field.h"
-#include "textures/script/script_library.h"
-#include "textures/typeset/glyph_group.h"
-#include "textures/typeset/groove_links.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/glyph_group.h"
+#include "textures/relief/groove_links.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/typeset.h"
 

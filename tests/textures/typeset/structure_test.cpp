@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tests/textures/small_script.h"
-#include "textures/script/script_library.h"
+#include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
