@@ -19,12 +19,12 @@
 namespace moontrace {
 
 void TimeLog::Add(double ms) {
-  kept_.at(count_++ % kept_.size()) = static_cast<float>(ms);
+  kept_.at(count_++ % kept_.size()) = ms;
   slowest_ = std::max(slowest_, ms);
 }
 
 double TimeLog::Median() const {
-  std::vector<float> times(
+  std::vector<double> times(
       kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(std::min(count_, kept_.size())));
   if (times.empty()) return 0;
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);

@@ -38,7 +38,7 @@ class TimeLog {
   std::size_t count() const { return count_; }
 
  private:
-  std::array<float, 4096> kept_{};
+  std::array<double, 4096> kept_{};
   std::size_t count_ = 0;
   double slowest_ = 0;
 };

@@ -14,6 +14,7 @@
 
 #include "sim/view/gl_headless.h"
 #include "sim/view/view_painter.h"
+#include "sim/view/view_thread.h"
 #include "tests/sim/display_fixture.h"
 #include "tests/sim/view_fixture.h"
 #include "textures/base/error.h"
@@ -22,6 +23,14 @@ namespace moontrace {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Kept as it was measured: a median that was rounded upwards would exceed the slowest frame.
+TEST(TimeLog, MedianOfOneFrameIsThatFrame) {
+  TimeLog frames;
+  frames.Add(557.567728);
+  EXPECT_DOUBLE_EQ(frames.Median(), 557.567728);
+  EXPECT_LE(frames.Median(), frames.slowest());
+}
 
 class ViewerTest : public testing::Test {
  protected:
