@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <glm/vec2.hpp>
-#include <span>
 
 #include "textures/field/element.h"
 
@@ -24,12 +24,15 @@ struct BlendedDistance {
 };
 
 /// Rounds the crease between a group's lines and arcs over the radius rho, as a weld's fillet does:
-///   d_i' = d_i - sum over j of w(t_i) w(t_j) (rho - |d_j - d_i|)^2 / (4 rho), where |d_j - d_i| <
+///   d_i' = d_i - max over j of w(t_i) w(t_j) (rho - |d_j - d_i|)^2 / (4 rho), where |d_j - d_i| <
 ///   rho,
 /// the quadratic smooth minimum, weighted by w(t) = smoothstep(t / rho). A foot at an end has
 /// weight zero: line, cap and the next piece of one stroke meet there already and must not swell.
-/// Ours.
-inline BlendedDistance Blend(std::span<const Foot> feet, std::size_t i, double rho) noexcept {
+/// The greatest of the pairs counts, not their sum: where a dozen strokes run side by side, a sum
+/// would swell them all and make flanks many times as steep as the profile's. Ours.
+/// `feet[j]` for j below `count` gives a Foot.
+template <typename Feet>
+BlendedDistance Blend(const Feet& feet, std::size_t count, std::size_t i, double rho) noexcept {
   const auto weight = [rho](const Foot& foot) {
     const double u = std::fmin(foot.inset / rho, 1.0);
     return u * u * (3 - 2 * u);
@@ -38,20 +41,23 @@ inline BlendedDistance Blend(std::span<const Foot> feet, std::size_t i, double r
     const double u = std::fmin(foot.inset / rho, 1.0);
     return 6 * u * (1 - u) / rho * foot.inset_gradient;
   };
-  const Foot& own = feet[i];
+  const Foot own = feet[i];
   BlendedDistance blended{own.distance, own.gradient};
-  for (std::size_t j = 0; j < feet.size(); ++j) {
-    const Foot& other = feet[j];
+  for (std::size_t j = 0; j < count; ++j) {
+    const Foot other = feet[j];
     const double gap = other.distance - own.distance;
     if (j == i || other.distance < 0 || other.profile != own.profile || std::abs(gap) >= rho) {
       continue;
     }
     const double q = rho - std::abs(gap);
     const double w = weight(own) * weight(other);
-    blended.distance -= w * q * q / (4 * rho);
-    blended.gradient -=
+    const double distance = own.distance - w * q * q / (4 * rho);
+    if (!(distance < blended.distance)) continue;
+    blended.distance = distance;
+    blended.gradient =
+        own.gradient -
         q * q / (4 * rho) *
-            (weight_gradient(own) * weight(other) + weight(own) * weight_gradient(other)) -
+            (weight_gradient(own) * weight(other) + weight(own) * weight_gradient(other)) +
         (gap < 0 ? -1.0 : 1.0) * w * q / (2 * rho) * (other.gradient - own.gradient);
   }
   return blended;
@@ -60,7 +66,7 @@ inline BlendedDistance Blend(std::span<const Foot> feet, std::size_t i, double r
 /// How far beyond its rim an element of a group with `members` lines and arcs can reach by blending
 /// [m].
 inline double BlendReach(std::size_t members, double rho) noexcept {
-  return members < 2 ? 0 : 0.25 * rho * static_cast<double>(members - 1);
+  return members < 2 ? 0 : 0.25 * rho;
 }
 
 }  // namespace moontrace

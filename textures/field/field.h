@@ -24,7 +24,8 @@ class TextureField {
   Sample SampleAt(glm::dvec2 p_P) const noexcept;
 
   /// Greatest slope and curvature over all elements: s_max [m/m], (s/r)_max [1/m]; zero when empty.
-  /// Layers and paper add.
+  /// Layers and paper add. Where an embossed crease is rounded the surface may be steeper, by the
+  /// change of the blend's weights: at most 1.75 times, 1.2 in the fonts tried.
   double greatest_slope() const noexcept { return greatest_slope_; }
   /// Cosine of the steepest inclination, 1 / sqrt(1 + s_max^2); 1 when empty.
   double steepest_cosine() const noexcept { return steepest_cosine_; }

@@ -155,9 +155,13 @@ Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
   } else if (element.kind == FlatKind::kArc) {
     // counted from the arc's middle, so that both ends are alike
     const double turned = std::atan2(u.x * v.y - u.y * v.x, u.x * v.x + u.y * v.y);
-    foot.inset = element.radius * (std::acos(element.cos_half) - std::abs(turned));
-    const double inward = (turned < 0 ? 1 : -1) * element.radius / (v.x * v.x + v.y * v.y);
-    foot.inset_gradient = inward * glm::dvec2(-v.y, v.x);
+    const double angle = std::acos(element.cos_half) - std::abs(turned);
+    const double distance = std::sqrt(v.x * v.x + v.y * v.y);
+    const glm::dvec2 outward = v / std::max(distance, kTiny);
+    const glm::dvec2 onward = (turned < 0 ? 1.0 : -1.0) * glm::dvec2(-outward.y, outward.x);
+    foot.inset = std::min(element.radius, distance) * angle;
+    foot.inset_gradient =
+        distance < element.radius ? onward + angle * outward : element.radius / distance * onward;
   }
   return foot;
 }
@@ -213,24 +217,41 @@ Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, const Cell
   return greatest;
 }
 
+/// The lines and arcs of a cell as one point sees them. The first are worked out once and kept;
+/// where more crowd in a cell, each of the others is worked out whenever it is asked for.
+class CellFeet {
+ public:
+  CellFeet(const CellElements& elements, std::size_t count, glm::dvec2 p) noexcept
+      : elements_(&elements), p_(p), kept_(std::min(count, kMostFeet)) {
+    for (std::size_t i = 0; i < kept_; ++i) feet_[i] = FootOf(elements[i], p);
+  }
+  Foot operator[](std::size_t i) const noexcept {
+    return i < kept_ ? feet_[i] : FootOf((*elements_)[i], p_);
+  }
+
+ private:
+  const CellElements* elements_;
+  glm::dvec2 p_;
+  std::size_t kept_;
+  std::array<Foot, kMostFeet> feet_;
+};
+
 /// The same with creases rounded.
 Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Cell& cell,
                         glm::dvec2 p) noexcept {
   const CellElements elements(layer, block, cell);
-  // more lines and arcs than this near one point do not blend: they crowd far below any tip's size
-  std::array<Foot, kMostFeet> feet;
-  const std::size_t foot_count = std::min<std::size_t>(cell.count, kMostFeet);
-  for (std::size_t i = 0; i < foot_count; ++i) feet[i] = FootOf(elements[i], p);
-
+  const CellFeet feet(elements, cell.count, p);
+  const double rho = layer.blend_radii[block.blend];
+  const double reach = BlendReach(cell.count, rho);
   Magnitude greatest;
   for (std::size_t i = 0; i < cell.count; ++i) {
     const FlatElement& element = elements[i];
     Magnitude member;
-    if (i < foot_count && element.kind <= FlatKind::kRing) {
-      if (feet[i].distance < 0) continue;
+    if (element.kind <= FlatKind::kRing) {
+      const Foot own = feet[i];
       const FlatProfile& profile = layer.profiles[element.profile];
-      const BlendedDistance blended =
-          Blend({feet.data(), foot_count}, i, layer.blend_radii[block.blend]);
+      if (own.distance < 0 || own.distance >= profile.half + reach) continue;
+      const BlendedDistance blended = Blend(feet, cell.count, i, rho);
       const double d = PositivePart(blended.distance);
       if (d < profile.half) member = FromSpine(profile, d, blended.gradient);
     } else {

@@ -50,9 +50,12 @@ Foot FootOnArc(const Arc& arc, glm::dvec2 p) {
     return foot;
   }
   const bool near_start = along <= sweep - along;
-  foot.inset = arc.radius * (near_start ? along : sweep - along);
-  const glm::dvec2 onward = sense / distance * glm::dvec2(-v.y, v.x) / distance;
-  foot.inset_gradient = arc.radius * (near_start ? onward : -onward);
+  const double angle = near_start ? along : sweep - along;
+  const glm::dvec2 outward = v / distance;
+  const glm::dvec2 onward = (near_start ? sense : -sense) * glm::dvec2(-outward.y, outward.x);
+  foot.inset = std::min(arc.radius, distance) * angle;
+  foot.inset_gradient =
+      distance < arc.radius ? onward + angle * outward : arc.radius / distance * onward;
   return foot;
 }
 
@@ -77,7 +80,7 @@ Magnitude BlendedMagnitude(const Group& group, std::size_t i, glm::dvec2 p) {
     }
   }
   if (feet[i].distance < 0) return {};
-  const BlendedDistance blended = Blend(feet, i, group.blend_radius);
+  const BlendedDistance blended = Blend(feet, feet.size(), i, group.blend_radius);
   const ProfileSample sample = Evaluate(group.elements[i].profile, std::max(blended.distance, 0.0));
   return {sample.height, sample.slope * blended.gradient};
 }
