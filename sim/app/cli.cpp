@@ -1,12 +1,11 @@
 #include "sim/app/cli.h"
 
-#include <fmt/core.h>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 #include <ostream>
 
@@ -14,10 +13,10 @@
 #include "sim/app/commands.h"
 #include "sim/app/course_messages.h"
 #include "sim/app/messages.h"
+#include "sim/app/program_help.h"
 #include "sim/app/script_messages.h"
 #include "sim/app/study_messages.h"
 #include "sim/audio/sound_messages.h"
-#include "sim/console/line_wrap.h"
 #include "sim/html_report/records_messages.h"
 #include "sim/html_report/report_messages.h"
 #include "sim/learn/learn_messages.h"
@@ -76,88 +75,148 @@ void Parse(CLI::App& app, Args args) {
   RefuseSpare(app);
 }
 
-bool AsksForHelp(const Args& args) {
+enum class HelpAsked { kNo, kCommon, kAll };
+
+HelpAsked AsksForHelp(const Args& args) {
   for (const std::string& arg : args) {
-    if (arg == "--") return false;
-    if (arg == "--help" || arg == "-h") return true;
+    if (arg == "--") return HelpAsked::kNo;
+    if (arg == "--help-all") return HelpAsked::kAll;
+    if (arg == "--help" || arg == "-h") return HelpAsked::kCommon;
   }
-  return false;
+  return HelpAsked::kNo;
 }
 
 int Run(const GalleryOptions& options, Console& console) {
   return RunGallery(options, RunCli, console);
 }
 
+/// A command's line with its options bound.
+template <typename Options>
+std::unique_ptr<CLI::App> LineOf(const CommandCard& card, Options& options) {
+  auto app = std::make_unique<CLI::App>(card.purpose, card.name);
+  app->set_help_flag();
+  app->allow_extras();
+  AddOptions(*app, options);
+  return app;
+}
+
+template <typename Options>
+CommandSheet Sheet(const CommandCard& card) {
+  Options options;
+  return SheetOf(*LineOf(card, options));
+}
+
 /// Reads one command's options and runs it.
 template <typename Options>
-int RunCommand(const char* name, const char* purpose, const Args& args, Console& console) {
-  CLI::App app(purpose, name);
-  app.set_help_flag();
-  app.allow_extras();
+int RunCommand(const CommandCard& card, const Args& args, Console& console) {
   Options options;
-  AddOptions(app, options);
-  if (AsksForHelp(args)) {
-    console.out() << HelpText(app);
+  const std::unique_ptr<CLI::App> app = LineOf(card, options);
+  const HelpAsked help = AsksForHelp(args);
+  if (help != HelpAsked::kNo) {
+    console.out() << CommandHelp(card, SheetOf(*app), help == HelpAsked::kAll);
     return exit_code::kGood;
   }
-  Parse(app, args);
+  Parse(*app, args);
   console.Set(options.output.json, options.output.quiet);
   return Run(options, console);
 }
 
 struct Command {
-  const char* name;
-  const char* purpose;
-  int (*run)(const char* name, const char* purpose, const Args& args, Console& console);
+  CommandCard card;
+  int (*run)(const CommandCard& card, const Args& args, Console& console);
+  CommandSheet (*sheet)(const CommandCard& card);
 };
 
+template <typename Options>
+constexpr Command Of(const CommandCard& card) {
+  return {card, RunCommand<Options>, Sheet<Options>};
+}
+
+namespace help = say::help;
 constexpr Command kCommands[] = {
-    {"demo", say::help::kDemo, RunCommand<DemoOptions>},
-    {"page", say::help::kPage, RunCommand<PageOptions>},
-    {"trace", say::help::kTrace, RunCommand<TraceOptions>},
-    {"learn", say::help::kLearn, RunCommand<LearnOptions>},
-    {"loop", say::help::kLoop, RunCommand<LoopCommandOptions>},
-    {"view", say::help::kViewCommand, RunCommand<ViewCommandOptions>},
-    {"probe", say::help::kProbe, RunCommand<ProbeOptions>},
-    {"script", say::help::kScriptCommand, RunCommand<ScriptOptions>},
-    {"gallery", say::help::kGallery, RunCommand<GalleryOptions>},
-    {"replay", say::help::kReplay, RunCommand<ReplayOptions>},
-    {"tutor", say::help::kTutor, RunCommand<TutorOptions>},
-    {"sounds", say::help::kSounds, RunCommand<SoundsOptions>},
-    {"report", say::help::kReport, RunCommand<ReportOptions>},
-    {"records", say::help::kRecordsCommand, RunCommand<RecordsOptions>},
-    {"course", say::help::kCourseCommand, RunCommand<CourseOptions>},
-    {"devices", say::help::kDevices, RunCommand<DevicesOptions>},
-    {"study", say::help::kStudyCommand, RunCommand<StudyOptions>},
-    {"bench", say::help::kBench, RunCommand<BenchOptions>},
+    Of<DemoOptions>({"demo", help::kDemo, Audience::kLearner, "", "example try hello start begin"}),
+    Of<LearnOptions>({"learn", help::kLearn, Audience::kLearner,
+                      "--learner --device --tutor --speak --sound --keys --view --print",
+                      "lesson lessons teach tutorial practise practice training"}),
+    Of<LoopCommandOptions>({"loop", help::kLoop, Audience::kLearner,
+                            "TEXT --file --device --size-mm --script --view --seconds",
+                            "feel touch live run"}),
+    Of<ViewCommandOptions>({"view", help::kViewCommand, Audience::kLearner,
+                            "TEXT --file --size-mm --script --device --picture --large-text",
+                            "window show see gui mouse open"}),
+    Of<SoundsOptions>({"sounds", help::kSounds, Audience::kLearner, "", "sound audio"}),
+    Of<TutorOptions>({"tutor", help::kTutor, Audience::kTutor, "", "teacher"}),
+    Of<ReportOptions>({"report", help::kReport, Audience::kTutor, "", "progress results"}),
+    Of<RecordsOptions>({"records", help::kRecordsCommand, Audience::kTutor, "",
+                        "learners learner export import erase consent"}),
+    Of<CourseOptions>({"course", help::kCourseCommand, Audience::kTutor, "", "courses"}),
+    Of<PageOptions>({"page", help::kPage, Audience::kWriter,
+                     "TEXT --file --size-mm --script --embossed --page --picture --letters",
+                     "pages print write text braille translate emboss label draw"}),
+    Of<ScriptOptions>({"script", help::kScriptCommand, Audience::kWriter, "",
+                       "scripts font fonts alphabet list check convert"}),
+    Of<GalleryOptions>({"gallery", help::kGallery, Audience::kWriter, "", "pictures examples"}),
+    Of<TraceOptions>({"trace", help::kTrace, Audience::kResearcher,
+                      "TEXT --file --size-mm --script --device --press-n --blank --picture "
+                      "--record --view --seed --json",
+                      "simulate score follow"}),
+    Of<ReplayOptions>({"replay", help::kReplay, Audience::kResearcher, "", "play repeat"}),
+    Of<StudyOptions>(
+        {"study", help::kStudyCommand, Audience::kResearcher, "", "studies experiment merge"}),
+    Of<ProbeOptions>({"probe", help::kProbe, Audience::kResearcher,
+                      "X Y Z TEXT --file --size-mm --script --law --json", "point height"}),
+    Of<BenchOptions>({"bench", help::kBench, Audience::kResearcher, "",
+                      "benchmark speed measure stability heat"}),
+    Of<DevicesOptions>({"devices", help::kDevices, Audience::kDeviceBuilder, "",
+                        "device hardware usb hid test joystick"}),
 };
 
-int ProgramHelp(Console& console) {
-  console.out() << Wrapped(say::help::kProgram)
-                << Wrapped("Usage: moontrace COMMAND [TEXT] [--file F | -] [options]");
+std::vector<CommandCard> Cards() {
+  std::vector<CommandCard> cards;
+  for (const Command& command : kCommands) cards.push_back(command.card);
+  return cards;
+}
+
+const Command& FindCommand(const std::string& name) {
   for (const Command& command : kCommands) {
-    console.out() << Wrapped(fmt::format("{}: {}.", command.name, command.purpose));
+    if (name == command.card.name) return command;
   }
-  console.out() << Wrapped(say::help::kMore) << Wrapped(say::help::kExitCodes);
+  std::vector<CommandCard> cards = Cards();
+  cards.push_back({"help", "", {}, "", "commands manual man usage"});
+  cards.push_back({"version", "", {}, "", "about -v -V"});
+  throw UsageError(say::UnknownCommand(name, NearestCommand(name, cards)));
+}
+
+/// `help`, `help COMMAND`, `help --markdown`.
+int Help(const Args& args, Console& console) {
+  if (args.empty()) {
+    console.out() << ProgramHelp(Cards());
+  } else if (args.front() == "--markdown") {
+    std::vector<CommandSheet> sheets;
+    for (const Command& command : kCommands) sheets.push_back(command.sheet(command.card));
+    console.out() << Reference(Cards(), sheets);
+  } else {
+    const Command& command = FindCommand(args.front());
+    const bool all = AsksForHelp(args) == HelpAsked::kAll;
+    console.out() << CommandHelp(command.card, command.sheet(command.card), all);
+  }
   return exit_code::kGood;
 }
 
 int Dispatch(const Args& args, Console& console) {
-  if (args.empty()) throw UsageError(say::NoCommand());
+  if (args.empty()) {
+    console.out() << Introduction();
+    return exit_code::kGood;
+  }
   const std::string& first = args.front();
-  if (first == "--help" || first == "-h") return ProgramHelp(console);
-  if (first == "--version") {
+  const Args rest(args.begin() + 1, args.end());
+  if (first == "help" || first == "--help" || first == "-h") return Help(rest, console);
+  if (first == "version" || first == "--version") {
     console.Result(say::Version(MOONTRACE_VERSION, mj_versionString()));
     return exit_code::kGood;
   }
-  Args names;
-  for (const Command& command : kCommands) {
-    if (first == command.name) {
-      return command.run(command.name, command.purpose, {args.begin() + 1, args.end()}, console);
-    }
-    names.emplace_back(command.name);
-  }
-  throw UsageError(say::UnknownCommand(first, NearestWord(first, names)));
+  const Command& command = FindCommand(first);
+  return command.run(command.card, rest, console);
 }
 
 }  // namespace

@@ -165,19 +165,25 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
 }  // namespace
 
 void AddOptions(CLI::App& app, LearnOptions& options) {
+  BeginGroup(app, "Learner and course");
   AddPath(app, "--learner", "NAME", options.learner, say::help::kLearner);
   AddPath(app, "--course", "FILE", options.course, say::help::kCourse);
   AddPath(app, "--records", "FILE", options.records, say::help::kRecords);
+  AddSeed(app, options.seed);
+  Redescribe(app, "--seed", say::help::kLearnSeed);
   AddOptions(app, options.live);
   Redescribe(app, "--device", say::help::kLearnDevice);
   Redescribe(app, "--seconds", say::help::kLearnSeconds);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
+  BeginGroup(app, "Speech, sound, keys, tutor");
   AddFlag(app, "--speak", options.speak, say::help::kSpeak);
   AddFlag(app, "--sound", options.sound, say::help::kSound);
   AddPath(app, "--sounds", "FILE", options.sounds, say::help::kOwnSounds);
   AddFlag(app, "--tutor", options.tutor, say::help::kLetTutor);
-  AddOptions(app, options.view);
   AddFlag(app, "--keys", options.keys, say::help::kKeys);
+  AddFlag(app, "--quiet", options.output.quiet, say::help::kQuiet);
+  AddOptions(app, options.view);
+  BeginGroup(app, "In place of a lesson");
   AddFlag(app, "--simulate", options.simulate, say::help::kSimulate);
   std::function<void(const std::string&)> read_days = [&options](const std::string& given) {
     const double days = ReadNumber("--days", given, 1, 3650);
@@ -185,12 +191,9 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
     options.days = static_cast<int>(days);
   };
   app.add_option_function("--days", read_days, say::help::kDays)->type_name("NUMBER");
-  AddSeed(app, options.seed);
-  Redescribe(app, "--seed", say::help::kLearnSeed);
   AddPath(app, "--print", "FILE", options.print, say::help::kPrint);
   AddPath(app, "--lesson", "ID", options.lesson, say::help::kPrintLesson);
   AddNumber(app, "--size-mm", options.size, 1, 200, 1e-3, say::help::kPrintSize);
-  AddFlag(app, "--quiet", options.output.quiet, say::help::kQuiet);
 }
 
 int Run(const LearnOptions& options, Console& console) {

@@ -127,6 +127,7 @@ void AddLoopOptions(CLI::App& app, LoopCommandOptions& options) {
   AddOptions(app, options.style);
   AddOptions(app, options.layout);
   AddOptions(app, options.feel);
+  BeginGroup(app, help_group::kHand);
   AddSeed(app, options.seed);
   AddOptions(app, options.output);
 }

@@ -11,15 +11,13 @@
 namespace moontrace::say {
 
 std::string UnknownCommand(std::string_view given, std::string_view nearest) {
-  return fmt::format("unknown command {}: {}\"moontrace --help\" lists the commands", Quoted(given),
+  return fmt::format("unknown command {}: {}\"moontrace help\" lists the commands", Quoted(given),
                      DidYouMean(nearest));
 }
 
-std::string NoCommand() { return "no command given: \"moontrace --help\" lists the commands"; }
-
 std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest) {
-  return fmt::format("unknown option {}: {}\"moontrace {} --help\" lists the options",
+  return fmt::format("unknown option {}: {}\"moontrace {} --help-all\" lists the options",
                      OneLine(given), DidYouMean(nearest), command);
 }
 

@@ -16,7 +16,6 @@ namespace moontrace::say {
 
 // The command line.
 std::string UnknownCommand(std::string_view given, std::string_view nearest);
-std::string NoCommand();
 std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest);
 std::string SpareArgument(std::string_view given, std::string_view command);

@@ -147,6 +147,7 @@ void AddOptions(CLI::App& app, PageOptions& options) {
   AddOptions(app, options.text);
   AddOptions(app, options.style);
   AddOptions(app, options.layout);
+  BeginGroup(app, help_group::kResults);
   AddPicture(app, options.picture, say::help::kPicture);
   AddFlag(app, "--letters", options.letters, say::help::kLetters);
   AddFlag(app, "--read-back", options.read_back, say::help::kReadBack);

@@ -144,11 +144,13 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
   AddOptions(app, options.style);
   AddOptions(app, options.layout);
   AddOptions(app, options.feel);
+  BeginGroup(app, help_group::kHand);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kPress);
   AddNumber(app, "--speed-mm-s", options.speed, 0.1, 1000, 1e-3, say::help::kSpeed);
   AddOptions(app, options.guide);
   AddSeed(app, options.seed, &options.seed_given);
   AddFlag(app, "--blank", options.blank, say::help::kBlank);
+  BeginGroup(app, help_group::kResults);
   AddPath(app, "--record", "DIR", options.record, say::help::kRecord);
   AddFlag(app, "--csv", options.csv, say::help::kCsv);
   AddPicture(app, options.picture, say::help::kPicture);

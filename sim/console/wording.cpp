@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {
@@ -50,6 +52,21 @@ std::string Quoted(std::string_view text) { return fmt::format("\"{}\"", OneLine
 
 std::string DidYouMean(std::string_view nearest) {
   return nearest.empty() ? std::string() : fmt::format("did you mean {}? ", nearest);
+}
+
+std::string NearestListed(std::string_view word, std::string_view list) {
+  std::vector<std::string> words(1);
+  for (const char c : list) {
+    if (c != ' ' && c != ',') {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  words.erase(std::remove_if(words.begin(), words.end(),
+                             [](const std::string& w) { return w == "or" || w.size() < 2; }),
+              words.end());
+  return NearestWord(word, words);
 }
 
 }  // namespace moontrace::say

@@ -26,5 +26,8 @@ std::string Percent(double share);
 std::string Quoted(std::string_view text);
 /// "did you mean NEAREST? ", or nothing if there is none.
 std::string DidYouMean(std::string_view nearest);
+/// The nearest of the words of a list as a sentence has it, "off, rail or bead"; empty if none is
+/// near.
+std::string NearestListed(std::string_view word, std::string_view list);
 
 }  // namespace moontrace::say

@@ -4,6 +4,7 @@
 #include "sim/loop/pacing.h"
 #include "sim/session/device_opening.h"
 #include "sim/session/loop_messages.h"
+#include "sim/setup/help.h"
 
 namespace moontrace {
 
@@ -22,6 +23,7 @@ std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double p
 }
 
 void AddOptions(CLI::App& app, LiveOptions& options) {
+  BeginGroup(app, help_group::kDevice);
   AddPath(app, "--device", "NAME", options.device, say::help::kDevice);
   AddNumber(app, "--seconds", options.seconds, 0.01, 1e6, 1, say::help::kSeconds);
   AddNumber(app, "--rate-hz", options.rate, kSlowestRate, kFastestRate, 1, say::help::kRate);

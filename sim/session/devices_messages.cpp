@@ -132,7 +132,8 @@ std::string NoDeviceNamed() {
 }
 
 std::string UnknownDevicesWord(std::string_view given) {
-  return fmt::format("devices takes nothing, or test and a name, not \"{}\"", OneLine(given));
+  return fmt::format("devices takes nothing, or test and a name, not {}{}", Quoted(given),
+                     NearestListed(given, "test").empty() ? "" : ": did you mean test?");
 }
 
 std::string TestBegins(std::string_view name, std::string_view title) {

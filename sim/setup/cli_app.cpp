@@ -24,6 +24,8 @@ double ReadNumber(const std::string& option, const std::string& given, double lo
   return value;
 }
 
+void BeginGroup(CLI::App& app, const char* heading) { app.option_defaults()->group(heading); }
+
 void AddValue(CLI::App& app, const std::string& name, const std::string& type,
               const std::function<void(const std::string&)>& read, const std::string& description) {
   app.add_option_function<std::string>(name, read, description)

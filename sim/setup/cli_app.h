@@ -14,6 +14,9 @@ class App;
 /// How commands add options to it. Reading one throws UsageError.
 namespace moontrace {
 
+/// Options that are added from here on stand under this heading of help.
+void BeginGroup(CLI::App& app, const char* heading);
+
 /// An option with one value, read by `read`; the last one given counts.
 void AddValue(CLI::App& app, const std::string& name, const std::string& type,
               const std::function<void(const std::string&)>& read, const std::string& description);

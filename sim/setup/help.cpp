@@ -4,24 +4,20 @@
 
 #include <CLI/App.hpp>
 
-#include "sim/console/console.h"
-#include "sim/console/line_wrap.h"
-
 namespace moontrace {
 
-std::string HelpText(const CLI::App& app) {
-  std::string usage = fmt::format("Usage: moontrace {}", app.get_name());
-  std::string lines;
+CommandSheet SheetOf(const CLI::App& app) {
+  CommandSheet sheet{app.get_name(), app.get_description(), {}};
   for (const CLI::Option* option : app.get_options()) {
-    const bool positional = option->get_positional();
-    std::string name = option->get_name(positional);
-    if (positional) usage += fmt::format(" [{}]", name);
-    if (!positional && option->get_expected_max() > 0)
-      name = fmt::format("{} {}", name, option->get_type_name());
-    lines += Wrapped(fmt::format("{}: {}", name, option->get_description()));
+    OptionSheet line;
+    line.positional = option->get_positional();
+    line.name = option->get_name(line.positional);
+    if (!line.positional && option->get_expected_max() > 0) line.value = option->get_type_name();
+    line.group = option->get_group();
+    line.description = option->get_description();
+    sheet.options.push_back(line);
   }
-  return Wrapped(fmt::format("moontrace {}: {}.", app.get_name(), app.get_description())) +
-         Wrapped(fmt::format("{} [options]", usage)) + lines;
+  return sheet;
 }
 
 }  // namespace moontrace

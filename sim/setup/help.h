@@ -1,25 +1,49 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sim/setup/cli_app.h"
 
 namespace moontrace {
 
-/// One command's help as plain lines: what it does, how it is called, one line an option.
-std::string HelpText(const CLI::App& app);
+/// An option as help tells it.
+struct OptionSheet {
+  std::string name;   ///< "--size-mm", "TEXT"
+  std::string value;  ///< what follows it, "NUMBER"; empty: nothing
+  std::string group;  ///< heading that it stands under
+  std::string description;
+  bool positional = false;
+};
+
+/// A command as help tells it.
+struct CommandSheet {
+  std::string name, purpose;
+  std::vector<OptionSheet> options;  ///< in the order in which they were added
+};
+
+/// What an app was given.
+CommandSheet SheetOf(const CLI::App& app);
+
+/// Headings that options stand under.
+namespace help_group {
+inline constexpr const char* kText = "Text";
+inline constexpr const char* kLetters = "Letters";
+inline constexpr const char* kLinks = "Links between letters";
+inline constexpr const char* kStructure = "Marks in the text";
+inline constexpr const char* kPage = "Page and lines";
+inline constexpr const char* kSheet = "Rules and rough paper";
+inline constexpr const char* kFeel = "Force and model";
+inline constexpr const char* kHand = "Simulated hand";
+inline constexpr const char* kResults = "Pictures and records";
+inline constexpr const char* kView = "Window and pictures of it";
+inline constexpr const char* kDevice = "Device";
+inline constexpr const char* kOutput = "What is said";
+}  // namespace help_group
 
 /// What each command and option is for, as --help prints it. Options of one subject stand in the
 /// *messages.h of that subject.
 namespace say::help {
-inline constexpr const char* kProgram =
-    "Moontrace: read and trace Moon, the tactile script, with a simulated stylus in MuJoCo.";
-inline constexpr const char* kExitCodes =
-    "Exit codes: 0 good; 1 the work failed; 2 the command line holds what no machine could take; 3 "
-    "an input cannot be used: a file, a script, a text, or letters that do not fit it; 4 this "
-    "machine lacks something: a device, a library, a permission, room; 130 interrupted.";
-inline constexpr const char* kMore = "For one command: moontrace COMMAND --help";
-
 inline constexpr const char* kPage = "says what stands on the page, sign by sign";
 inline constexpr const char* kTrace = "a simulated stylus traces the text and is scored";
 inline constexpr const char* kProbe =

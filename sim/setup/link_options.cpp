@@ -3,12 +3,14 @@
 #include <string>
 
 #include "sim/console/console.h"
+#include "sim/setup/help.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/setup_messages.h"
 
 namespace moontrace {
 
 void AddOptions(CLI::App& app, LinkOptions& options) {
+  BeginGroup(app, help_group::kLinks);
   AddValue(
       app, "--links", "WORD",
       [&options](const std::string& given) {

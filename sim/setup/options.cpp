@@ -99,11 +99,13 @@ void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all) {
 }
 
 void AddOptions(CLI::App& app, OutputOptions& options) {
+  BeginGroup(app, help_group::kOutput);
   AddFlag(app, "--json", options.json, help::kJson);
   AddFlag(app, "--quiet", options.quiet, help::kQuiet);
 }
 
 void AddOptions(CLI::App& app, TextOptions& options) {
+  BeginGroup(app, help_group::kText);
   AddValue(
       app, "TEXT", "TEXT", [&options](const std::string& given) { options.text = given; },
       help::kText);
@@ -111,6 +113,7 @@ void AddOptions(CLI::App& app, TextOptions& options) {
 }
 
 void AddOptions(CLI::App& app, StyleOptions& options) {
+  BeginGroup(app, help_group::kLetters);
   AddNumber(app, "--size-mm", options.size, 1, kLongest, kMillimetre, help::kSize);
   AddNumber(app, "--width-mm", options.width, 0.001, kLongest, kMillimetre, help::kWidth);
   AddNumber(app, "--depth-mm", options.depth, 0.001, kLongest, kMillimetre, help::kDepth);
@@ -129,9 +132,9 @@ void AddOptions(CLI::App& app, StyleOptions& options) {
   add_word("--table", options.table, help::kTable);
   add_word("--fallback-script", options.fallback_script, help::kFallbackScript);
   add_word("--only", options.only, help::kOnly);
-  AddOptions(app, options.links);
   AddNumber(app, "--slant-deg", options.slant, -30, 30, kDegree, help::kSlant);
   AddNumber(app, "--stretch", options.stretch, 0.5, 2, 1, help::kStretch);
+  BeginGroup(app, help_group::kStructure);
   AddFlag(app, "--structure", options.structure, help::kStructure);
   AddNumber(app, "--heading-scale", options.heading_scale, 1, 5, 1, help::kHeadingScale);
   AddChoice<std::optional<Relief>>(app, "--heading-relief", "engraved", Relief::kEngraved,
@@ -139,9 +142,11 @@ void AddOptions(CLI::App& app, StyleOptions& options) {
                                    help::kHeadingRelief);
   AddChoice(app, "--structure-texture", "yes", true, "no", false, options.structure_texture,
             help::kStructureTexture);
+  AddOptions(app, options.links);
 }
 
 void AddOptions(CLI::App& app, LayoutOptions& options) {
+  BeginGroup(app, help_group::kPage);
   AddValue(
       app, "--page", "PAPER",
       [&options](const std::string& given) { options.page = ParsePage(given); }, help::kPaper);
@@ -164,6 +169,7 @@ void AddOptions(CLI::App& app, LayoutOptions& options) {
 }
 
 void AddOptions(CLI::App& app, Surface& surface) {
+  BeginGroup(app, help_group::kFeel);
   AddChoice(app, "--law", "potential", ForceLaw::kPotential, "paper", ForceLaw::kPaper, surface.law,
             help::kLaw);
 }

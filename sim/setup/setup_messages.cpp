@@ -41,12 +41,14 @@ std::string OutOfRange(std::string_view option, std::string_view given, double l
 }
 
 std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices) {
-  return fmt::format("{} is {}: choose {}", option, Quoted(given), choices);
+  return fmt::format("{} is {}: {}choose {}", option, Quoted(given),
+                     DidYouMean(NearestListed(given, choices)), choices);
 }
 
 std::string NotAPage(std::string_view given) {
-  return fmt::format("--page is {}: write a4, a5, workspace or width x height like 120x80",
-                     Quoted(given));
+  constexpr const char* kChoices = "a4, a5, workspace or width x height like 120x80";
+  return fmt::format("--page is {}: {}write {}", Quoted(given),
+                     DidYouMean(NearestListed(given, "a4, a5, workspace")), kChoices);
 }
 
 std::string NotAPicture(std::string_view option, std::string_view given) {

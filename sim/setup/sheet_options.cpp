@@ -2,6 +2,7 @@
 
 #include "sim/console/console.h"
 #include "sim/physics/label.h"
+#include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/sheet_messages.h"
 #include "textures/base/units.h"
@@ -16,6 +17,7 @@ constexpr double kLongest = 1000;  // [mm]
 }  // namespace
 
 void AddOptions(CLI::App& app, SheetOptions& options) {
+  BeginGroup(app, help_group::kSheet);
   const auto add = [&app](const char* name, std::optional<double>& value, double low,
                           const char* description) {
     AddNumber(app, name, value, low, kLongest, kMillimetre, description);

@@ -1,10 +1,11 @@
 #include "textures/typeset/signs.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
 #include "textures/base/utf8.h"
 
 namespace moontrace {
@@ -19,10 +20,12 @@ std::string FindForm(const Script& script, const std::string& h_form) {
   }
   const auto found = forms->second.find(h_form);
   if (found != forms->second.end()) return found->second;
-  std::string known;
-  for (const auto& form : forms->second) known += (known.empty() ? "" : ", ") + form.first;
-  throw InputError(
-      fmt::format("script {} has no h '{}': choose {}", script.name, Shown(h_form), known));
+  std::vector<std::string> names;
+  for (const auto& form : forms->second) names.push_back(form.first);
+  const std::string nearest = NearestWord(h_form, names);
+  throw InputError(fmt::format("script {} has no h '{}': {}choose {}", script.name, Shown(h_form),
+                               nearest.empty() ? nearest : "did you mean " + nearest + "? ",
+                               fmt::join(names, ", ")));
 }
 
 // The neighbours that a reader sees: what has no mark in print is passed over. Null at the ends.

@@ -4,15 +4,30 @@
 
 #include "sim/console/line_wrap.h"
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
 
 const std::vector<std::string> kCommands = {"demo", "page", "trace", "probe", "replay", "bench"};
 
+// Who types the program's name alone is new: it says what to type, not what was wrong.
+TEST(Cli, AloneItSaysWhatToTypeFirst) {
+  const Outcome alone = RunLine({});
+  EXPECT_EQ(alone.code, 0);
+  EXPECT_TRUE(alone.err.empty());
+  EXPECT_LE(Lines(alone.out).size(), 8U);
+  for (const char* first :
+       {"moontrace demo", "moontrace learn", "moontrace page", "moontrace help"})
+    EXPECT_NE(alone.out.find(std::string("\n") + first), std::string::npos) << first;
+  ExpectTextFace(alone.out);
+}
+
 TEST(Cli, HelpNamesEveryCommandInPlainLines) {
-  const Outcome help = RunLine({"--help"});
+  const Outcome help = RunLine({"help"});
   EXPECT_EQ(help.code, 0);
+  EXPECT_EQ(help.out, RunLine({"--help"}).out);
+  EXPECT_EQ(help.out, RunLine({"-h"}).out);
   for (const std::string& command : kCommands) {
     EXPECT_NE(help.out.find("\n" + command + ": "), std::string::npos) << command;
   }
@@ -22,8 +37,14 @@ TEST(Cli, HelpNamesEveryCommandInPlainLines) {
 
 TEST(Cli, EachCommandsHelpNamesItsOptionsInPlainLines) {
   for (const std::string& command : kCommands) {
-    for (const char* flag : {"--help", "-h"}) {
-      const Outcome help = RunLine({command, flag});
+    EXPECT_EQ(RunLine({command, "--help"}).out, RunLine({"help", command}).out);
+    EXPECT_EQ(RunLine({command, "--help"}).out, RunLine({command, "-h"}).out);
+    const Outcome common = RunLine({command, "--help"});
+    ExpectTextFace(common.out);
+    EXPECT_LE(Lines(common.out).size(), 40U) << command;
+    for (const std::vector<std::string>& line :
+         {std::vector<std::string>{command, "--help-all"}, {"help", command, "--help-all"}}) {
+      const Outcome help = RunLine(line);
       EXPECT_EQ(help.code, 0);
       EXPECT_EQ(help.out.rfind("moontrace " + command + ": ", 0), 0U) << help.out;
       EXPECT_NE(help.out.find("\n--json: "), std::string::npos);
@@ -31,7 +52,7 @@ TEST(Cli, EachCommandsHelpNamesItsOptionsInPlainLines) {
       ExpectTextFace(help.out);
     }
   }
-  const Outcome trace = RunLine({"trace", "--help"});
+  const Outcome trace = RunLine({"trace", "--help-all"});
   for (const char* option : {"--size-mm",
                              "--width-mm",
                              "--depth-mm",
@@ -77,7 +98,8 @@ TEST(Cli, EachCommandsHelpNamesItsOptionsInPlainLines) {
 }
 
 TEST(Cli, VersionNamesProgramAndMujoco) {
-  const Outcome version = RunLine({"--version"});
+  const Outcome version = RunLine({"version"});
+  EXPECT_EQ(version.out, RunLine({"--version"}).out);
   EXPECT_EQ(version.code, 0);
   EXPECT_EQ(version.out.rfind("moontrace ", 0), 0U);
   EXPECT_NE(version.out.find("MuJoCo "), std::string::npos);
@@ -88,7 +110,42 @@ TEST(Cli, UnknownCommandIsUsageAndNamesTheNearest) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(Lines(outcome.err).size(), 1U);
   EXPECT_NE(outcome.err.find("did you mean trace?"), std::string::npos);
-  EXPECT_EQ(RunLine({}).code, 2);
+}
+
+TEST(Cli, WordsThatMeanACommandNameIt) {
+  const std::pair<const char*, const char*> meant[] = {
+      {"leanr", "learn"},      {"lessons", "learn"}, {"Lesson", "learn"},  {"write", "page"},
+      {"braille", "page"},     {"print", "page"},    {"font", "script"},   {"fonts", "script"},
+      {"device", "devices"},   {"window", "view"},   {"teacher", "tutor"}, {"halp", "help"},
+      {"experiment", "study"}, {"-v", "version"},    {"xyzzyx", ""}};
+  for (const auto& [word, command] : meant) {
+    const Outcome outcome = RunLine({word});
+    EXPECT_EQ(outcome.code, 2) << word;
+    const std::string nearest = std::string("did you mean ") + command + "?";
+    if (*command != 0) EXPECT_NE(outcome.err.find(nearest), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("moontrace help"), std::string::npos) << outcome.err;
+  }
+  EXPECT_NE(RunLine({"help", "pgae"}).err.find("did you mean page?"), std::string::npos);
+}
+
+TEST(Cli, WrongChoicesNameTheNearest) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"page", "A", "--lines", "alternat"}, {"page", "A", "--links", "leters"},
+      {"page", "A", "--page", "workspce"},  {"page", "A", "--texture", "noisy"},
+      {"page", "A", "--h-form", "cresent"}, {"trace", "A", "--guide", "beed"},
+      {"trace", "A", "--law", "potental"},  {"devices", "tst", "x"},
+      {"loop", "A", "--device", "simulatd"}};
+  for (const std::vector<std::string>& line : wrong) {
+    const Outcome outcome = RunLine(line);
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("did you mean "), std::string::npos) << outcome.err;
+  }
+}
+
+// The reference is made, never typed: `moontrace help --markdown > sim/OPTIONS.md`.
+TEST(Cli, TheReferenceIsWhatTheCommandLineDefines) {
+  const Outcome reference = RunLine({"help", "--markdown"});
+  EXPECT_EQ(reference.out, ReadAll(SourcePath("sim/OPTIONS.md")));
 }
 
 TEST(Cli, UnknownOptionIsUsageAndNamesTheNearestInEveryCommand) {
@@ -127,7 +184,7 @@ TEST(Cli, EmptyPathsAreUsageAndNameTheOption) {
 }
 
 TEST(Cli, HelpTellsTheLimitsThatHold) {
-  const Outcome help = RunLine({"trace", "--help"});
+  const Outcome help = RunLine({"trace", "--help-all"});
   EXPECT_NE(help.out.find("height of the letters in mm, 1 to 1000"), std::string::npos);
   EXPECT_EQ(RunLine({"page", "I", "--size-mm", "1"}).code, 0);
   for (const char* beyond : {"0.99", "0.05", "1001"}) {

@@ -56,7 +56,7 @@ TEST_F(GuideOptionsTest, RefusesWhatIsNone) {
 }
 
 TEST_F(GuideOptionsTest, TheHelpPageNamesThem) {
-  const std::string help = RunLine({"trace", "--help"}).out;
+  const std::string help = RunLine({"trace", "--help-all"}).out;
   EXPECT_NE(help.find("--guide MODE"), std::string::npos);
   EXPECT_NE(help.find("--help-level NUMBER"), std::string::npos);
 }

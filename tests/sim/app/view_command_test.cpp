@@ -182,14 +182,14 @@ TEST_F(ViewCommand, RefusesInOneLine) {
 }
 
 TEST_F(ViewCommand, HelpTellsItsOptions) {
-  const Outcome help = RunLine({"view", "--help"});
+  const Outcome help = RunLine({"view", "--help-all"});
   EXPECT_EQ(help.code, 0);
   ExpectTextFace(help.out);
   for (const char* option : {"--picture", "--frames", "--contrast", "--large-text", "--device"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
   for (const char* command : {"loop", "learn", "trace", "replay"}) {
-    const Outcome other = RunLine({command, "--help"});
+    const Outcome other = RunLine({command, "--help-all"});
     EXPECT_NE(other.out.find("--view"), std::string::npos) << command;
     EXPECT_NE(other.out.find("--frames"), std::string::npos) << command;
   }

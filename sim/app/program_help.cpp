@@ -1,0 +1,226 @@
+#include "sim/app/program_help.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "sim/console/line_wrap.h"
+#include "textures/base/nearest_word.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 good; 1 the work failed; 2 the command line holds what no machine could take; 3 "
+    "an input cannot be used: a file, a script, a text, or letters that do not fit it; 4 this "
+    "machine lacks something: a device, a library, a permission, room; 130 interrupted.";
+/// CLI11's own heading, for options that were added before any other.
+constexpr const char* kOwn = "Options";
+
+const char* HeadingOf(Audience audience) {
+  switch (audience) {
+    case Audience::kLearner:
+      return "To learn and feel Moon";
+    case Audience::kTutor:
+      return "To teach it";
+    case Audience::kWriter:
+      return "To set text and label things";
+    case Audience::kResearcher:
+      return "To measure and study";
+    case Audience::kDeviceBuilder:
+      return "Devices";
+  }
+  return "";
+}
+
+std::vector<std::string> Words(const char* text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+std::string Titled(const OptionSheet& option) {
+  return option.value.empty() ? option.name : option.name + " " + option.value;
+}
+
+std::string Usage(const CommandSheet& sheet) {
+  std::string usage = "moontrace " + sheet.name;
+  for (const OptionSheet& option : sheet.options) {
+    if (option.positional) usage += " [" + option.name + "]";
+  }
+  return usage + " [options]";
+}
+
+/// The options under each heading, in the order in which headings first occur.
+using Grouped = std::vector<std::pair<std::string, std::vector<const OptionSheet*>>>;
+Grouped ByGroup(const CommandSheet& sheet) {
+  Grouped groups;
+  for (const OptionSheet& option : sheet.options) {
+    const auto at = std::find_if(groups.begin(), groups.end(), [&option](const auto& group) {
+      return group.first == option.group;
+    });
+    if (at != groups.end()) {
+      at->second.push_back(&option);
+    } else {
+      groups.push_back({option.group, {&option}});
+    }
+  }
+  return groups;
+}
+
+std::string OptionLine(const OptionSheet& option) {
+  return Wrapped(fmt::format("{}: {}", Titled(option), option.description));
+}
+
+/// In Markdown a bar would end a table's cell.
+std::string Cell(std::string_view text) {
+  std::string cell;
+  for (const char c : text) {
+    if (c == '|') cell += '\\';
+    cell += c;
+  }
+  return cell;
+}
+
+std::string Table(const std::vector<const OptionSheet*>& options) {
+  std::string table = "| option | what it does |\n| --- | --- |\n";
+  for (const OptionSheet* option : options) {
+    table += fmt::format("| `{}` | {} |\n", Cell(Titled(*option)), Cell(option->description));
+  }
+  return table + "\n";
+}
+
+/// Equal groups of two commands read equal.
+std::string KeyOf(const std::string& heading, const std::vector<const OptionSheet*>& options) {
+  return "### " + heading + "\n\n" + Table(options);
+}
+
+}  // namespace
+
+std::string Introduction() {
+  return Wrapped(
+             "Moontrace: learn, read and write Moon, the raised script of lines and curves, by "
+             "touch.") +
+         Wrapped("To begin, type one of these and Enter:") +
+         Wrapped("moontrace demo: a word is traced at four sizes; a minute, no device needed.") +
+         Wrapped(
+             "moontrace learn: lessons. It says what a force device is for and works without.") +
+         Wrapped("moontrace page \"good morning\": your own words in Moon, sign by sign.") +
+         Wrapped("moontrace help: all commands. moontrace help learn: one of them.");
+}
+
+std::string ProgramHelp(const std::vector<CommandCard>& cards) {
+  std::string help = Wrapped("Usage: moontrace COMMAND [TEXT] [--file F | -] [options]");
+  const Audience* former = nullptr;
+  for (const CommandCard& card : cards) {
+    if (former == nullptr || *former != card.audience) {
+      help += fmt::format("\n{}:\n", HeadingOf(card.audience));
+    }
+    former = &card.audience;
+    help += Wrapped(fmt::format("{}: {}.", card.name, card.purpose));
+  }
+  return help + "\n" +
+         Wrapped(
+             "One command: moontrace help COMMAND, or moontrace COMMAND --help-all for every "
+             "option. The version: moontrace version.") +
+         Wrapped(kExitCodes);
+}
+
+std::string CommandHelp(const CommandCard& card, const CommandSheet& sheet, bool all) {
+  const std::vector<std::string> common = Words(card.common);
+  std::string help = Wrapped(fmt::format("moontrace {}: {}.", sheet.name, sheet.purpose)) +
+                     Wrapped("Usage: " + Usage(sheet));
+  if (all || common.empty()) {
+    for (const auto& [heading, options] : ByGroup(sheet)) {
+      if (!common.empty() && heading != kOwn) help += fmt::format("\n{}:\n", heading);
+      for (const OptionSheet* option : options) help += OptionLine(*option);
+    }
+    return help;
+  }
+  std::string others;
+  for (const auto& [heading, options] : ByGroup(sheet)) {
+    bool is_whole = true;
+    for (const OptionSheet* option : options) {
+      const bool told = std::find(common.begin(), common.end(), option->name) != common.end();
+      if (told) help += OptionLine(*option);
+      is_whole &= told;
+    }
+    if (is_whole) continue;
+    if (!others.empty()) others += "; ";
+    others += LowerCase(heading);
+  }
+  return help + "\n" +
+         Wrapped(fmt::format("moontrace {} --help-all tells {} options more, of: {}.", sheet.name,
+                             sheet.options.size() - common.size(), others));
+}
+
+std::string Reference(const std::vector<CommandCard>& cards,
+                      const std::vector<CommandSheet>& sheets) {
+  std::map<std::string, std::vector<std::string>> users;  // of a group
+  std::vector<std::string> order;
+  for (const CommandSheet& sheet : sheets) {
+    for (const auto& [heading, options] : ByGroup(sheet)) {
+      if (heading == kOwn) continue;
+      std::vector<std::string>& names = users[KeyOf(heading, options)];
+      if (names.empty()) order.push_back(KeyOf(heading, options));
+      names.push_back(sheet.name);
+    }
+  }
+  std::string text =
+      "# Commands and their options\n\nMade by `moontrace help --markdown`; a test holds it to the "
+      "program. `./moontrace COMMAND --help` tells\nthe common options of one command, "
+      "`--help-all` "
+      "all of them.\n\n## Options that commands share\n\n";
+  for (const std::string& key : order) {
+    const std::vector<std::string>& names = users[key];
+    if (names.size() < 2) continue;
+    std::string of;
+    for (const std::string& name : names) of += (of.empty() ? "`" : ", `") + name + "`";
+    const std::size_t end = key.find('\n');
+    text += key.substr(0, end) + "\n\nOf " + of + "." + key.substr(end);
+  }
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    const CommandSheet& sheet = sheets[i];
+    text += fmt::format("## {}\n\n    moontrace{}\n\n{}.", sheet.name,
+                        Usage(sheet).substr(std::string("moontrace").size()), sheet.purpose);
+    std::string shared, own;
+    for (const auto& [heading, options] : ByGroup(sheet)) {
+      const std::string key = KeyOf(heading, options);
+      if (heading != kOwn && users[key].size() > 1) {
+        shared += (shared.empty() ? "" : "; ") + LowerCase(heading);
+      } else {
+        own += heading == kOwn ? Table(options) : key;
+      }
+    }
+    if (!shared.empty()) text += fmt::format(" Shared options: {}.", shared);
+    if (cards[i].common[0] != '\0') text += fmt::format(" Common ones: `{}`.", cards[i].common);
+    text += "\n\n" + own;
+  }
+  return text;
+}
+
+std::string NearestCommand(std::string_view word, const std::vector<CommandCard>& cards) {
+  const std::string meant = LowerCase(word);
+  std::map<std::string, std::string> known;
+  for (const CommandCard& card : cards) {
+    for (const std::string& also : Words(card.also)) known.emplace(also, card.name);
+  }
+  for (const CommandCard& card : cards) known.insert_or_assign(card.name, card.name);
+  std::vector<std::string> names;
+  for (const CommandCard& card : cards) names.emplace_back(card.name);
+  const auto exact = known.find(meant);
+  if (exact != known.end()) return exact->second;
+  const std::string nearest = NearestWord(meant, names);
+  if (!nearest.empty()) return nearest;
+  names.clear();
+  for (const auto& [also, name] : known) names.push_back(also);
+  const std::string also = NearestWord(meant, names);
+  return also.empty() ? also : known.at(also);
+}
+
+}  // namespace moontrace

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/setup/help.h"
+
+/// What the program says of itself and of its commands: plain lines, each ended by a newline.
+namespace moontrace {
+
+/// Who mostly uses a command, in the order of help.
+enum class Audience { kLearner, kTutor, kWriter, kResearcher, kDeviceBuilder };
+
+/// A command as help introduces it.
+struct CommandCard {
+  const char* name;
+  const char* purpose;
+  Audience audience;
+  const char* common;  ///< options that `--help` tells, as "--size-mm --script"; empty: all
+  const char* also;    ///< other words that mean it: "lesson lessons teach"
+};
+
+/// `moontrace` alone: what this is and what to type first.
+std::string Introduction();
+/// `moontrace help`: all commands, by who uses them.
+std::string ProgramHelp(const std::vector<CommandCard>& cards);
+/// `COMMAND --help`, and `--help-all` with `all`: what it does, how it is called, a line an option.
+std::string CommandHelp(const CommandCard& card, const CommandSheet& sheet, bool all);
+/// The reference of all commands as Markdown, which sim/OPTIONS.md holds. Options that several
+/// commands take alike stand once.
+std::string Reference(const std::vector<CommandCard>& cards,
+                      const std::vector<CommandSheet>& sheets);
+/// The command meant by a word that is none: one of its other words, otherwise the nearest name or
+/// other word; empty where none is near.
+std::string NearestCommand(std::string_view word, const std::vector<CommandCard>& cards);
+
+}  // namespace moontrace
