@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of README's chapter on the viewer, without a display: draw.sh PROGRAM, where
+# Draws the pictures of the READMEs, without a display: draw.sh PROGRAM, where
 # PROGRAM is the built moontrace.
 set -euo pipefail
 program=$(realpath "${1:?the program, build/release/sim/moontrace}")

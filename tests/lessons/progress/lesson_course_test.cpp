@@ -32,7 +32,7 @@ TEST(LearnMoon, WhoIsNeverWrongFinishesItWithinTheTrialsThatTheReadmeNames) {
   const LessonRun run = GoThrough(1, 1, 20000, &events);
   EXPECT_EQ(run.state.await, Await::kEnd) << "at " << run.state.progress.lesson;
   EXPECT_EQ(run.state.progress.done.size(), run.course.lessons.size());
-  // README: about 3700.
+  // lessons/README.md: about 3700.
   EXPECT_NEAR(events, 3700, 400);
   std::set<std::string> letters;
   for (char c = 'a'; c <= 'z'; ++c) letters.insert(std::string(1, c));
