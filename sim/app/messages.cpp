@@ -50,9 +50,10 @@ std::string Version(std::string_view program, std::string_view mujoco) {
   return fmt::format("moontrace {}, MuJoCo {}", program, mujoco);
 }
 
-std::string PageOutcome(const Typeset& set, std::size_t signs, std::size_t lines) {
-  return fmt::format("{}, {}, {}.", Counted(set.pages.size(), "page", "pages"),
-                     Counted(lines, "line", "lines"), Counted(signs, "sign", "signs"));
+std::string PageOutcome(const PageCounts& counts) {
+  return fmt::format("{}, {}, {}.", Counted(counts.pages, "page", "pages"),
+                     Counted(counts.lines, "line", "lines"),
+                     Counted(counts.signs, "sign", "signs"));
 }
 
 std::string LetterShape(const TypeStyle& style) {

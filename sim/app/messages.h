@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "sim/bench/row.h"
+#include "sim/setup/typeset_report.h"
 #include "sim/trial/record.h"
 #include "sim/trial/trial.h"
 #include "textures/typeset/typeset.h"
@@ -29,7 +30,7 @@ std::string NoMemory();
 std::string Version(std::string_view program, std::string_view mujoco);
 
 // What a page holds.
-std::string PageOutcome(const Typeset& set, std::size_t signs, std::size_t lines);
+std::string PageOutcome(const PageCounts& counts);
 std::string LetterShape(const TypeStyle& style);
 std::string Paper(const PageSpec& page);
 std::string PageLine(std::size_t page, std::size_t pages, std::size_t line, std::string_view signs);

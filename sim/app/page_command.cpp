@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -30,11 +31,38 @@ namespace {
 constexpr std::size_t kMostPictures = 100;
 constexpr std::size_t kMostLinesSaid = 100;
 constexpr std::size_t kMostWordsSaid = 20;
+constexpr std::size_t kMostKept = 100;  // pages: for the pictures and for the lines that are said
+static_assert(kMostKept >= kMostPictures && kMostKept >= kMostLinesSaid);
 
-std::size_t CountLines(const Typeset& set) {
-  std::size_t lines = 0;
-  for (const TextPage& page : set.pages) lines += page.lines;
-  return lines;
+/// A text as it was set. Of a book only the first pages are kept, in `set`; the counts are of all.
+struct Book {
+  const std::string& text;
+  const Script& script;
+  Typeset set;
+  PageCounts counts;
+};
+
+Book SetBook(const std::string& text, const Script& script, const TypeStyle& style,
+             const PageSpec& page, Console& console) {
+  Book book{text, script, {}, {}};
+  std::vector<TextPage> kept;
+  book.set = SetPages(text, script, style, page, [&](TextPage&& one) {
+    console.CheckStop();
+    AddCounts(one, script, style, book.counts);
+    if (kept.size() < kMostKept) kept.push_back(std::move(one));
+  });
+  book.set.pages = std::move(kept);
+  return book;
+}
+
+/// Gives all pages in order. Those that were not kept are set once more.
+void VisitPages(const Book& book, const std::function<void(const TextPage&)>& visit) {
+  if (book.set.pages.size() == book.counts.pages) {
+    for (const TextPage& page : book.set.pages) visit(page);
+  } else {
+    SetPages(book.text, book.script, book.set.style, book.set.page,
+             [&visit](TextPage&& page) { visit(page); });
+  }
 }
 
 /// The names of a line's signs, words apart: "t h e, c a t".
@@ -47,20 +75,21 @@ std::string Signs(const TextPage& page, std::size_t first, std::size_t last, con
   return signs;
 }
 
-void SayLines(const Typeset& set, const Script& script, Console& console) {
+void SayLines(const Book& book, Console& console) {
   std::size_t said = 0;
-  for (std::size_t p = 0; p < set.pages.size(); ++p) {
-    const TextPage& page = set.pages[p];
+  for (std::size_t p = 0; p < book.set.pages.size(); ++p) {
+    const TextPage& page = book.set.pages[p];
     std::size_t first = 0;
     while (first < page.glyphs.size()) {
       const std::size_t line = page.glyphs[first].line;
       std::size_t last = first;
       while (last < page.glyphs.size() && page.glyphs[last].line == line) ++last;
       if (said++ == kMostLinesSaid) {
-        console.Result(say::LinesLeftOut(CountLines(set) - kMostLinesSaid));
+        console.Result(say::LinesLeftOut(book.counts.lines - kMostLinesSaid));
         return;
       }
-      console.Result(say::PageLine(p, set.pages.size(), line, Signs(page, first, last, script)));
+      console.Result(
+          say::PageLine(p, book.counts.pages, line, Signs(page, first, last, book.script)));
       first = last;
     }
   }
@@ -121,24 +150,40 @@ void SayReadBack(const BackTranslation& back, Console& console) {
 }
 
 /// One object, written page by page: a book's signs are never all held as JSON at once.
-void WriteJson(const Typeset& set, const Script& script, const std::vector<std::string>& pictures,
+void WriteJson(const Book& book, const std::vector<std::string>& pictures,
                const std::optional<BackTranslation>& back, Console& console) {
   std::ostream& out = console.out();
-  Json head = TypesetJson(set, script);
-  head["lines"] = CountLines(set);
-  head["signs"] = CountSigns(set);
+  Json head = TypesetJson(book.set, book.script, book.counts);
+  head["lines"] = book.counts.lines;
+  head["signs"] = book.counts.signs;
   head["pictures"] = pictures;
   if (back) head["read_back"] = ReadBackJson(*back);
   std::string text = Dump(head);
   text.pop_back();
   out << text << ",\"pages\":[";
   std::vector<std::string> names;
-  for (const Glyph& glyph : script.glyphs) names.push_back(Dump(glyph.name));
-  for (std::size_t p = 0; p < set.pages.size(); ++p) {
+  for (const Glyph& glyph : book.script.glyphs) names.push_back(Dump(glyph.name));
+  const char* comma = "";
+  VisitPages(book, [&](const TextPage& page) {
     console.CheckStop();
-    out << (p == 0 ? "" : ",") << PageJson(set.pages[p], names);
-  }
+    out << comma << PageJson(page, names);
+    comma = ",";
+  });
   out << "]}\n";
+}
+
+/// A picture of each page; their paths.
+std::vector<std::string> DrawPages(const Book& book, const PageOptions& options, Console& console) {
+  const std::size_t pages = book.counts.pages;
+  if (pages > kMostPictures) throw InputError(say::TooManyPictures(pages, kMostPictures));
+  std::vector<std::string> pictures;
+  for (std::size_t p = 0; p < pages; ++p) {
+    console.CheckStop();
+    pictures.push_back(PicturePath(options.picture, p, pages));
+    WritePicture(pictures.back(),
+                 PagePicture(book.set, p, book.script, book.text, options.letters));
+  }
+  return pictures;
 }
 
 }  // namespace
@@ -162,37 +207,29 @@ int Run(const PageOptions& options, Console& console) {
   const std::string text = ReadText(options.text, "page", console);
   Script script = ScriptOf(options.style, nullptr, text);
   const TypeStyle style = StyleOf(options.style, options.layout, script, nullptr);
-  const Typeset set = SetText(text, script, style, PageOf(options.layout));
-
+  const Book book = SetBook(text, script, style, PageOf(options.layout), console);
+  const Typeset& set = book.set;
   std::vector<std::string> pictures;
-  if (!options.picture.empty()) {
-    if (set.pages.size() > kMostPictures) {
-      throw InputError(say::TooManyPictures(set.pages.size(), kMostPictures));
-    }
-    for (std::size_t p = 0; p < set.pages.size(); ++p) {
-      console.CheckStop();
-      pictures.push_back(PicturePath(options.picture, p, set.pages.size()));
-      WritePicture(pictures.back(), PagePicture(set, p, script, text, options.letters));
-    }
-  }
+  if (!options.picture.empty()) pictures = DrawPages(book, options, console);
   std::optional<BackTranslation> back;
   if (options.read_back) back = TranslateBack(text, script, style);
   if (options.output.json) {
-    WriteJson(set, script, pictures, back, console);
+    WriteJson(book, pictures, back, console);
     return exit_code::kGood;
   }
-  console.Result(say::PageOutcome(set, CountSigns(set), CountLines(set)));
+  console.Result(say::PageOutcome(book.counts));
   SayReplacements(set, [&console](const std::string& line) { console.Result(line); });
   console.Result(say::LetterShape(set.style));
   if (set.style.links.reach != LinkReach::kNone) {
-    const LinkCounts links = CountLinks(set, script);
+    const LinkCounts& links = book.counts.links;
     console.Result(say::Links(links.links, links.missing, set.style.links));
   }
   if (set.style.form != LetterForm{}) console.Result(say::Form(set.style.form));
   if (set.style.structure.read) console.Result(say::Structure(set));
   console.Result(say::Paper(set.page));
-  SaySheet(set, script, [&console](const std::string& line) { console.Result(line); });
-  SayLines(set, script, console);
+  SaySheet(set.style, book.counts.rules,
+           [&console](const std::string& line) { console.Result(line); });
+  SayLines(book, console);
   if (back) SayReadBack(*back, console);
   if (!pictures.empty()) console.Result(say::PictureIn());
   for (const std::string& picture : pictures) console.Path(picture);

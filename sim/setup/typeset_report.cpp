@@ -95,12 +95,15 @@ Json LinksJson(const LinkStyle& links, const LinkCounts& counts, const TypeStyle
 
 }  // namespace
 
-std::size_t CountRules(const Typeset& set, const Script& script) {
-  std::size_t count = 0;
-  for (const TextPage& page : set.pages) {
-    count += RaisedLinesOf(page, script, set.style).rules.size();
-  }
-  return count;
+void AddCounts(const TextPage& page, const Script& script, const TypeStyle& style,
+               PageCounts& counts) {
+  ++counts.pages;
+  counts.lines += page.lines;
+  counts.signs += page.glyphs.size();
+  counts.rules += RaisedLinesOf(page, script, style).rules.size();
+  const GrooveLinks links = LinkPage(page, script, style);
+  counts.links.links += links.links.size();
+  counts.links.missing += links.missing;
 }
 
 std::size_t CountSigns(const Typeset& set) {
@@ -120,6 +123,12 @@ LinkCounts CountLinks(const Typeset& set, const Script& script) {
 }
 
 Json TypesetJson(const Typeset& set, const Script& script) {
+  PageCounts counts;
+  for (const TextPage& page : set.pages) AddCounts(page, script, set.style, counts);
+  return TypesetJson(set, script, counts);
+}
+
+Json TypesetJson(const Typeset& set, const Script& script, const PageCounts& counts) {
   Json json;
   json["script"] = script.name;
   json["size_mm"] = kMillimetres * set.style.size;
@@ -138,10 +147,10 @@ Json TypesetJson(const Typeset& set, const Script& script) {
                    {"width_mm", kMillimetres * set.page.width},
                    {"height_mm", kMillimetres * set.page.height},
                    {"margin_mm", kMillimetres * set.page.margin}};
-  json["rules"] = RulesJson(set.style, CountRules(set, script));
+  json["rules"] = RulesJson(set.style, counts.rules);
   json["raised_margin"] = MarginJson(set.style);
   json["texture"] = TextureJson(set.style);
-  json["links"] = LinksJson(set.style.links, CountLinks(set, script), set.style);
+  json["links"] = LinksJson(set.style.links, counts.links, set.style);
   json["folded"] = ReplacementsJson(set.folded);
   json["missing"] = ReplacementsJson(set.missing);
   json["doubtful"] = ReplacementsJson(set.doubtful);
@@ -153,10 +162,8 @@ Json TypesetJson(const Typeset& set, const Script& script) {
   return json;
 }
 
-void SaySheet(const Typeset& set, const Script& script,
+void SaySheet(const TypeStyle& style, std::size_t rules,
               const std::function<void(const std::string&)>& say_line) {
-  const TypeStyle& style = set.style;
-  const std::size_t rules = CountRules(set, script);
   if (style.rules.lines) {
     say_line(say::Rules(style, rules));
     say_line(say::TurnsBack("A rule", RuleProfile(style)));

@@ -11,22 +11,34 @@
 
 namespace moontrace {
 
-std::size_t CountSigns(const Typeset& set);
-/// Line rules on all pages. Throws InputError where there is no room for them or for the raised
-/// margin.
-std::size_t CountRules(const Typeset& set, const Script& script);
-/// Rules, raised margin and texture in words, one line each; none for a plain sheet.
-void SaySheet(const Typeset& set, const Script& script,
-              const std::function<void(const std::string&)>& say_line);
-
-/// Groove links of all pages, and the places where none keeps the gap.
+/// Groove links, and the places where none keeps the gap.
 struct LinkCounts {
   std::size_t links = 0, missing = 0;
 };
+
+/// What lies on pages.
+struct PageCounts {
+  std::size_t pages = 0, lines = 0, signs = 0;
+  std::size_t rules = 0;  ///< line rules
+  LinkCounts links;
+};
+
+/// Adds what lies on one page. Throws InputError where there is no room for line rules or for the
+/// raised margin.
+void AddCounts(const TextPage& page, const Script& script, const TypeStyle& style,
+               PageCounts& counts);
+
+std::size_t CountSigns(const Typeset& set);
 LinkCounts CountLinks(const Typeset& set, const Script& script);
+
+/// Rules, raised margin and texture in words, one line each; none for a plain sheet.
+void SaySheet(const TypeStyle& style, std::size_t rules,
+              const std::function<void(const std::string&)>& say_line);
 
 /// Letters, paper and replacements as JSON, without the pages.
 Json TypesetJson(const Typeset& set, const Script& script);
+/// The same of a text whose pages are not in `set`, or not all.
+Json TypesetJson(const Typeset& set, const Script& script, const PageCounts& counts);
 
 /// Each character that was left out, replaced or is doubtful, the first 20 of each kind, then how
 /// many more.

@@ -80,12 +80,14 @@ void AddGuides(Script& script, const TypeStyle& style) {
   add("guide-left", {{radius - bulge, middle}, radius, std::acos(-1.0) - half, 2 * half});
 }
 
-Layout::Layout(const Script& script, const TypeStyle& style, const PageSpec& page)
+Layout::Layout(const Script& script, const TypeStyle& style, const PageSpec& page, TakePage take)
     : script_(script),
       direction_(style.lines),
       page_(page),
       plain_(MeasureRows(script, style, 1)),
-      line_pitch_(style.line_pitch) {
+      line_pitch_(style.line_pitch),
+      take_(std::move(take)),
+      sheet_P_{{0, 0}, {page.width, page.height}} {
   const bool vertical = direction_ == LineDirection::kVertical;
   line_length_ = (vertical ? page.height : page.width) - 2 * page.margin;
   room_ = (vertical ? page.width : page.height) - 2 * page.margin;
@@ -134,6 +136,7 @@ double Layout::Deviation() const {
 void Layout::NextPage() {
   const Heading moved = std::exchange(last_heading_, Heading{});
   const std::size_t expected = pages_.empty() ? 0 : pages_.back().glyphs.size();
+  GiveAllBut(1);
   pages_.emplace_back();
   TextPage& page = pages_.back();
   page.glyphs.reserve(expected);
@@ -158,6 +161,16 @@ void Layout::NextPage() {
   run_row_ -= std::min(run_row_, moved.row);
   gaps_ -= moved.gaps;
   last_heading_ = {0, 0, 0};
+}
+
+void Layout::GiveAllBut(std::size_t kept) {
+  while (pages_.size() > kept) {
+    TextPage& page = pages_.front();
+    page.sheet_P = sheet_P_;
+    page.text_area_P = Grown(sheet_P_, -page_.margin);
+    take_(std::move(page));
+    pages_.erase(pages_.begin());
+  }
 }
 
 void Layout::StartRow() {

@@ -30,8 +30,9 @@ RowMetrics MeasureRows(const Script& script, const TypeStyle& style, double scal
 /// those of the first.
 void AddGuides(Script& script, const TypeStyle& style);
 
-/// Sets signs in lines, and lines on pages. Lengths along a line are counted from its start, so
-/// that only Place knows where lines run on the page.
+/// Sets signs in lines, and lines on pages, which it gives away one after the other: a page is
+/// finished once the next but one begins, since a heading at its foot may still move on. Lengths
+/// along a line are counted from its start, so that only Place knows where lines run on the page.
 ///
 /// Between rows of different sizes lies the larger of their gaps. A heading that nothing follows on
 /// its page goes to the next with what does, unless it begins the page. Rows of a quotation are
@@ -44,12 +45,13 @@ void AddGuides(Script& script, const TypeStyle& style);
 class Layout {
  public:
   /// Throws InputError when the page holds no line.
-  Layout(const Script& script, const TypeStyle& style, const PageSpec& page);
+  Layout(const Script& script, const TypeStyle& style, const PageSpec& page, TakePage take);
 
   /// Sets one line of the text, wrapped into as many rows as it needs. Throws InputError when a
   /// sign is wider than the page, or the page holds no row of a heading.
   void AddLine(const std::vector<Sign>& signs, LineKind kind = LineKind::kPlain);
-  std::vector<TextPage> TakePages() { return std::move(pages_); }
+  /// Gives away what is left.
+  void Finish() { GiveAllBut(0); }
 
  private:
   bool Alternates() const { return direction_ == LineDirection::kAlternate; }
@@ -62,6 +64,7 @@ class Layout {
   void CheckRoom() const;
   double Deviation() const;
   void NextPage();
+  void GiveAllBut(std::size_t kept);
   void StartRow();
   void EndParagraph();
   void Wrap(const Sign& last);
@@ -84,7 +87,9 @@ class Layout {
   bool empty_rows_ = true;                              // between paragraphs, in place of the gap
   std::size_t guide_right_ = Script::npos, guide_left_ = Script::npos;
 
-  std::vector<TextPage> pages_;
+  TakePage take_;
+  Box sheet_P_;                   // [m]
+  std::vector<TextPage> pages_;   // the last ones
   std::size_t next_row_ = 0;      // on the last page
   double gaps_ = 0;               // on the last page beyond rows of the text's pitch [m]
   bool paragraph_ended_ = false;  // a blank line stands before the next

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ struct TextPage {
   Box sheet_P;      ///< [m]
   Box text_area_P;  ///< between the margins [m]
 };
+
+/// Takes a page that is finished.
+using TakePage = std::function<void(TextPage&&)>;
 
 /// A character that the script has no sign for, writes by another sign, or cannot distinguish from
 /// another.

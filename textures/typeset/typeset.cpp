@@ -63,6 +63,22 @@ void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& s
   if (marks.kind == LineKind::kQuotation && before != marks.kind) ++counts.quotations;
 }
 
+[[noreturn]] void ThrowNothingToSet(const Script& script, const Typeset& result) {
+  if (result.untaught_count > 0) {
+    const Replacement& first = result.untaught.front();
+    throw InputError(
+        fmt::format("nothing left to set: '{}' (line {}, column {}) and the rest are not taught",
+                    first.was, first.line, first.column));
+  }
+  if (result.missing_count == 0) {
+    throw InputError("the text is empty or blank: give at least one letter");
+  }
+  const Replacement& first = result.missing.front();
+  throw InputError(
+      fmt::format("nothing left to set: script {} has no sign for '{}' (line {}, column {})",
+                  script.name, first.was, first.line, first.column));
+}
+
 }  // namespace
 
 PageSpec FindPage(const std::string& name) {
@@ -86,6 +102,15 @@ PageSpec FindPage(const std::string& name) {
 
 Typeset SetText(std::string_view text, const Script& script, const TypeStyle& style,
                 const PageSpec& page) {
+  std::vector<TextPage> pages;
+  Typeset result = SetPages(text, script, style, page,
+                            [&pages](TextPage&& one) { pages.push_back(std::move(one)); });
+  result.pages = std::move(pages);
+  return result;
+}
+
+Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& style,
+                 const PageSpec& page, const TakePage& take) {
   CheckStyle(style, script);
   CheckPage(page);
   const Box sheet_P{{0, 0}, {page.width, page.height}};
@@ -93,7 +118,11 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
   CheckSheetTexture(style, sheet_P);
   const std::unique_ptr<Writer> writer = MakeWriter(script, style);
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
-  Layout layout(script, style, page);
+  bool any = false;
+  Layout layout(script, style, page, [&](TextPage&& one) {
+    any = true;
+    take(std::move(one));
+  });
 
   Typeset result;
   result.style = style;
@@ -116,25 +145,9 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
     }
     layout.AddLine(signs, marks.kind);
   }
-  result.pages = layout.TakePages();
-  for (TextPage& one : result.pages) {
-    one.sheet_P = sheet_P;
-    one.text_area_P = Grown(sheet_P, -page.margin);
-  }
-  if (!result.pages.empty()) return result;
-  if (result.untaught_count > 0) {
-    const Replacement& first = result.untaught.front();
-    throw InputError(
-        fmt::format("nothing left to set: '{}' (line {}, column {}) and the rest are not taught",
-                    first.was, first.line, first.column));
-  }
-  if (result.missing_count == 0) {
-    throw InputError("the text is empty or blank: give at least one letter");
-  }
-  const Replacement& first = result.missing.front();
-  throw InputError(
-      fmt::format("nothing left to set: script {} has no sign for '{}' (line {}, column {})",
-                  script.name, first.was, first.line, first.column));
+  layout.Finish();
+  if (!any) ThrowNothingToSet(script, result);
+  return result;
 }
 
 }  // namespace moontrace

@@ -25,4 +25,9 @@ PageSpec FindPage(const std::string& name);
 Typeset SetText(std::string_view text, const Script& script, const TypeStyle& style,
                 const PageSpec& page);
 
+/// The same, for long texts: each page goes to `take` as soon as it is finished, in order, and none
+/// is kept in what is returned. What fails late fails after pages were taken.
+Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& style,
+                 const PageSpec& page, const TakePage& take);
+
 }  // namespace moontrace

@@ -9,6 +9,7 @@
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
 #include "textures/typeset/fold.h"
+#include "textures/typeset/layout.h"
 
 namespace moontrace {
 namespace {
@@ -282,6 +283,54 @@ TEST(SlowSetText, RefusesMoreSignsThanItKeeps) {
   while (text.size() < 12'000'000) text += "1a";  // three signs for two bytes
   EXPECT_EQ(ErrorOf([&] { Set(text, 50, 50); }),
             "the text makes more than 16 million signs: split it");
+}
+
+bool SamePage(const TextPage& a, const TextPage& b) {
+  const auto same = [](const PlacedGlyph& one, const PlacedGlyph& other) {
+    return one.glyph == other.glyph && one.origin_P == other.origin_P && one.line == other.line &&
+           one.source_begin == other.source_begin && one.word == other.word;
+  };
+  return a.lines == b.lines && a.sheet_P.max == b.sheet_P.max &&
+         a.text_area_P.min == b.text_area_P.min &&
+         std::equal(a.glyphs.begin(), a.glyphs.end(), b.glyphs.begin(), b.glyphs.end(), same);
+}
+
+// A heading may move from the foot of a page to the next, so that a page is not finished when the
+// next begins.
+TEST(SetPages, GivesEachPageOnceAsSetTextHasIt) {
+  std::string text;
+  for (int i = 0; i < 40; ++i) text += i % 3 == 0 ? "# bad\nabe\n" : "cab\n\nbe\n";
+  for (const LineDirection lines : {LineDirection::kLeftToRight, LineDirection::kAlternate}) {
+    TypeStyle style = Style();
+    style.structure.read = true;
+    style.lines = lines;
+    Script script = SmallScript();
+    if (lines == LineDirection::kAlternate) AddGuides(script, style);
+    const PageSpec page = Page(12, 5);
+    const Typeset whole = SetText(text, script, style, page);
+    ASSERT_GT(whole.pages.size(), 10U);
+    std::vector<TextPage> taken;
+    const Typeset notes = SetPages(text, script, style, page,
+                                   [&](TextPage&& one) { taken.push_back(std::move(one)); });
+    EXPECT_TRUE(notes.pages.empty());
+    EXPECT_EQ(notes.structure.headings, whole.structure.headings);
+    ASSERT_EQ(taken.size(), whole.pages.size());
+    for (std::size_t i = 0; i < taken.size(); ++i) EXPECT_TRUE(SamePage(taken[i], whole.pages[i]));
+  }
+}
+
+// Of a text of hundreds of pages the first is there before the end is looked at.
+TEST(SetPages, GivesAPageBeforeTheRestIsSet) {
+  std::string text;
+  for (int i = 0; i < 500; ++i) text += "bad\n";
+  std::size_t taken = 0;
+  struct Enough {};
+  EXPECT_THROW(SetPages(text, SmallScript(), Style(), Page(4, 2),
+                        [&](TextPage&&) {
+                          if (++taken == 3) throw Enough();
+                        }),
+               Enough);
+  EXPECT_EQ(taken, 3U);
 }
 
 }  // namespace
