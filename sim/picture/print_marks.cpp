@@ -1,11 +1,15 @@
 #include "sim/picture/print_marks.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "sim/picture/moon_marks.h"
+#include "textures/base/error.h"
 #include "textures/base/units.h"
 #include "textures/typeset/reshape.h"
 #include "textures/typeset/rules.h"
@@ -60,8 +64,15 @@ Print PrintOf(const Reach& reach, double scale, const TypeStyle& style) {
   const auto fitting = [&](double room) { return std::min(wanted, room / kBlock); };
   if (style.rules.lines && style.lines != LineDirection::kVertical) {
     const double rule = RuleGap(style) + RuleProfile(style).width;
-    const double height = fitting(pitch - (reach.ridge_high - reach.ridge_low) - 2 * rule);
-    if (height >= 0.5 * wanted) return {height, rule - reach.ridge_low + (kGap + 1) * height};
+    const double room = pitch - (reach.ridge_high - reach.ridge_low) - 2 * rule;
+    const double height = fitting(room);
+    if (height < kSmallest - 1e-9) {
+      throw InputError(fmt::format(
+          "line pitch {:.4g} mm leaves no room for print between the rules: at least {:.4g} mm",
+          InMillimetres(pitch),
+          std::ceil(InMillimetres(pitch - room + kBlock * kSmallest) * 100) / 100));
+    }
+    return {height, rule - reach.ridge_low + (kGap + 1) * height};
   }
   const double height = std::max(0.5 * wanted, fitting(pitch - (reach.high - reach.low)));
   return {height, -reach.low + (kGap + 1) * height};

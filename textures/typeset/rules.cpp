@@ -22,6 +22,7 @@ constexpr double kLinkedShare = 0.7;   // of half the space between lines beside
 constexpr double kHeightShare = 0.25;  // of the width
 constexpr double kRounding = 0.2;      // of the width
 constexpr double kSteepest = 5;        // as of grooves
+constexpr double kLeastApart = 5e-4;   // [m]; a tip of 0.25 mm rests between two ridges
 constexpr double kSlack = 1e-9;        // [m]
 
 /// In hundredths of a millimetre, never less than what is needed.
@@ -164,7 +165,7 @@ void AddRule(double across_at, const Box& area, const Across& across, double kee
 std::vector<Line> RulesOf(const Ink& ink, const Box& area, const TypeStyle& style) {
   const Across across(style);
   const double width = RuleProfile(style).width, gap = RuleGap(style);
-  const double half = 0.5 * width, away = gap + half;
+  const double half = 0.5 * width, away = gap + half, apart = RulesApart(style);
   std::map<LineKind, Reach> reach = ReachOf(ink.lines);
   std::vector<Line> rules;
   double free_from = HUGE_VAL;  // where the rules of the line before end
@@ -172,12 +173,12 @@ std::vector<Line> RulesOf(const Ink& ink, const Box& area, const TypeStyle& styl
   for (const TextLine& line : ink.lines) {
     const Reach& own = reach[line.kind];
     const double above = line.base + own.above + away, below = line.base - own.below - away;
-    if (above + half > free_from + kSlack) {
-      throw InputError(
-          fmt::format("line pitch {:.4g} mm leaves no room for rules {:.4g} mm wide: at least "
-                      "{:.4g} mm",
-                      InMillimetres(base_before - line.base), InMillimetres(width),
-                      MmAtLeast(base_before - line.base + above + half - free_from)));
+    if (above + half + apart > free_from + kSlack) {
+      throw InputError(fmt::format(
+          "line pitch {:.4g} mm leaves no room for rules {:.4g} mm wide and {:.4g} mm "
+          "apart: at least {:.4g} mm",
+          InMillimetres(base_before - line.base), InMillimetres(width), InMillimetres(apart),
+          MmAtLeast(base_before - line.base + above + half + apart - free_from)));
     }
     AddRule(above, area, across, away, half, ink.guides, rules);
     AddRule(below, area, across, away, half, ink.guides, rules);
@@ -239,6 +240,10 @@ double RuleGap(const TypeStyle& style) {
   // links run between letters and rule
   const double free = style.line_pitch - style.size - style.width - 2 * RuleProfile(style).width;
   return std::max(least, kLinkedShare * free / 2);
+}
+
+double RulesApart(const TypeStyle& style) {
+  return std::max(RuleProfile(style).width, kLeastApart);
 }
 
 void CheckRules(const TypeStyle& style) {

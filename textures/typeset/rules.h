@@ -16,6 +16,10 @@ Profile MarginProfile(const TypeStyle& style);
 /// links, which run there, most of the space between lines [m].
 double RuleGap(const TypeStyle& style);
 
+/// Least distance between the rims of one line's rule and the next line's, so that they are felt as
+/// two: a rule's width, at least 0.5 mm. Ours [m].
+double RulesApart(const TypeStyle& style);
+
 /// Throws InputError when a width or height is not finite, below zero, or steeper than 5.
 void CheckRules(const TypeStyle& style);
 

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
+#include "textures/base/error.h"
 #include "textures/fonts/script_library.h"
 #include "textures/typeset/reshape.h"
 #include "textures/typeset/rules.h"
@@ -67,6 +68,38 @@ TEST(PrintMarks, StandBelowTheLowerRule) {
   TypeStyle style = StyleFor(moon);
   style.rules.lines = true;
   ExpectBelow(Printed("here", moon, style));
+}
+
+// Small letters leave little room between the rules of two lines: print is smaller there, or a line
+// says which pitch has room; it never stands on a rule.
+TEST(PrintMarks, NeverStandOnARule) {
+  const Script moon = FindScript("moon");
+  int drawn = 0, refused = 0;
+  for (const double size : {0.003, 0.004, 0.006, 0.008, 0.012}) {
+    TypeStyle style = DefaultStyle(size, Relief::kEngraved, moon);
+    style.rules.lines = true;
+    const std::string text = "one, (two);\nthree?";
+    const Typeset set = SetText(text, moon, style, FindPage("a4"));
+    std::vector<Mark> marks;
+    try {
+      marks = PrintMarks(set.pages.front(), moon, style, text);
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("at least"), std::string::npos) << error.what();
+      ++refused;
+      continue;
+    }
+    ++drawn;
+    for (const Line& rule : RaisedLinesOf(set.pages.front(), moon, style).rules) {
+      const double half = 0.5e3 * RuleProfile(style).width, y = 1e3 * rule.from.y;
+      for (const Mark& mark : marks) {
+        const auto& print = std::get<TextMark>(mark);
+        const double top = print.at.y + print.height, low = print.at.y - 0.2 * print.height;
+        EXPECT_TRUE(low > y + half || top < y - half) << size << " " << print.text;
+      }
+    }
+  }
+  EXPECT_GE(drawn, 3);
+  EXPECT_GE(refused, 1);
 }
 
 TEST(PrintMarks, MoveWithTheFootOfLettersThatLean) {

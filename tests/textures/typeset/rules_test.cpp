@@ -169,11 +169,13 @@ TEST(RulesRoom, IsToldWhereItLacks) {
   TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, FindScript("moon"));
   style.rules.lines = true;
   EXPECT_EQ(ErrorOf(style, FindPage("a5")), "");
-  // strokes 10 + 1.165 mm high, twice a gap of 1 mm and a rule of 1 mm; hundredths rounded up
+  // strokes 10 + 1.165 mm high, twice a gap of 1 mm and a rule of 1 mm, and 1 mm between the rules;
+  // hundredths rounded up
   style.line_pitch = 0.0151;
-  EXPECT_EQ(ErrorOf(style, FindPage("a5")),
-            "line pitch 15.1 mm leaves no room for rules 1 mm wide: at least 15.17 mm");
-  style.line_pitch = 0.01517;
+  EXPECT_EQ(
+      ErrorOf(style, FindPage("a5")),
+      "line pitch 15.1 mm leaves no room for rules 1 mm wide and 1 mm apart: at least 16.17 mm");
+  style.line_pitch = 0.01617;
   EXPECT_EQ(ErrorOf(style, FindPage("a5")), "");
   style.rules.margin = true;
   PageSpec page = FindPage("a5");
@@ -187,6 +189,33 @@ TEST(RulesRoom, IsToldWhereItLacks) {
             "line rules: height 2 mm is too steep for the width 1 mm: at most 1.5 mm");
   style.rules.height = -1;
   EXPECT_NE(ErrorOf(style, page), "");
+}
+
+// However small the letters: a rule and the next line's are two ridges, not one with a scratch.
+TEST(RulesRoom, KeepsRulesOfTwoLinesApart) {
+  const Script script = FindScript("moon");
+  for (const double size : {0.002, 0.003, 0.005, 0.008, 0.020}) {
+    TypeStyle style = DefaultStyle(size, Relief::kEngraved, script);
+    style.rules.lines = true;
+    style.line_pitch = 3 * size;
+    for (int i = 0; i < 60; ++i) {  // down to the least pitch that is taken
+      style.line_pitch -= 0.03 * size;
+      const Typeset set = SetText("(o,\nt?)", script, style, FindPage("a5"));
+      RaisedLines raised;
+      try {
+        raised = RaisedLinesOf(set.pages.front(), script, style);
+      } catch (const InputError& error) {
+        EXPECT_GT(i, 20) << error.what();  // 2.4 sizes are room enough
+        break;
+      }
+      ASSERT_EQ(raised.rules.size(), 4U);
+      std::vector<double> heights;
+      for (const Line& rule : raised.rules) heights.push_back(rule.from.y);
+      std::sort(heights.begin(), heights.end());
+      const double rims = heights[2] - heights[1] - RuleProfile(style).width;
+      ASSERT_GE(rims, std::max(0.1 * size, 0.5e-3) - 1e-9) << size << " " << style.line_pitch;
+    }
+  }
 }
 
 // Groove links turn between letters and rule: they keep their own gap, a quarter of the groove's
