@@ -135,17 +135,18 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   drive.sample = [&scores, tick](const LoopSample& s) { scores.at(s.page).Add(s, tick); };
   Drive(session, drive, console);
 
+  std::optional<PagePictures> pictures;
+  if (!options.picture.empty()) pictures.emplace(options.picture, pages);
   for (std::size_t page = 0; page < pages; ++page) {
     TrialResult result = scores[page].Finish(session.force_bound());
-    if (!options.picture.empty()) {
-      trace.pictures.push_back(PicturePath(options.picture, page, pages));
-      WritePicture(trace.pictures.back(),
-                   TracePicture(trace.text.set.pages[page], trace.text.script, style, options.blank,
-                                TextOf(trace.text, page), result));
+    if (pictures) {
+      pictures->Add(TracePicture(trace.text.set.pages[page], trace.text.script, style,
+                                 options.blank, TextOf(trace.text, page), result));
       result.path = {};
     }
     trace.pages.push_back(std::move(result));
   }
+  if (pictures) trace.pictures = pictures->Finish();
   Report(options, trace, session.device().scale(), console);
   if (view && !options.output.json) SayView(*view, options.view, console);
   RequireDevice(session);

@@ -28,11 +28,10 @@ namespace moontrace {
 
 namespace {
 
-constexpr std::size_t kMostPictures = 100;
 constexpr std::size_t kMostLinesSaid = 100;
 constexpr std::size_t kMostWordsSaid = 20;
-constexpr std::size_t kMostKept = 100;  // pages: for the pictures and for the lines that are said
-static_assert(kMostKept >= kMostPictures && kMostKept >= kMostLinesSaid);
+constexpr std::size_t kMostKept = 100;  // pages: for the lines that are said
+static_assert(kMostKept >= kMostLinesSaid);
 
 /// A text as it was set. Of a book only the first pages are kept, in `set`; the counts are of all.
 struct Book {
@@ -174,16 +173,15 @@ void WriteJson(const Book& book, const std::vector<std::string>& pictures,
 
 /// A picture of each page; their paths.
 std::vector<std::string> DrawPages(const Book& book, const PageOptions& options, Console& console) {
-  const std::size_t pages = book.counts.pages;
-  if (pages > kMostPictures) throw InputError(say::TooManyPictures(pages, kMostPictures));
-  std::vector<std::string> pictures;
-  for (std::size_t p = 0; p < pages; ++p) {
+  PagePictures pictures(options.picture, book.counts.pages);
+  PageNumber number{0, book.counts.pages};
+  VisitPages(book, [&](const TextPage& page) {
     console.CheckStop();
-    pictures.push_back(PicturePath(options.picture, p, pages));
-    WritePicture(pictures.back(),
-                 PagePicture(book.set, p, book.script, book.text, options.letters));
-  }
-  return pictures;
+    console.Alive(static_cast<double>(number.page) / static_cast<double>(number.pages));
+    pictures.Add(PagePicture(page, number, book.set, book.script, book.text, options.letters));
+    ++number.page;
+  });
+  return pictures.Finish();
 }
 
 }  // namespace

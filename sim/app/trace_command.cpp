@@ -94,8 +94,9 @@ void CheckRecords(const TraceOptions& options, std::size_t pages) {
   }
 }
 
-void TracePage(const TraceOptions& options, std::size_t page, TrialView* view, Console& console,
-               Trace& trace) {
+/// `view`, `pictures`: null without.
+void TracePage(const TraceOptions& options, std::size_t page, TrialView* view,
+               PagePictures* pictures, Console& console, Trace& trace) {
   const std::size_t pages = trace.text.set.pages.size();
   TrialSetup setup = SetupOf(options, trace, page, console);
   if (view != nullptr) Watch(setup, *view, trace, page);
@@ -113,11 +114,9 @@ void TracePage(const TraceOptions& options, std::size_t page, TrialView* view, C
     for (const std::string& remark : result.remarks) console.Remark(remark);
   }
   if (!options.record.empty()) trace.records.push_back(request.folder);
-  if (!options.picture.empty()) {
-    trace.pictures.push_back(PicturePath(options.picture, page, pages));
-    WritePicture(trace.pictures.back(),
-                 TracePicture(*setup.page, trace.text.script, setup.style, options.blank,
-                              TextOf(trace.text, page), result));
+  if (pictures != nullptr) {
+    pictures->Add(TracePicture(*setup.page, trace.text.script, setup.style, options.blank,
+                               TextOf(trace.text, page), result));
     result.path.clear();
     result.path.shrink_to_fit();
   }
@@ -193,9 +192,13 @@ int Run(const TraceOptions& options, Console& console) {
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
   std::optional<TrialView> view;
   if (feed) view.emplace(*feed, console);
+  std::optional<PagePictures> pictures;
+  if (!options.picture.empty()) pictures.emplace(options.picture, trace.text.set.pages.size());
   for (std::size_t page = 0; page < trace.text.set.pages.size(); ++page) {
-    TracePage(options, page, view ? &*view : nullptr, console, trace);
+    TracePage(options, page, view ? &*view : nullptr, pictures ? &*pictures : nullptr, console,
+              trace);
   }
+  if (pictures) trace.pictures = pictures->Finish();
   const TypeStyle& style = trace.text.set.style;
   const bool ridges =
       style.relief == Relief::kEmbossed || (trace.text.set.structure.headings > 0 &&

@@ -15,8 +15,6 @@ namespace moontrace {
 
 namespace {
 
-constexpr std::size_t kMostPages = 100;
-
 const Lesson& LessonNamed(const Course& course, const std::string& name) {
   if (course.lessons.empty()) throw InputError(say::NothingToPrint(course.id));
   if (name.empty()) return course.lessons.front();
@@ -45,10 +43,9 @@ std::string TextOfLesson(const Lesson& lesson) {
 }
 
 /// Swell paper rises where it is black: strokes are, and nothing else is drawn.
-Drawing SwellPage(const Typeset& set, std::size_t page, const Script& script,
+Drawing SwellPage(const Typeset& set, const TextPage& sheet, const Script& script,
                   const std::string& title) {
   constexpr double kMillimetres = 1e3;
-  const TextPage& sheet = set.pages[page];
   Drawing drawing;
   drawing.width = kMillimetres * set.page.width;
   drawing.height = kMillimetres * set.page.height;
@@ -73,15 +70,12 @@ int PrintLesson(const LearnOptions& options, const Course& course, Console& cons
   Script script = ScriptOf(style_options, nullptr, text);
   const TypeStyle style = StyleOf(style_options, layout, script, nullptr);
   const Typeset set = SetText(text, script, style, PageOf(layout));
-  if (set.pages.size() > kMostPages) {
-    throw InputError(say::TooManyPictures(set.pages.size(), kMostPages));
-  }
-  std::vector<std::string> files;
-  for (std::size_t page = 0; page < set.pages.size(); ++page) {
+  PagePictures pictures(options.print, set.pages.size());
+  for (const TextPage& page : set.pages) {
     console.CheckStop();
-    files.push_back(PicturePath(options.print, page, set.pages.size()));
-    WritePicture(files.back(), SwellPage(set, page, script, lesson.title));
+    pictures.Add(SwellPage(set, page, script, lesson.title));
   }
+  const std::vector<std::string> files = pictures.Finish();
   console.Result(say::Printed(lesson.title, set.pages.size(), style.size));
   for (const std::string& file : files) console.Path(file);
   return exit_code::kGood;

@@ -194,18 +194,36 @@ std::string ToPng(const Raster& raster) {
   return png;
 }
 
-std::string ToPdf(const Drawing& drawing) {
+struct PdfWriter::State {
   std::string bytes;
+  CairoSurface surface;
+};
+
+PdfWriter::PdfWriter() : state_(std::make_unique<State>()) {}
+
+// the surface's last bytes go into the state
+PdfWriter::~PdfWriter() { state_->surface.reset(); }
+
+void PdfWriter::Add(const Drawing& page) {
   constexpr double kPointsPerMillimetre = 72.0 / 25.4;
-  const CairoSurface surface(
-      cairo_pdf_surface_create_for_stream(&Append, &bytes, drawing.width * kPointsPerMillimetre,
-                                          drawing.height * kPointsPerMillimetre));
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawing.title.c_str());
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_SUBJECT,
-                                 drawing.description.c_str());
-  Draw(surface.get(), drawing, kPointsPerMillimetre);
-  cairo_surface_finish(surface.get());
-  return bytes;
+  const double width = page.width * kPointsPerMillimetre;
+  const double height = page.height * kPointsPerMillimetre;
+  CairoSurface& surface = state_->surface;
+  if (surface == nullptr) {
+    surface.reset(cairo_pdf_surface_create_for_stream(&Append, &state_->bytes, width, height));
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, page.title.c_str());
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_SUBJECT,
+                                   page.description.c_str());
+  }
+  cairo_pdf_surface_set_size(surface.get(), width, height);
+  Draw(surface.get(), page, kPointsPerMillimetre);
+  cairo_surface_show_page(surface.get());
+}
+
+std::string PdfWriter::Take() { return std::exchange(state_->bytes, {}); }
+
+void PdfWriter::Finish() {
+  if (state_->surface != nullptr) cairo_surface_finish(state_->surface.get());
 }
 
 }  // namespace moontrace
@@ -225,7 +243,12 @@ namespace {
 bool HaveCairo() noexcept { return false; }
 std::string ToPng(const Drawing&) { Lack(); }
 std::string ToPng(const Raster&) { Lack(); }
-std::string ToPdf(const Drawing&) { Lack(); }
+struct PdfWriter::State {};
+PdfWriter::PdfWriter() { Lack(); }
+PdfWriter::~PdfWriter() = default;
+void PdfWriter::Add(const Drawing&) { Lack(); }
+std::string PdfWriter::Take() { Lack(); }
+void PdfWriter::Finish() { Lack(); }
 
 }  // namespace moontrace
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "sim/picture/drawing.h"
@@ -17,8 +18,21 @@ std::string ToPng(const Drawing& drawing);
 /// A picture of points as a PNG. Throws LackError where the build has no cairo.
 std::string ToPng(const Raster& raster);
 
-/// The drawing as a one-page PDF in its true size, with title and description as document
-/// properties. Throws LackError where the build has no cairo.
-std::string ToPdf(const Drawing& drawing);
+/// A PDF, page by page, each in its true size; title and description of the first are the
+/// document's. Throws LackError where the build has no cairo, or a page cannot be drawn.
+class PdfWriter {
+ public:
+  PdfWriter();
+  ~PdfWriter();
+  void Add(const Drawing& page);
+  /// The bytes that were made since the last call: a book's are never all held. None is missing
+  /// after Finish.
+  std::string Take();
+  void Finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace moontrace

@@ -31,13 +31,12 @@ PathMark Edge(double width, double height) {
 
 }  // namespace
 
-Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
-                    std::string_view source, bool print_letters) {
-  const TextPage& text_page = set.pages[page];
+Drawing PagePicture(const TextPage& text_page, PageNumber number, const Typeset& set,
+                    const Script& script, std::string_view source, bool print_letters) {
   Drawing drawing;
   drawing.width = kMillimetres * set.page.width;
   drawing.height = kMillimetres * set.page.height;
-  drawing.title = say::PagePictureTitle(script.title, page, set.pages.size());
+  drawing.title = say::PagePictureTitle(script.title, number.page, number.pages);
   drawing.description = say::PagePictureWords(text_page.glyphs.size(), text_page.lines, set.style);
   Texture rough;
   AddSheetTexture(text_page, set.style, rough);

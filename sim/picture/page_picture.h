@@ -9,9 +9,15 @@
 
 namespace moontrace {
 
+/// Which page of how many, from 0.
+struct PageNumber {
+  std::size_t page = 0, pages = 1;
+};
+
 /// A sheet in its true size: its edge, its strokes and, with `print_letters`, the source text in
-/// small print below each sign. `source` is the text that was set.
-Drawing PagePicture(const Typeset& set, std::size_t page, const Script& script,
-                    std::string_view source, bool print_letters);
+/// small print below each sign. Of `set` style and page's size count, `source` is the text that was
+/// set.
+Drawing PagePicture(const TextPage& page, PageNumber number, const Typeset& set,
+                    const Script& script, std::string_view source, bool print_letters);
 
 }  // namespace moontrace

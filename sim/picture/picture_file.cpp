@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/picture/cairo_writer.h"
+#include "sim/picture/picture_messages.h"
 #include "sim/picture/svg_writer.h"
 #include "sim/setup/options.h"
 #include "sim/setup/setup_messages.h"
@@ -16,6 +17,8 @@ namespace moontrace {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 100;
 
 enum class PictureKind { kSvg, kPng, kPdf };
 
@@ -30,6 +33,22 @@ std::optional<PictureKind> EndingOf(const std::string& path) {
 PictureKind KindOf(const std::string& path) {
   if (const std::optional<PictureKind> kind = EndingOf(path)) return *kind;
   throw InputError(path + ": a picture ends in .svg, .png or .pdf");
+}
+
+/// Of page `page` (from 0) of `pages`.
+std::string PathOf(const std::string& path, std::size_t page, std::size_t pages) {
+  if (pages == 1) return path;
+  const fs::path whole(path);
+  const std::string name =
+      whole.stem().string() + "-" + std::to_string(page + 1) + whole.extension().string();
+  return (whole.parent_path() / name).string();
+}
+
+std::string ToPdf(const Drawing& drawing) {
+  PdfWriter writer;
+  writer.Add(drawing);
+  writer.Finish();
+  return writer.Take();
 }
 
 }  // namespace
@@ -58,12 +77,42 @@ void WritePicture(const std::string& path, const Raster& raster) {
   WriteWhole(path, ToPng(raster));
 }
 
-std::string PicturePath(const std::string& path, std::size_t page, std::size_t pages) {
-  if (pages == 1) return path;
-  const fs::path whole(path);
-  const std::string name =
-      whole.stem().string() + "-" + std::to_string(page + 1) + whole.extension().string();
-  return (whole.parent_path() / name).string();
+struct PagePictures::Pdf {
+  explicit Pdf(const std::string& path) : file(path) {}
+  OutputFile file;
+  PdfWriter writer;
+};
+
+PagePictures::PagePictures(const std::string& path, std::size_t pages)
+    : path_(path), pages_(pages) {
+  if (KindOf(path) == PictureKind::kPdf) {
+    pdf_ = std::make_unique<Pdf>(path);
+  } else if (pages > kMostFiles) {
+    throw InputError(say::TooManyPictures(pages, kMostFiles));
+  }
+}
+
+PagePictures::~PagePictures() = default;
+
+void PagePictures::Add(const Drawing& page) {
+  if (pdf_ == nullptr) {
+    files_.push_back(PathOf(path_, files_.size(), pages_));
+    WritePicture(files_.back(), page);
+    return;
+  }
+  pdf_->writer.Add(page);
+  pdf_->file.Append(pdf_->writer.Take());
+}
+
+std::vector<std::string> PagePictures::Finish() {
+  if (pdf_ != nullptr) {
+    pdf_->writer.Finish();
+    pdf_->file.Append(pdf_->writer.Take());
+    pdf_->file.Finish();
+    pdf_.reset();
+    files_ = {path_};
+  }
+  return files_;
 }
 
 void AddPicture(CLI::App& app, std::string& path, const std::string& description) {

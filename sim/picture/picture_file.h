@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/picture/drawing.h"
 #include "sim/picture/raster.h"
@@ -21,12 +23,29 @@ void CheckPicturePath(const std::string& path);
 /// nothing half-written is left. Throws like CheckPicturePath, and LackError for a full disk.
 void WritePicture(const std::string& path, const Drawing& drawing);
 
+/// A picture for each page of something: in one file if it is a PDF, otherwise F.svg for a single
+/// page and F-1.svg, F-2.svg ... for several, 100 at most. Nothing half-written is left; of several
+/// files those that are finished stay.
+class PagePictures {
+ public:
+  /// Throws InputError for more files than 100, and like WritePicture.
+  PagePictures(const std::string& path, std::size_t pages);
+  ~PagePictures();
+  /// The next page. Throws like WritePicture.
+  void Add(const Drawing& page);
+  /// The files that were written, once all pages are there. Throws like WritePicture.
+  std::vector<std::string> Finish();
+
+ private:
+  struct Pdf;
+  std::string path_;
+  std::size_t pages_;
+  std::vector<std::string> files_;
+  std::unique_ptr<Pdf> pdf_;
+};
+
 /// The same for a picture of points, which is a PNG whatever else the ending says: InputError.
 void WritePicture(const std::string& path, const Raster& raster);
-
-/// The picture's path for page `page` (from 0) of `pages`: F.svg as it is for a single page,
-/// otherwise F-1.svg, F-2.svg ...
-std::string PicturePath(const std::string& path, std::size_t page, std::size_t pages);
 
 /// `--picture`; a path without an ending of pictures is a UsageError.
 void AddPicture(CLI::App& app, std::string& path, const std::string& description);

@@ -9,8 +9,9 @@
 namespace moontrace::say {
 
 std::string TooManyPictures(std::size_t pages, std::size_t limit) {
-  return fmt::format("--picture would write {} files, at most {}: give a shorter text", pages,
-                     limit);
+  return fmt::format(
+      "--picture would write {} files, at most {}: name a .pdf, which holds all pages", pages,
+      limit);
 }
 
 std::string PagePictureTitle(std::string_view script, std::size_t page, std::size_t pages) {

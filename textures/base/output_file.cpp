@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <system_error>
+#include <utility>
 
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
@@ -39,38 +39,6 @@ std::string TargetOf(const std::string& path) {
   return place.string();
 }
 
-/// A file beside the target; removed unless it was renamed to the target.
-class Partial {
- public:
-  explicit Partial(const std::string& path)
-      : path_(path), place_(TargetOf(path)), file_(std::fopen(partial().c_str(), "wb")) {
-    if (file_ == nullptr) CannotWrite(path, std::strerror(errno));
-  }
-  Partial(const Partial&) = delete;
-  Partial& operator=(const Partial&) = delete;
-  ~Partial() {
-    if (file_ != nullptr) std::fclose(file_);
-    if (!placed_) std::remove(partial().c_str());
-  }
-
-  void Write(const std::string& bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) Fail();
-    std::FILE* const file = file_;
-    file_ = nullptr;
-    if (std::fclose(file) != 0) Fail();
-    if (std::rename(partial().c_str(), place_.c_str()) != 0) Fail();
-    placed_ = true;
-  }
-
- private:
-  std::string partial() const { return place_ + ".partial"; }
-  [[noreturn]] void Fail() const { CannotWrite(path_, std::strerror(errno)); }
-
-  std::string path_, place_;
-  std::FILE* file_;
-  bool placed_ = false;
-};
-
 }  // namespace
 
 void MakeFolder(const std::string& folder) {
@@ -82,8 +50,35 @@ void MakeFolder(const std::string& folder) {
   }
 }
 
-void RequireWritable(const std::string& path) { const Partial tried(path); }
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), place_(TargetOf(path)), file_(std::fopen(partial().c_str(), "wb")) {
+  if (file_ == nullptr) CannotWrite(path, std::strerror(errno));
+}
 
-void WriteWhole(const std::string& path, const std::string& bytes) { Partial(path).Write(bytes); }
+OutputFile::~OutputFile() {
+  if (file_ != nullptr) std::fclose(file_);
+  if (!placed_) std::remove(partial().c_str());
+}
+
+void OutputFile::Append(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) Fail();
+}
+
+void OutputFile::Finish() {
+  std::FILE* const file = std::exchange(file_, nullptr);
+  if (std::fclose(file) != 0) Fail();
+  if (std::rename(partial().c_str(), place_.c_str()) != 0) Fail();
+  placed_ = true;
+}
+
+void OutputFile::Fail() const { CannotWrite(path_, std::strerror(errno)); }
+
+void RequireWritable(const std::string& path) { const OutputFile tried(path); }
+
+void WriteWhole(const std::string& path, const std::string& bytes) {
+  OutputFile file(path);
+  file.Append(bytes);
+  file.Finish();
+}
 
 }  // namespace moontrace

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace moontrace {
 
@@ -10,9 +12,29 @@ void MakeFolder(const std::string& folder);
 /// Throws LackError, one line, where WriteWhole cannot write. Leaves nothing behind.
 void RequireWritable(const std::string& path);
 
-/// Writes a file first beside its place, then renames it: nothing half-written is left. Behind a
-/// symbolic link the file that it names is written; what is there and no file (a folder, a pipe, a
-/// device) is left alone. Throws LackError.
+/// A file that is written part by part: first beside its place, then renamed by Finish, so that
+/// nothing half-written is left; without Finish what was written goes. Behind a symbolic link the
+/// file that it names is written; what is there and no file (a folder, a pipe, a device) is left
+/// alone. All throw LackError.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();
+  void Append(std::string_view bytes);
+  void Finish();
+
+ private:
+  std::string partial() const { return place_ + ".partial"; }
+  [[noreturn]] void Fail() const;
+
+  std::string path_, place_;
+  std::FILE* file_;
+  bool placed_ = false;
+};
+
+/// Writes all of a file, as an OutputFile.
 void WriteWhole(const std::string& path, const std::string& bytes);
 
 }  // namespace moontrace

@@ -146,10 +146,49 @@ TEST_F(PictureFile, CheckLeavesNothingBehind) {
   ExpectOnly({});
 }
 
-TEST(PicturePath, NumbersOnlySeveralPages) {
-  EXPECT_EQ(PicturePath("a/b.svg", 0, 1), "a/b.svg");
-  EXPECT_EQ(PicturePath("a/b.svg", 0, 2), "a/b-1.svg");
-  EXPECT_EQ(PicturePath("b.c.png", 11, 20), "b.c-12.png");
+TEST_F(PictureFile, NumbersOnlySeveralFiles) {
+  PagePictures one(In("a.svg"), 1);
+  one.Add(Sample());
+  EXPECT_EQ(one.Finish(), std::vector<std::string>{In("a.svg")});
+  PagePictures two(In("b.c.svg"), 2);
+  two.Add(Sample());
+  two.Add(Sample());
+  EXPECT_EQ(two.Finish(), (std::vector<std::string>{In("b.c-1.svg"), In("b.c-2.svg")}));
+  EXPECT_THROW(PagePictures(In("p.svg"), 101), InputError);
+  ExpectOnly({"a.svg", "b.c-1.svg", "b.c-2.svg"});
+}
+
+std::size_t PagesOf(const std::string& pdf) {
+  std::size_t pages = 0;
+  for (std::size_t at = 0; (at = pdf.find("/Type /Page", at)) != std::string::npos; ++at) {
+    pages += pdf[at + 11] != 's' ? 1 : 0;  // "/Pages" is their tree
+  }
+  return pages;
+}
+
+TEST_F(PictureFile, APdfHoldsAllPagesEachOfItsSize) {
+  if (!HaveCairo()) GTEST_SKIP() << "built without cairo";
+  PagePictures pages(In("p.pdf"), 300);
+  Drawing wide = Sample();
+  wide.width = 400;
+  for (int i = 0; i < 300; ++i) pages.Add(i == 7 ? wide : Sample());
+  ExpectOnly({"p.pdf.partial"});
+  EXPECT_EQ(pages.Finish(), std::vector<std::string>{In("p.pdf")});
+  ExpectOnly({"p.pdf"});
+  const std::string pdf = ReadAll(In("p.pdf"));
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_EQ(PagesOf(pdf), 300U);
+  EXPECT_NE(pdf.find("283.46"), std::string::npos);   // 100 mm in points
+  EXPECT_NE(pdf.find("1133.85"), std::string::npos);  // 400 mm
+}
+
+TEST_F(PictureFile, APdfThatIsNotFinishedLeavesNothing) {
+  if (!HaveCairo()) GTEST_SKIP() << "built without cairo";
+  {
+    PagePictures pages(In("p.pdf"), 2);
+    pages.Add(Sample());
+  }
+  ExpectOnly({});
 }
 
 }  // namespace
