@@ -75,6 +75,13 @@ void ReadLinks(const TomlTable& table, Label& label) {
   label.link_gap = Length(table, "link_gap_mm");
 }
 
+void ReadPunctuation(const TomlTable& table, Label& label) {
+  if (!table.Has("punctuation")) return;
+  const std::string given = table.String("punctuation");
+  if (given != "today" && given != "older") table.Fail("punctuation", "neither today nor older");
+  label.older_punctuation = given == "older";
+}
+
 void ReadTexture(const TomlTable& table, Label& label) {
   label.texture = Word(table, "texture");
   if (label.texture && !IsTextureWord(*label.texture)) {
@@ -106,6 +113,7 @@ Label ParseLabel(const std::string& name, const std::string& data, const std::st
   label.script = Word(table, "script");
   label.h_form = Word(table, "h_form");
   if (table.Has("grade")) label.grade = table.Number("grade");
+  ReadPunctuation(table, label);
   label.table = Word(table, "table");
   if (table.Has("slant_deg")) label.slant = table.Number("slant_deg") * std::numbers::pi / 180;
   label.stretch = Number(table, "stretch");

@@ -21,6 +21,7 @@ struct Label {
   std::optional<bool> embossed;
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
+  std::optional<bool> older_punctuation;
   std::optional<std::string> table;      ///< of liblouis, for Braille
   std::optional<double> slant, stretch;  ///< of letters [rad], of widths
   std::optional<bool> structure, heading_embossed, structure_texture;

@@ -132,6 +132,8 @@ void AddOptions(CLI::App& app, StyleOptions& options) {
   add_word("--table", options.table, help::kTable);
   add_word("--fallback-script", options.fallback_script, help::kFallbackScript);
   add_word("--only", options.only, help::kOnly);
+  AddChoice<std::optional<bool>>(app, "--punctuation", "today", false, "older", true,
+                                 options.older_punctuation, help::kPunctuation);
   AddNumber(app, "--slant-deg", options.slant, -30, 30, kDegree, help::kSlant);
   AddNumber(app, "--stretch", options.stretch, 0.5, 2, 1, help::kStretch);
   BeginGroup(app, help_group::kStructure);
@@ -249,6 +251,8 @@ TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Scri
   style.word_gap = layout.word_gap.value_or(style.word_gap);
   style.line_pitch = layout.line_pitch.value_or(style.line_pitch);
   style.table = chosen(options.table, from.table).value_or("");
+  style.older_punctuation =
+      chosen(options.older_punctuation, from.older_punctuation).value_or(false);
   if (options.only) style.only = TaughtSigns(*options.only, script);
   style.lines = layout.lines;
   style.paragraph_gap = layout.paragraph_gap;

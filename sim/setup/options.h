@@ -40,6 +40,7 @@ struct StyleOptions {
   std::optional<std::string> script, h_form;
   std::optional<double> grade;
   std::optional<std::string> table, only, fallback_script;
+  std::optional<bool> older_punctuation;
   std::optional<double> slant, stretch;  ///< [rad], of widths
   bool structure = false;
   std::optional<double> heading_scale;

@@ -108,6 +108,7 @@ Json StyleJson(const TypeStyle& style) {
                {"table", style.table},
                {"only", style.only},
                {"lines", NameOf(style.lines)}};
+  if (style.older_punctuation) json["older_punctuation"] = true;
   json["rules"] = RulesJson(style.rules);
   if (style.texture.paper) json["texture"] = TextureJson(style.texture);
   if (style.paragraph_gap) json["paragraph_gap_m"] = *style.paragraph_gap;
@@ -139,6 +140,7 @@ TypeStyle StyleFrom(const Json& json) {
   style.h_form = json.at("h_form");
   // Records of earlier versions have none of these.
   style.table = json.value("table", std::string());
+  style.older_punctuation = json.value("older_punctuation", false);
   style.only = json.value("only", std::vector<std::string>());
   style.lines =
       LineDirectionOf(json.value("lines", std::string())).value_or(LineDirection::kLeftToRight);

@@ -140,6 +140,7 @@ Json TypesetJson(const Typeset& set, const Script& script, const PageCounts& cou
   json["letter_gap_mm"] = kMillimetres * set.style.letter_gap;
   json["h_form"] = set.style.h_form;
   json["grade"] = set.style.grade;
+  if (set.style.older_punctuation) json["punctuation"] = "older";
   json["slant_deg"] = InDegrees(set.style.form.slant);
   json["stretch"] = set.style.form.stretch;
   if (set.style.structure.read) json["structure"] = StructureJson(set);

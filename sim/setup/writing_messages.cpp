@@ -52,4 +52,9 @@ std::string MoreWords(std::size_t count) {
   return fmt::format("And {} more; --json lists the first 1000.", Counted(count, "word", "words"));
 }
 
+std::string WrittenAlike(std::size_t count) {
+  return fmt::format("Written alike in both readings: {} of these.",
+                     Counted(count, "word", "words"));
+}
+
 }  // namespace moontrace::say

@@ -17,6 +17,8 @@ std::string ReadBackOutcome(const BackTranslation& back);
 std::string ReadBackLine(std::string_view line);
 std::string ReadOtherwise(std::string_view was, std::string_view became);
 std::string MoreWords(std::size_t count);
+/// Of the words that read otherwise, those that no reader can tell apart.
+std::string WrittenAlike(std::size_t count);
 
 namespace help {
 inline constexpr const char* kTable =
@@ -27,6 +29,9 @@ inline constexpr const char* kFallbackScript =
 inline constexpr const char* kOnly =
     "signs taught so far, like abc+th: letters, then names of signs; contractions with others are "
     "spelled out, letters not among them left out and told.";
+inline constexpr const char* kPunctuation =
+    "today or older: Moon's older rules put the question mark before its question, which ends in a "
+    "short stop, as colons and abbreviations do. Default today.";
 inline constexpr const char* kLines =
     "left-to-right, right-to-left, alternate (old Moon, with guide lines) or vertical (downwards, "
     "the next to the left). Default left-to-right.";

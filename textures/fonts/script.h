@@ -36,6 +36,13 @@ struct Contraction {
   enum class Where { kAnywhere, kWholeWord, kPartOfWord, kWordEnd } where = Where::kAnywhere;
 };
 
+/// Rules of punctuation that a script had before today's.
+struct OlderPunctuation {
+  char32_t short_stop = 0;              ///< 0: the script has no such rules
+  std::set<char32_t> serves;            ///< marks that the short stop stands for as well
+  std::set<std::string> abbreviations;  ///< words whose full stop is a short one, small letters
+};
+
 /// A tactile script: glyphs from an SVG 1.1 stroke font, rules from the TOML file of the same name.
 struct Script {
   std::string name;  ///< "moon"
@@ -54,7 +61,8 @@ struct Script {
       folds;  ///< character -> replacement text, before Unicode's own folding
   std::vector<Contraction> contractions;
   std::map<std::string, std::map<std::string, std::string>>
-      forms;                  ///< "h" -> {"crescent": "h", "arc": "h.arc", ...}
+      forms;  ///< "h" -> {"crescent": "h", "arc": "h.arc", ...}
+  OlderPunctuation older_punctuation;
   char32_t protect_mark = 0;  ///< written before a group it forbids the contraction; 0 = none
 
   /// Of Braille: grade -> table of liblouis, which then writes the text in place of the rules

@@ -139,6 +139,15 @@ void ReadForms(const TomlTable& table, const Names& names, Script& script) {
   }
 }
 
+void ReadOlderPunctuation(const TomlTable& table, OlderPunctuation& older) {
+  older.short_stop = OneCharacter(table, "short_stop", table.String("short_stop"));
+  for (const std::string& mark : table.Strings("serves")) {
+    older.serves.insert(OneCharacter(table, "serves", mark));
+  }
+  for (const std::string& word : table.Strings("abbreviations")) older.abbreviations.insert(word);
+  table.FailUnknown();
+}
+
 }  // namespace
 
 void ReadRules(std::string_view toml, const std::string& file_name, Script& script) {
@@ -166,6 +175,9 @@ void ReadRules(std::string_view toml, const std::string& file_name, Script& scri
     for (const std::string& key : folds.Keys()) {
       script.folds[OneCharacter(folds, key, key)] = folds.String(key);
     }
+  }
+  if (table.Has("older_punctuation")) {
+    ReadOlderPunctuation(table.Table("older_punctuation"), script.older_punctuation);
   }
   if (table.Has("forms")) ReadForms(table.Table("forms"), names, script);
   table.FailUnknown();

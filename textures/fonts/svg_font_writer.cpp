@@ -140,6 +140,16 @@ std::string Joined(const std::vector<std::string>& parts) {
   return result;
 }
 
+void AppendOlderPunctuation(const OlderPunctuation& older, std::string& toml) {
+  if (older.short_stop == 0) return;
+  std::vector<std::string> serves, abbreviations;
+  for (const char32_t mark : older.serves) serves.push_back(Quoted(ToUtf8(mark)));
+  for (const std::string& word : older.abbreviations) abbreviations.push_back(Quoted(word));
+  toml += fmt::format("\n[older_punctuation]\nshort_stop = {}\nserves = [{}]\n",
+                      Quoted(ToUtf8(older.short_stop)), Joined(serves));
+  toml += fmt::format("abbreviations = [{}]\n", Joined(abbreviations));
+}
+
 void AppendMaps(const Script& script, std::string& toml) {
   const std::map<std::string, char32_t> in_font = CharactersOf(script);
   std::string signs, folds;
@@ -161,6 +171,7 @@ void AppendMaps(const Script& script, std::string& toml) {
     toml += fmt::format("\n[numerals]\nsign = {}\ndigits = {{ {} }}\n", Quoted(script.numeral_sign),
                         Joined(digits));
   }
+  AppendOlderPunctuation(script.older_punctuation, toml);
   for (const auto& [letter, forms] : script.forms) {
     toml += fmt::format("\n[forms.{}]\n", Quoted(letter));
     for (const auto& [form, glyph] : forms) {

@@ -10,6 +10,7 @@
 #include "textures/typeset/braille_writer.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/make_writer.h"
+#include "textures/typeset/older_punctuation.h"
 #include "textures/typeset/writer.h"
 
 namespace moontrace {
@@ -139,7 +140,7 @@ std::string SignReader::Read(const std::vector<Sign>& signs) const {
     in_number = false;
     if (const Group* group = Match(signs, at, letter_before)) {
       text += group->print;
-      letter_before = true;
+      letter_before = IsLetter(ToCodePoints(group->print).back());
       at += group->glyphs.size();
       continue;
     }
@@ -231,6 +232,7 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
   for (std::size_t number = 1; folder.NextLine(line); ++number) {
     signs.clear();
     if (style.structure.read) TakeMarks(text, line);
+    if (style.older_punctuation) UseOlderPunctuation(text, script, line);
     writer->Write(text, number, line, signs, notes);
     Compare(reader->Read(signs), Wanted(line), result);
   }

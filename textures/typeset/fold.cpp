@@ -135,7 +135,10 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
     first.end = static_cast<std::uint32_t>(end);
     first.column = static_cast<std::uint32_t>(column);
     if (end == base_end) {
-      Append(FormOf(c), first, line);
+      const Form& form = FormOf(c);
+      const bool padded = form.text.size() > 1 && form.changed &&
+                          (form.text.front() == U' ' || form.text.back() == U' ');
+      Append(padded ? Parted(form, end, line) : form, first, line);
     } else {
       // One composed character if there is one (its own sign or fold counts), else the marks go.
       const char32_t composed = Composed(at_, end);
@@ -154,6 +157,24 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
   return true;
 }
 
+// The form with spaces at its edges only where it would else join a word or a number.
+Folder::Form Folder::Parted(const Form& form, std::size_t next,
+                            const std::vector<FoldedChar>& line) {
+  const auto joins = [](char32_t c) { return IsLetter(c) || (c >= U'0' && c <= U'9'); };
+  Form parted = form;
+  const bool join_before =
+      !line.empty() && line.back().kind == FoldedChar::Kind::kSign && joins(line.back().code);
+  if (parted.text.front() == U' ' && !join_before) parted.text.erase(0, 1);
+  bool join_behind = false;
+  if (next < text_.size()) {
+    std::size_t behind = 0;
+    const Form& other = FormOf(Read(next, behind));
+    join_behind = other.kind == FoldedChar::Kind::kSign && joins(other.text.front());
+  }
+  if (parted.text.back() == U' ' && !join_behind) parted.text.pop_back();
+  return parted;
+}
+
 void Folder::Append(const Form& form, FoldedChar first, std::vector<FoldedChar>& line) const {
   first.kind = form.kind;
   first.changed = form.changed;
@@ -164,7 +185,16 @@ void Folder::Append(const Form& form, FoldedChar first, std::vector<FoldedChar>&
     line.push_back(first);
     return;
   }
-  for (std::size_t i = 0; i < form.text.size(); ++i) {
+  std::size_t i = 0;
+  if (form.text.size() > 1 && form.text.front() == U' ') {  // stands for nothing
+    FoldedChar space;
+    space.begin = space.end = first.begin;
+    space.column = first.column;
+    space.kind = FoldedChar::Kind::kSpace;
+    line.push_back(space);
+    i = 1;
+  }
+  for (; i < form.text.size(); ++i) {
     first.code = form.text[i];
     if (form.kind == FoldedChar::Kind::kSign) {
       first.letter = IsLetter(first.code);
@@ -233,7 +263,8 @@ Folder::Form Folder::Fold(char32_t c) const {
     return form;
   }
   const char32_t lower = Lower(c);
-  if (FoldByTable(c, form)) return form;
+  const bool liblouis_has = !script_.braille_tables.empty() && HasSign(c);
+  if (!liblouis_has && FoldByTable(c, form)) return form;
   if (HasSign(c)) {
     form.kind = Kind::kSign;
     form.changed = script_.borrowed.count(c) > 0;

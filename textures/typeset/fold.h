@@ -41,10 +41,11 @@ struct FoldedChar {
   Replaced replaced = Replaced::kFolded;  ///< where `changed`
 };
 
-/// Reads UTF-8 text line by line and folds it to what a script has: the script's own table first,
-/// then upper to lower case, then Unicode's compatibility decomposition without combining marks,
+/// Reads UTF-8 text line by line and folds it to what a script has: the script's own table first
+/// (for Braille, the characters that the table of liblouis has), then upper to lower case, then Unicode's compatibility decomposition without combining marks,
 /// then the script's transliterations, then its names in square brackets ("[euro sign]").
-/// A character of which a part has no sign is missing as a whole. A byte order mark is skipped;
+/// A character of which a part has no sign is missing as a whole. A space at the edge of a
+/// replacement (" and " of &) stands only beside a letter or a digit. A byte order mark is skipped;
 /// CR, CRLF, form feed and Unicode's own separators end a line. Linear in the text.
 class Folder {
  public:
@@ -71,6 +72,7 @@ class Folder {
   const Form& FormOf(char32_t c);
   Form Fold(char32_t c) const;
   bool FoldByTable(char32_t c, Form& form) const;
+  Form Parted(const Form& form, std::size_t next, const std::vector<FoldedChar>& line);
   bool FoldByUnicode(char32_t c, bool transliterate, Form& form) const;
   bool WriteParts(const std::u32string& parts, bool transliterate, std::u32string& written) const;
   bool Transliterate(char32_t c, std::u32string& text) const;

@@ -10,6 +10,9 @@
 namespace moontrace {
 
 std::unique_ptr<Writer> MakeWriter(const Script& script, const TypeStyle& style) {
+  if (style.older_punctuation && script.older_punctuation.short_stop == 0) {
+    throw InputError(fmt::format("script {} has no older punctuation: leave it out", script.name));
+  }
   if (!script.braille_tables.empty()) {
     if (!style.h_form.empty()) {
       throw InputError(fmt::format("script {} has one form of h only, no '{}': leave the form out",

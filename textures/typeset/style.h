@@ -77,7 +77,8 @@ struct TypeStyle {
   double grade = 1;       ///< that the script knows
   std::string h_form;     ///< "crescent", "arc", "pocket", "reverse-n"; empty = the script's own
   std::string table;      ///< of liblouis, for Braille; empty = the script's own at the grade
-  std::vector<std::string> only;  ///< names of the signs taught so far; empty = all
+  bool older_punctuation = false;  ///< see older_punctuation.h; only of scripts that have it
+  std::vector<std::string> only;   ///< names of the signs taught so far; empty = all
   LineDirection lines = LineDirection::kLeftToRight;
   /// In place of the empty line between paragraphs (blank lines of the text) [m]; in alternating
   /// lines, which run on, along the line. Default: an empty line; two word spaces.

@@ -13,6 +13,7 @@
 #include "textures/typeset/fold.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/make_writer.h"
+#include "textures/typeset/older_punctuation.h"
 #include "textures/typeset/rules.h"
 #include "textures/typeset/sheet_texture.h"
 #include "textures/typeset/writer.h"
@@ -135,6 +136,7 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
     signs.clear();
     LineMarks marks;
     if (style.structure.read) marks = TakeMarks(text, line);
+    if (style.older_punctuation) UseOlderPunctuation(text, script, line);
     writer->Write(text, number, line, signs, result);
     TakeStructure(marks, before, signs, result.structure);
     before = marks.kind;

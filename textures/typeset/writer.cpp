@@ -41,6 +41,7 @@ std::string Became(const std::vector<FoldedChar>& line, std::size_t at) {
   for (std::size_t i = at + 1; i < line.size() && line[i].begin == line[i].end; ++i) {
     became += ToUtf8(line[i].code);
   }
+  while (!became.empty() && became.back() == ' ') became.pop_back();  // parts it from what follows
   return became;
 }
 

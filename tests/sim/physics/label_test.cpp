@@ -15,7 +15,8 @@ std::string Failure(const std::string& data) {
 TEST(Label, ReadsEveryKeyInTheUnitsOfItsName) {
   const Label label = Parse(
       "{text='MUG', size_mm=10, at_mm=[5, -2.5], width_mm=1.2, depth_mm=0.5, rounding_mm=0.2, "
-      "embossed=true, script='moon', h_form='arc', grade=0.5, table='de-g2.ctb'}");
+      "embossed=true, script='moon', h_form='arc', grade=0.5, table='de-g2.ctb', "
+      "punctuation='older'}");
   EXPECT_EQ(label.geom, "page");
   EXPECT_EQ(label.text, "MUG");
   EXPECT_EQ(label.at, glm::dvec2(5 * 0.001, -2.5 * 0.001));
@@ -26,6 +27,7 @@ TEST(Label, ReadsEveryKeyInTheUnitsOfItsName) {
   EXPECT_TRUE(label.embossed.value());
   EXPECT_EQ(label.script.value(), "moon");
   EXPECT_EQ(label.h_form.value(), "arc");
+  EXPECT_EQ(label.older_punctuation, true);
   EXPECT_EQ(label.grade.value(), 0.5);
   EXPECT_EQ(label.table.value(), "de-g2.ctb");
 }

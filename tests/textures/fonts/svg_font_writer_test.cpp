@@ -56,6 +56,9 @@ TEST(WriteSvgFont, MoonComesBackWithAllItsRules) {
   EXPECT_EQ(again.numeral_sign, moon.numeral_sign);
   EXPECT_EQ(again.folds, moon.folds);
   EXPECT_EQ(again.forms, moon.forms);
+  EXPECT_EQ(again.older_punctuation.short_stop, moon.older_punctuation.short_stop);
+  EXPECT_EQ(again.older_punctuation.serves, moon.older_punctuation.serves);
+  EXPECT_EQ(again.older_punctuation.abbreviations, moon.older_punctuation.abbreviations);
   EXPECT_EQ(again.grades, moon.grades);
   EXPECT_EQ(again.protect_mark, moon.protect_mark);
   EXPECT_DOUBLE_EQ(again.stroke_width, moon.stroke_width);
