@@ -122,12 +122,16 @@ std::string PageJson(const TextPage& page, const std::vector<std::string>& names
 }
 
 Json ReadBackJson(const BackTranslation& back) {
-  Json json = {{"text", back.text},         {"wanted", back.wanted},
-               {"words", back.words},       {"differ_count", back.differ_count},
-               {"left_out", back.left_out}, {"replaced", back.replaced},
+  Json json = {{"text", back.text},
+               {"wanted", back.wanted},
+               {"words", back.words},
+               {"differ_count", back.differ_count},
+               {"left_out", back.left_out},
+               {"replaced", back.replaced},
+               {"alike_count", back.alike_count},
                {"differ", Json::array()}};
-  for (const auto& [was, became] : back.differ) {
-    json["differ"].push_back({{"was", was}, {"became", became}});
+  for (const DifferentWord& word : back.differ) {
+    json["differ"].push_back({{"was", word.first}, {"became", word.second}, {"alike", word.alike}});
   }
   return json;
 }
@@ -138,6 +142,7 @@ void SayReadBack(const BackTranslation& back, Console& console) {
   for (std::size_t i = 0; i < said; ++i) {
     console.Result(say::ReadOtherwise(back.differ[i].first, back.differ[i].second));
   }
+  if (back.alike_count > 0) console.Result(say::WrittenAlike(back.alike_count));
   if (back.differ_count > said) console.Result(say::MoreWords(back.differ_count - said));
   std::size_t lines = 0;
   for (std::size_t at = 0; at < back.text.size() && lines < kMostLinesSaid; ++lines) {

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "textures/base/utf8.h"
-#include "textures/typeset/braille_writer.h"
+#include "textures/typeset/braille_reader.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/make_writer.h"
 #include "textures/typeset/older_punctuation.h"
@@ -23,14 +23,14 @@ constexpr const char* kUnknown = "\uFFFD";
 class Reader {
  public:
   virtual ~Reader() = default;
-  virtual std::string Read(const std::vector<Sign>& signs) const = 0;
+  virtual std::string Read(const std::vector<Sign>& signs) = 0;
 };
 
 // By the rules of a script, applied in reverse.
 class SignReader : public Reader {
  public:
   SignReader(const Script& script, double grade);
-  std::string Read(const std::vector<Sign>& signs) const override;
+  std::string Read(const std::vector<Sign>& signs) override;
 
  private:
   struct Group {
@@ -119,7 +119,7 @@ const SignReader::Group* SignReader::Match(const std::vector<Sign>& signs, std::
   return nullptr;
 }
 
-std::string SignReader::Read(const std::vector<Sign>& signs) const {
+std::string SignReader::Read(const std::vector<Sign>& signs) {
   std::string text;
   bool in_number = false, letter_before = false;
   for (std::size_t at = 0; at < signs.size();) {
@@ -156,7 +156,7 @@ std::string SignReader::Read(const std::vector<Sign>& signs) const {
 class CellReader : public Reader {
  public:
   CellReader(const Script& script, const TypeStyle& style)
-      : table_(BrailleTableOf(script, style.grade, style.table)), cells_(script.glyphs.size(), 0) {
+      : reader_(script, style), cells_(script.glyphs.size(), 0) {
     for (char32_t dots = 1; dots < 256; ++dots) {
       const auto sign = script.signs.find(0x2800 + dots);
       const std::size_t glyph =
@@ -164,15 +164,15 @@ class CellReader : public Reader {
       if (glyph != Script::npos) cells_[glyph] = static_cast<std::uint8_t>(dots);
     }
   }
-  std::string Read(const std::vector<Sign>& signs) const override {
+  std::string Read(const std::vector<Sign>& signs) override {
     std::vector<std::uint8_t> cells;
     cells.reserve(signs.size());
     for (const Sign& sign : signs) cells.push_back(sign.space ? 0 : cells_[sign.glyph]);
-    return table_.ReadBack(cells);
+    return reader_.Read(cells);
   }
 
  private:
-  BrailleTable table_;
+  BrailleReader reader_;
   std::vector<std::uint8_t> cells_;  // of each glyph
 };
 
@@ -196,22 +196,58 @@ std::vector<std::string> Words(const std::string& text) {
   return words;
 }
 
-void Compare(const std::string& read, const std::string& wanted, BackTranslation& result) {
+// Glyphs of a text; kNoGlyph for a space.
+class Rewriter {
+ public:
+  Rewriter(const Writer& writer, const Script& script) : writer_(writer), script_(script) {}
+  bool Alike(const std::string& one, const std::string& other) const {
+    return GlyphsOf(one) == GlyphsOf(other);
+  }
+
+ private:
+  std::vector<std::uint32_t> GlyphsOf(const std::string& text) const;
+
+  const Writer& writer_;
+  const Script& script_;
+};
+
+std::vector<std::uint32_t> Rewriter::GlyphsOf(const std::string& text) const {
+  constexpr std::uint32_t kNoGlyph = ~std::uint32_t{0};
+  std::vector<std::uint32_t> glyphs;
+  if (text.empty()) return glyphs;
+  Folder folder(text, script_, [this](char32_t c) { return writer_.Has(c); });
+  Typeset notes;
+  std::vector<FoldedChar> line;
+  std::vector<Sign> signs;
+  while (folder.NextLine(line)) writer_.Write(text, 1, line, signs, notes);
+  for (const Sign& sign : signs) glyphs.push_back(sign.space ? kNoGlyph : sign.glyph);
+  return glyphs;
+}
+
+std::string Joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? " " : "") + words[i];
+  return text;
+}
+
+void Compare(const std::string& read, const std::string& wanted, const Rewriter& rewriter,
+             BackTranslation& result) {
   const std::vector<std::string> have = Words(read), want = Words(wanted);
+  const std::string have_text = Joined(have), want_text = Joined(want);
+  const bool all_alike = have_text != want_text && rewriter.Alike(have_text, want_text);
   result.words += want.size();
   for (std::size_t i = 0; i < std::max(have.size(), want.size()); ++i) {
-    const std::string was = i < want.size() ? want[i] : "";
-    const std::string became = i < have.size() ? have[i] : "";
-    if (was == became) continue;
+    DifferentWord word;
+    if (i < want.size()) word.first = want[i];
+    if (i < have.size()) word.second = have[i];
+    if (word.first == word.second) continue;
+    word.alike = all_alike || rewriter.Alike(word.first, word.second);
     ++result.differ_count;
-    if (result.differ.size() < kMostDiffering) result.differ.emplace_back(was, became);
+    if (word.alike) ++result.alike_count;
+    if (result.differ.size() < kMostDiffering) result.differ.push_back(std::move(word));
   }
-  const auto append = [](std::string& text, const std::vector<std::string>& words) {
-    for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? " " : "") + words[i];
-    text += '\n';
-  };
-  append(result.text, have);
-  append(result.wanted, want);
+  result.text += have_text + '\n';
+  result.wanted += want_text + '\n';
 }
 
 }  // namespace
@@ -225,6 +261,7 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
     reader = std::make_unique<CellReader>(script, style);
   }
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
+  const Rewriter rewriter(*writer, script);
   BackTranslation result;
   Typeset notes;  // only counted here; SetText reports them one by one
   std::vector<FoldedChar> line;
@@ -234,7 +271,7 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
     if (style.structure.read) TakeMarks(text, line);
     if (style.older_punctuation) UseOlderPunctuation(text, script, line);
     writer->Write(text, number, line, signs, notes);
-    Compare(reader->Read(signs), Wanted(line), result);
+    Compare(reader->Read(signs), Wanted(line), rewriter, result);
   }
   result.left_out = notes.missing_count + notes.untaught_count;
   result.replaced = notes.folded_count;

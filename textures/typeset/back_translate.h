@@ -10,14 +10,21 @@
 
 namespace moontrace {
 
+/// A word that reads otherwise.
+struct DifferentWord {
+  std::string first;   ///< as wanted
+  std::string second;  ///< as read
+  bool alike = false;  ///< both are written in the same signs: no reader can tell them apart
+};
+
 /// What signs say, and what was meant.
 struct BackTranslation {
   std::string text;    ///< as read from the signs, UTF-8, line by line of the source
   std::string wanted;  ///< the source text, folded to what the script can write, alike
-  /// Words of `wanted` that read otherwise, with what they read as: the first 1000; count of all.
-  std::vector<std::pair<std::string, std::string>> differ;
-  std::size_t differ_count = 0;
-  std::size_t words = 0;  ///< of `wanted`
+  std::vector<DifferentWord> differ;  ///< words of `wanted`: the first 1000
+  std::size_t differ_count = 0;       ///< of all
+  std::size_t alike_count = 0;        ///< of those, the ones that are written alike
+  std::size_t words = 0;              ///< of `wanted`
   /// Characters of the source that no sign stands for, and those written otherwise (é as e).
   std::size_t left_out = 0, replaced = 0;
 };
@@ -28,8 +35,8 @@ struct BackTranslation {
 /// stand there is read before letters, one for a whole word before one for a part of it; digits
 /// follow the numeral sign until another sign. What Moon cannot distinguish is always read as one
 /// of the two: a capital as a small letter, a letter a to j directly behind a number as a digit, at
-/// grade 2 the word "l" as "like". Braille is read by liblouis, capitals kept; its contractions
-/// have exceptions that back-translation need not know.
+/// grade 2 the word "l" as "like". Braille is read by braille_reader.h, capitals kept where its
+/// table writes them.
 ///
 /// `wanted` is what the Folder makes of the text: small letters where the script has no others,
 /// without accents that it lacks, and without protect marks and characters that have no sign.

@@ -293,7 +293,7 @@ std::string BrailleTable::ReadBack(const std::vector<std::uint8_t>& cells) const
   int taken = static_cast<int>(input.size());
   int given = static_cast<int>(output.size());
   const int good = lou_backTranslateString(name_.c_str(), input.data(), &taken, output.data(),
-                                           &given, nullptr, nullptr, dotsIO);
+                                           &given, nullptr, nullptr, dotsIO | noUndefined);
   std::string text;
   for (int i = 0; good != 0 && i < given; ++i) {
     text += ToUtf8(static_cast<char32_t>(output[static_cast<std::size_t>(i)]));

@@ -35,8 +35,8 @@ class BrailleTable {
   /// InputError when the table makes more than 16 cells of a character.
   std::vector<BrailleCell> Translate(std::u32string_view line) const;
 
-  /// What the cells say, UTF-8. Braille is read by rules of its own: it need not be what was
-  /// written.
+  /// What the cells say, UTF-8; nothing for a cell that the table does not read. Braille is read by
+  /// rules of its own: it need not be what was written.
   std::string ReadBack(const std::vector<std::uint8_t>& cells) const;
 
  private:

@@ -90,6 +90,49 @@ TEST_F(WritingOptions, FallbacksAreToldByTheirKind) {
   EXPECT_EQ(json["counts"]["folded"], 2);
 }
 
+// moon-script reference, section 6.
+TEST_F(WritingOptions, PunctuationIsThatOfTodayOrTheOlder) {
+  EXPECT_EQ(Names(PageJson({}, "Is it?")), "i s i t question");
+  EXPECT_EQ(Names(PageJson({"--punctuation", "today"}, "Is it?")), "i s i t question");
+  const nlohmann::json older = PageJson({"--punctuation", "older"}, "Is it? Mr. A: b");
+  EXPECT_EQ(Names(older), "question i s i t comma m r comma a comma b");
+  EXPECT_EQ(older["punctuation"], "older");
+  EXPECT_EQ(older["counts"]["folded"], 3);
+  EXPECT_FALSE(PageJson({}, "a").contains("punctuation"));
+  EXPECT_EQ(RunLine({"page", "a", "--punctuation", "new"}).code, 2);
+  const Outcome shapes =
+      RunLine({"page", "\u25CB", "--script", "shapes", "--punctuation", "older"});
+  EXPECT_EQ(shapes.code, 3);
+  EXPECT_NE(shapes.err.find("script shapes has no older punctuation"), std::string::npos)
+      << shapes.err;
+}
+
+TEST_F(WritingOptions, ReadBackCountsWhatIsWrittenAlike) {
+  const Outcome other = RunLine({"page", "room 3d", "--read-back"});
+  EXPECT_NE(other.out.find("Written alike in both readings: 1 word of these."), std::string::npos)
+      << other.out;
+  const nlohmann::json json = PageJson({"--read-back"}, "room 3d");
+  EXPECT_EQ(json["read_back"]["alike_count"], 1);
+  EXPECT_TRUE(json["read_back"]["differ"][0]["alike"].get<bool>());
+}
+
+// The first pages are kept and said; the rest are set once more for JSON.
+TEST_F(WritingOptions, BooksOfManyPagesAreWholeInJson) {
+  std::string text;
+  for (int i = 0; i < 150; ++i) text += "ab " + std::to_string(i) + '\n';
+  const nlohmann::json book = PageJson({"--page", "120x40"}, text);
+  ASSERT_EQ(book["pages"].size(), 150U);
+  EXPECT_EQ(book["lines"], 150);
+  const nlohmann::json& last = book["pages"][149]["glyphs"];
+  ASSERT_EQ(last.size(), 6U);  // a, b, numeral, three digits
+  EXPECT_EQ(last[5]["name"], "i");
+  EXPECT_EQ(last[5]["source"][1], text.size() - 1);
+  const Outcome said = RunLine({"page", text, "--page", "120x40"});
+  EXPECT_NE(said.out.find("150 pages, 150 lines, "), std::string::npos);
+  EXPECT_NE(said.out.find("Page 100, line 1: a b, numeral i i"), std::string::npos);
+  EXPECT_NE(said.out.find("And 50 more lines; --json lists all."), std::string::npos);
+}
+
 TEST_F(WritingOptions, LinesRunInEachDirection) {
   const auto x = [](const nlohmann::json& page, std::size_t i) {
     return page["pages"][0]["glyphs"][i]["origin_mm"][0].get<double>();
@@ -107,10 +150,11 @@ TEST_F(WritingOptions, AreKeptByARecord) {
   const std::vector<std::vector<std::string>> all = {
       {"--lines", "alternate", "--page", "70x150", "--only", "ait"},
       {"--lines", "vertical", "--paragraph-gap-mm", "3"},
+      {"--punctuation", "older"},
       {"--script", "braille", "--grade", "2"}};
   for (const std::vector<std::string>& more : all) {
     const Outcome trace =
-        RunLine(With({"trace", "it\n\nait", "--record", In("r"), "--quiet"}, more));
+        RunLine(With({"trace", "it?\n\nait", "--record", In("r"), "--quiet"}, more));
     if (trace.code == 4) continue;  // built without liblouis
     ASSERT_EQ(trace.code, 0) << trace.err;
     const Outcome replay = RunLine({"replay", In("r"), "--check"});

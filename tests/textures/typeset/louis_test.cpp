@@ -79,24 +79,16 @@ std::string Output(const std::string& command) {
   return output;
 }
 
-class LouisTables : public Louis, public ::testing::WithParamInterface<const char*> {};
+bool HasLouTranslate() { return std::system("command -v lou_translate >/dev/null 2>&1") == 0; }
 
-// The outside source: the program of liblouis itself.
-TEST_P(LouisTables, GiveTheCellsOfLouTranslate) {
-  if (std::system("command -v lou_translate >/dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "lou_translate is missing: install liblouis-bin";
-  }
-  const BrailleTable table(GetParam());
-  const std::vector<std::string> lines = Corpus(table);
-  ASSERT_GT(lines.size(), 200U);
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  const std::string file = Write("corpus.txt", text);
-  const std::string output =
-      Output("lou_translate unicode.dis," + std::string(GetParam()) + " < '" + file + "'");
+// The outside source: the program of liblouis itself, which reads the lines from `file`. Compared
+// line by line, so that a failure shows one.
+void ExpectAsLouTranslate(const std::string& name, const std::vector<std::string>& lines,
+                          const std::string& file) {
+  const BrailleTable table(name);
+  const std::string output = Output("lou_translate unicode.dis," + name + " < '" + file + "'");
   std::string ours;
   for (const std::string& line : lines) ours += Cells(table, ToCodePoints(line)) + '\n';
-  // Compared line by line, so that a failure shows one.
   for (std::size_t at = 0, line = 0; at < ours.size(); ++line) {
     const std::size_t end = ours.find('\n', at);
     ASSERT_EQ(ours.substr(at, end - at), output.substr(at, end - at)) << lines[line];
@@ -105,10 +97,57 @@ TEST_P(LouisTables, GiveTheCellsOfLouTranslate) {
   EXPECT_EQ(ours.size(), output.size());
 }
 
+class LouisTables : public Louis, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(LouisTables, GiveTheCellsOfLouTranslate) {
+  if (!HasLouTranslate()) GTEST_SKIP() << "lou_translate is missing: install liblouis-bin";
+  const std::vector<std::string> lines = Corpus(BrailleTable(GetParam()));
+  ASSERT_GT(lines.size(), 200U);
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  ExpectAsLouTranslate(GetParam(), lines, Write("corpus.txt", text));
+}
+
 INSTANTIATE_TEST_SUITE_P(Tables, LouisTables,
                          ::testing::Values("en-ueb-g1.ctb", "en-ueb-g2.ctb", "en-us-g2.ctb",
                                            "de-g0.utb", "de-g2.ctb", "fr-bfu-comp8.utb",
                                            "en-us-comp8-ext.utb"));
+
+struct WordList {
+  const char* table;
+  const char* file;
+  const char* package;
+  std::size_t words;  // 16,000 of three languages in all
+};
+
+class SlowLouisWords : public Louis, public ::testing::WithParamInterface<WordList> {};
+
+// Words all over a dictionary of Debian, each standing alone, where contractions depend on both
+// ends.
+TEST_P(SlowLouisWords, AreWrittenInTheCellsOfLouTranslate) {
+  const WordList& list = GetParam();
+  if (!HasLouTranslate()) GTEST_SKIP() << "lou_translate is missing: install liblouis-bin";
+  const std::string path = std::string("/usr/share/dict/") + list.file;
+  if (!std::ifstream(path)) GTEST_SKIP() << "no list of words: install " << list.package;
+  std::vector<std::string> all, words;
+  std::ifstream in(path);
+  for (std::string word; std::getline(in, word);) all.push_back(word);
+  ASSERT_GE(all.size(), list.words);
+  std::string text;
+  for (std::size_t i = 0; i < list.words; ++i) {
+    words.push_back(all[i * all.size() / list.words]);
+    text += words.back() + '\n';
+  }
+  ExpectAsLouTranslate(list.table, words, Write("words.txt", text));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, SlowLouisWords,
+    ::testing::Values(WordList{"en-ueb-g1.ctb", "american-english", "wamerican", 4000},
+                      WordList{"en-ueb-g2.ctb", "american-english", "wamerican", 4000},
+                      WordList{"de-g1.ctb", "ngerman", "wngerman", 2000},
+                      WordList{"de-g2.ctb", "ngerman", "wngerman", 2000},
+                      WordList{"fr-bfu-comp6.utb", "french", "wfrench", 4000}));
 
 // Unified English Braille, Rules of Unified English Braille 2013: dot 6 is the capital indicator
 // (section 8), the word "the" in grade 2 is dots 2346 (section 10.3), numbers begin with dots 3456
