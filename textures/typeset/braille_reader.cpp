@@ -162,7 +162,9 @@ std::optional<std::string> BrailleReader::InParts(const Cells& word) const {
   for (std::size_t i = 1; i <= kMostEdge; ++i) {
     for (std::size_t j = size; j-- > i + 1 && j + kMostEdge >= size;) {
       const std::string begin = plainly(0, i), end = plainly(j, size);
-      for (const std::string& text : {begin + by_table(i, j) + end, begin + plainly(i, j) + end}) {
+      for (const std::string& middle : {by_table(i, j), plainly(i, j)}) {
+        std::string text = begin + middle;
+        text += end;
         if (auto read = letters(text)) return read;
       }
     }

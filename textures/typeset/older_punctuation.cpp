@@ -179,9 +179,8 @@ void OlderLine::Take(std::size_t at) {
     now_ = outer_;
   } else if (c.letter || IsDigit(c.code)) {
     if (now_.first == kNone) now_.first = at;
-  } else if (rules_.serves.count(c.code) > 0) {
-    MakeShort(at);
-  } else if (itself && c.code == U'.' && sentences_.IsAbbreviation(c.begin)) {
+  } else if (rules_.serves.count(c.code) > 0 ||
+             (itself && c.code == U'.' && sentences_.IsAbbreviation(c.begin))) {
     MakeShort(at);
   } else if (itself && sentences_.EndsSentence(c.begin)) {
     if (c.code == U'?' && HasBegun()) {

@@ -84,6 +84,20 @@ TEST_F(TextOnAModel, ThatDoesNotFitIsToldByItsPages) {
   EXPECT_EQ(fits.err.find("pages"), std::string::npos) << fits.err;
 }
 
+TEST_F(TextOnAModel, HasTheModelsPunctuation) {
+  const std::string model = Box("text='L?', size_mm=12, punctuation='older'");
+  const nlohmann::json older = RunLine({"trace", "--model", model, "--json"}).Json();
+  EXPECT_EQ(older["punctuation"], "older");
+  EXPECT_EQ(older["letters"].size(), 3U);  // the mark, the letter, the short stop
+  const nlohmann::json today =
+      RunLine({"trace", "--model", model, "--punctuation", "today", "--json"}).Json();
+  EXPECT_FALSE(today.contains("punctuation"));
+  EXPECT_EQ(today["letters"].size(), 2U);
+  const Outcome wrong = RunLine({"trace", "--model", Box("text='L?', punctuation='new'")});
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_NE(wrong.err.find("neither today nor older"), std::string::npos) << wrong.err;
+}
+
 TEST_F(TextOnAModel, InAnUnknownScriptNamesModelAndLabel) {
   const std::string model = Box("text='L', script='nope'");
   const Outcome outcome = RunLine({"trace", "--model", model});

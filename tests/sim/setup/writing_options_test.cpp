@@ -120,14 +120,14 @@ TEST_F(WritingOptions, ReadBackCountsWhatIsWrittenAlike) {
 TEST_F(WritingOptions, BooksOfManyPagesAreWholeInJson) {
   std::string text;
   for (int i = 0; i < 150; ++i) text += "ab " + std::to_string(i) + '\n';
-  const nlohmann::json book = PageJson({"--page", "120x40"}, text);
+  const nlohmann::json book = PageJson({"--page", "180x40"}, text);
   ASSERT_EQ(book["pages"].size(), 150U);
   EXPECT_EQ(book["lines"], 150);
   const nlohmann::json& last = book["pages"][149]["glyphs"];
   ASSERT_EQ(last.size(), 6U);  // a, b, numeral, three digits
   EXPECT_EQ(last[5]["name"], "i");
   EXPECT_EQ(last[5]["source"][1], text.size() - 1);
-  const Outcome said = RunLine({"page", text, "--page", "120x40"});
+  const Outcome said = RunLine({"page", text, "--page", "180x40"});
   EXPECT_NE(said.out.find("150 pages, 150 lines, "), std::string::npos);
   EXPECT_NE(said.out.find("Page 100, line 1: a b, numeral i i"), std::string::npos);
   EXPECT_NE(said.out.find("And 50 more lines; --json lists all."), std::string::npos);
