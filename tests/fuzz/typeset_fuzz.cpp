@@ -1,6 +1,6 @@
 // Any bytes as text, on any page: set, or refused with an InputError, never anything else. The
 // first four bytes choose script, grade, relief, direction of lines, taught signs, size, page and
-// whether marks of structure are read.
+// whether marks of structure are read and Moon's older punctuation is used.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
@@ -57,6 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   style.structure.heading_scale = 1 + 0.01 * data[2];
   if (data[3] & 2) style.structure.heading_relief = Relief::kEmbossed;
   style.structure.texture = data[3] & 4;
+  style.older_punctuation = (data[3] & 8) && (data[0] & 1);  // of Moon alone
   const PageSpec page{"custom", 0.021 + 0.001 * data[2], 0.021 + 0.001 * data[3], 0.010};
   const std::string_view text(reinterpret_cast<const char*>(data) + 4, size - 4);
   try {
@@ -64,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     CheckPages(set, text, script);
     BuildTexture(set.pages.front(), script, style);
     const BackTranslation back = TranslateBack(text, script, style);
-    Require(back.differ.size() <= back.differ_count);
+    Require(back.differ.size() <= back.differ_count && back.alike_count <= back.differ_count);
   } catch (const InputError&) {
   }
   return 0;
