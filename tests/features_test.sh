@@ -6,7 +6,8 @@ set -euo pipefail
 program=$1
 shift
 declare -A function_of=([cairo]=cairo_create [hidapi]=hid_enumerate [louis]=lou_translate
-  [portaudio]=Pa_OpenStream [sqlite]=sqlite3_prepare_v2 [egl]=eglInitialize [glfw]=glfwInit)
+  [portaudio]=Pa_OpenStream [sqlite]=sqlite3_prepare_v2 [egl]=eglInitialize [glfw]=glfwInit
+  [hyphen]=hnj_hyphen_load)
 for library in "$@"; do
   name=${function_of[$library]:?$library: no function of it is known here}
   grep -qa "$name" "$program" || { echo "$library was found, but $program does not call $name"; exit 1; }

@@ -37,7 +37,7 @@ check_rooms() {
       library["toml++/"] = "PkgConfig::tomlplusplus"; library["pugixml.hpp"] = "pugixml::pugixml"
       library["utf8proc.h"] = "PkgConfig::utf8proc"; library["hidapi.h"] = "PkgConfig::hidapi"
       library["liblouis.h"] = "PkgConfig::louis"; library["sqlite3.h"] = "PkgConfig::sqlite"
-      library["cairo.h"] = "PkgConfig::cairo"; library["portaudio.h"] = "PkgConfig::portaudio"
+      library["hyphen.h"] = "hyphen::hyphen"; library["cairo.h"] = "PkgConfig::cairo"; library["portaudio.h"] = "PkgConfig::portaudio"
       library["EGL/"] = "PkgConfig::egl"; library["GLFW/"] = "PkgConfig::glfw"
     }
     {

@@ -104,6 +104,8 @@ const char* KindJson(LineKind kind) {
       return ",\"kind\":\"heading\"";
     case LineKind::kQuotation:
       return ",\"kind\":\"quotation\"";
+    case LineKind::kHead:
+      return ",\"kind\":\"head\"";
   }
   return "";
 }

@@ -100,7 +100,8 @@ inline constexpr const char* kFriction =
 inline constexpr const char* kPress = "press of the hand in N. Default 1, embossed 0.2.";
 inline constexpr const char* kSpeed = "greatest speed along a stroke in mm/s. Default 40.";
 inline constexpr const char* kPicture =
-    "write a picture, .svg, .png or .pdf; a PDF holds all pages, of others there are F-1, F-2 and so on.";
+    "write a picture, .svg, .png or .pdf; a PDF holds all pages, of others there are F-1, F-2 and "
+    "so on.";
 inline constexpr const char* kLetters = "small print below each sign of the picture.";
 inline constexpr const char* kRecord =
     "record the trace to this folder for replay; several pages to DIR-1, DIR-2 and so on.";

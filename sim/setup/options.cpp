@@ -167,6 +167,9 @@ void AddOptions(CLI::App& app, LayoutOptions& options) {
         options.lines = *lines;
       },
       help::kLines);
+  AddPath(app, "--hyphenate", "LANGUAGE", options.hyphenation, help::kHyphenate);
+  AddPath(app, "--running-head", "TEXT", options.running_head, help::kRunningHead);
+  AddFlag(app, "--page-numbers", options.page_numbers, help::kPageNumbers);
   AddOptions(app, options.sheet);
 }
 
@@ -255,6 +258,9 @@ TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Scri
       chosen(options.older_punctuation, from.older_punctuation).value_or(false);
   if (options.only) style.only = TaughtSigns(*options.only, script);
   style.lines = layout.lines;
+  style.hyphenation = layout.hyphenation;
+  style.running_head = layout.running_head;
+  style.page_numbers = layout.page_numbers;
   style.paragraph_gap = layout.paragraph_gap;
   style.rules = RulesOf(layout.sheet);
   style.texture = SheetTextureOf(layout.sheet, from);

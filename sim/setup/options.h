@@ -54,6 +54,8 @@ struct LayoutOptions {
   PageSpec page{"a4", 0.210, 0.297, 0.015};
   std::optional<double> margin, letter_gap, word_gap, line_pitch, paragraph_gap;  ///< [m]
   LineDirection lines = LineDirection::kLeftToRight;
+  std::string hyphenation, running_head;  ///< empty: none
+  bool page_numbers = false;
   SheetOptions sheet;
 };
 

@@ -109,6 +109,9 @@ Json StyleJson(const TypeStyle& style) {
                {"only", style.only},
                {"lines", NameOf(style.lines)}};
   if (style.older_punctuation) json["older_punctuation"] = true;
+  if (!style.hyphenation.empty()) json["hyphenation"] = style.hyphenation;
+  if (!style.running_head.empty()) json["running_head"] = style.running_head;
+  if (style.page_numbers) json["page_numbers"] = true;
   json["rules"] = RulesJson(style.rules);
   if (style.texture.paper) json["texture"] = TextureJson(style.texture);
   if (style.paragraph_gap) json["paragraph_gap_m"] = *style.paragraph_gap;
@@ -141,6 +144,9 @@ TypeStyle StyleFrom(const Json& json) {
   // Records of earlier versions have none of these.
   style.table = json.value("table", std::string());
   style.older_punctuation = json.value("older_punctuation", false);
+  style.hyphenation = json.value("hyphenation", std::string());
+  style.running_head = json.value("running_head", std::string());
+  style.page_numbers = json.value("page_numbers", false);
   style.only = json.value("only", std::vector<std::string>());
   style.lines =
       LineDirectionOf(json.value("lines", std::string())).value_or(LineDirection::kLeftToRight);

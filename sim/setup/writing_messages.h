@@ -35,6 +35,11 @@ inline constexpr const char* kPunctuation =
 inline constexpr const char* kLines =
     "left-to-right, right-to-left, alternate (old Moon, with guide lines) or vertical (downwards, "
     "the next to the left). Default left-to-right.";
+inline constexpr const char* kHyphenate =
+    "break words at a line's end, with a hyphen, by the patterns of a language: en_US. Default: "
+    "words stay whole.";
+inline constexpr const char* kRunningHead = "stands on the first line of each page.";
+inline constexpr const char* kPageNumbers = "at the end of each page's first line.";
 inline constexpr const char* kParagraphGap =
     "in place of the empty line at blank lines of the text, in mm; along the line if lines "
     "alternate.";

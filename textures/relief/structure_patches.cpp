@@ -62,8 +62,11 @@ std::vector<PaperPatch> StructurePatches(const TextPage& page, const Script& scr
       first = last;
     }
   };
-  add_runs([](const PlacedGlyph& a) { return a.kind != LineKind::kPlain; },
-           [](const PlacedGlyph& a, const PlacedGlyph& b) { return a.line == b.line; }, false);
+  const auto has_mark = [](const PlacedGlyph& a) {
+    return a.kind == LineKind::kHeading || a.kind == LineKind::kQuotation;
+  };
+  add_runs(
+      has_mark, [](const PlacedGlyph& a, const PlacedGlyph& b) { return a.line == b.line; }, false);
   add_runs([](const PlacedGlyph& a) { return a.link; },
            [](const PlacedGlyph& a, const PlacedGlyph& b) { return b.link && a.line == b.line; },
            true);

@@ -42,11 +42,12 @@ struct FoldedChar {
 };
 
 /// Reads UTF-8 text line by line and folds it to what a script has: the script's own table first
-/// (for Braille, the characters that the table of liblouis has), then upper to lower case, then Unicode's compatibility decomposition without combining marks,
-/// then the script's transliterations, then its names in square brackets ("[euro sign]").
-/// A character of which a part has no sign is missing as a whole. A space at the edge of a
-/// replacement (" and " of &) stands only beside a letter or a digit. A byte order mark is skipped;
-/// CR, CRLF, form feed and Unicode's own separators end a line. Linear in the text.
+/// (for Braille, the characters that the table of liblouis has), then upper to lower case, then
+/// Unicode's compatibility decomposition without combining marks, then the script's
+/// transliterations, then its names in square brackets ("[euro sign]"). A character of which a part
+/// has no sign is missing as a whole. A space at the edge of a replacement (" and " of &) stands
+/// only beside a letter or a digit. A byte order mark is skipped; CR, CRLF, form feed and Unicode's
+/// own separators end a line. Linear in the text.
 class Folder {
  public:
   /// Keeps references to both. Throws InputError: text over kMostText, empty, not UTF-8 (byte

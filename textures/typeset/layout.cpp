@@ -105,11 +105,63 @@ Layout::Layout(const Script& script, const TypeStyle& style, const PageSpec& pag
 
 // Whether the page holds a row of the kind that is set.
 void Layout::CheckRoom() const {
-  if (room_ - Row().size + kSlack >= 0) return;
+  const double head = static_cast<double>(head_rows_) * line_pitch_;
+  if (room_ - head - Row().size + kSlack >= 0) return;
   throw InputError(
       fmt::format("page: {:.4g} mm within its margins, a line needs {:.4g} mm: choose smaller "
                   "letters",
-                  InMillimetres(room_), InMillimetres(Row().size)));
+                  InMillimetres(room_), InMillimetres(head + Row().size)));
+}
+
+void Layout::SetHead(std::vector<Sign> head, NumberSigns number) {
+  head_ = std::move(head);
+  number_ = std::move(number);
+  head_rows_ = 1;
+  CheckRoom();
+}
+
+// Sets the head of the page that has just begun.
+void Layout::PutHead() {
+  if (head_rows_ == 0) return;
+  const LineKind kind = std::exchange(kind_, LineKind::kHead);
+  next_row_ = 1;
+  gaps_ = 0;
+  run_row_ = 0;
+  const auto length_of = [this](const std::vector<Sign>& signs) {
+    double length = 0, reached = 0;
+    for (const Sign& sign : signs) {
+      if (!sign.space) reached = length + Row().extent[sign.glyph];
+      length += sign.space ? Row().space : Row().advance[sign.glyph];
+    }
+    return reached;
+  };
+  const auto put = [this](const std::vector<Sign>& signs, double from) {
+    pen_ = from;
+    ++words_;
+    for (const Sign& sign : signs) {
+      if (sign.space) {
+        pen_ += Row().space;
+        ++words_;
+      } else {
+        Put(sign);
+      }
+    }
+  };
+  const std::vector<Sign> number = number_ ? number_(pages_begun_) : std::vector<Sign>();
+  const double number_length = length_of(number), head_length = length_of(head_);
+  const double between = head_.empty() || number.empty() ? 0 : Row().space;
+  if (head_length + between + number_length > line_length_ + kSlack) {
+    throw InputError(fmt::format(
+        "the running head needs {:.4g} mm, lines are {:.4g} mm: choose fewer words or smaller "
+        "letters",
+        InMillimetres(head_length + between + number_length), InMillimetres(line_length_)));
+  }
+  put(head_, 0);
+  if (!number.empty()) put(number, line_length_ - number_length);
+  ++words_;  // what is left of a broken word is a word of its own
+  pages_.back().lines = 1;
+  kind_ = kind;
+  run_row_ = head_rows_;
 }
 
 // Whether the row that is being set runs right to left.
@@ -138,29 +190,33 @@ void Layout::NextPage() {
   const std::size_t expected = pages_.empty() ? 0 : pages_.back().glyphs.size();
   GiveAllBut(1);
   pages_.emplace_back();
+  ++pages_begun_;
   TextPage& page = pages_.back();
   page.glyphs.reserve(expected);
-  if (moved.glyph == Script::npos || moved.glyph == 0) {
-    next_row_ = run_row_ = 0;
-    gaps_ = 0;
-    return;
-  }
+  const std::size_t row = next_row_, run_row = run_row_;
+  const double gaps = gaps_;
+  next_row_ = run_row_ = 0;
+  gaps_ = 0;
+  PutHead();
+  if (moved.glyph == Script::npos || moved.row <= head_rows_) return;
+  const std::size_t head_glyphs = page.glyphs.size();
+  const std::size_t rows = moved.row - head_rows_;
   TextPage& before = pages_[pages_.size() - 2];
-  const double shift = static_cast<double>(moved.row) * line_pitch_ + moved.gaps;
+  const double shift = static_cast<double>(rows) * line_pitch_ + moved.gaps;
   const bool vertical = direction_ == LineDirection::kVertical;
   const auto first = before.glyphs.begin() + static_cast<std::ptrdiff_t>(moved.glyph);
   for (auto glyph = first; glyph != before.glyphs.end(); ++glyph) {
-    glyph->line -= moved.row;
+    glyph->line -= rows;
     glyph->origin_P += vertical ? glm::dvec2(shift, 0) : glm::dvec2(0, shift);
     page.glyphs.push_back(*glyph);
   }
   before.glyphs.erase(first, before.glyphs.end());
   before.lines = before.glyphs.back().line + 1;
   page.lines = page.glyphs.empty() ? 0 : page.glyphs.back().line + 1;
-  next_row_ -= moved.row;
-  run_row_ -= std::min(run_row_, moved.row);
-  gaps_ -= moved.gaps;
-  last_heading_ = {0, 0, 0};
+  next_row_ = row - rows;
+  run_row_ = std::max(run_row, moved.row) - rows;
+  gaps_ = gaps - moved.gaps;
+  last_heading_ = {head_glyphs, head_rows_, 0};
 }
 
 void Layout::GiveAllBut(std::size_t kept) {
@@ -168,6 +224,12 @@ void Layout::GiveAllBut(std::size_t kept) {
     TextPage& page = pages_.front();
     page.sheet_P = sheet_P_;
     page.text_area_P = Grown(sheet_P_, -page_.margin);
+    // a head stands for no byte, where the page's text begins
+    const auto text = std::find_if(page.glyphs.begin(), page.glyphs.end(),
+                                   [](const PlacedGlyph& g) { return g.kind != LineKind::kHead; });
+    for (auto head = page.glyphs.begin(); head != text && text != page.glyphs.end(); ++head) {
+      head->source_begin = head->source_end = text->source_begin;
+    }
     take_(std::move(page));
     pages_.erase(pages_.begin());
   }
@@ -225,6 +287,21 @@ glm::dvec2 Layout::OriginOf(std::size_t glyph, double pen) const {
   const double x =
       RunsBack() ? page_.width - page_.margin - pen - Row().right[glyph] : page_.margin + pen;
   return {x, base};
+}
+
+// The last place before `end` at which the row can end with a hyphen; `at` if there is none.
+std::size_t Layout::BreakBefore(const std::vector<Sign>& signs, std::size_t at,
+                                std::size_t end) const {
+  if (!hyphen_) return at;
+  std::size_t best = at;
+  double pen = pen_;
+  for (std::size_t i = at; i < end; ++i) {
+    if (pen + Row().extent[signs[i].glyph] > line_length_ + kSlack) break;
+    pen += Row().advance[signs[i].glyph];
+    const bool fits = pen + Row().extent[hyphen_->glyph] <= line_length_ + kSlack;
+    if (signs[i].hyphen_after && fits && i + 1 < end) best = i + 1;
+  }
+  return best;
 }
 
 void Layout::Put(const Sign& sign) {
@@ -288,8 +365,20 @@ void Layout::AddWrapped(const std::vector<Sign>& signs) {
     }
     const std::size_t end = ChunkEnd(signs, at);
     if (!Fits(signs, at, end, pen_)) {
+      const std::size_t part = BreakBefore(signs, at, end);
+      if (part > at) {
+        if (std::exchange(new_word, false)) ++words_;
+        for (; at < part; ++at) Place(signs, at);
+        Sign hyphen = *hyphen_;
+        hyphen.begin = hyphen.end = signs[part - 1].end;
+        Put(hyphen);
+        StartRow();
+        continue;
+      }
+      const bool retry = hyphen_ && !row_empty_;
       if (!row_empty_) StartRow();
       pen_ = indent_;  // spaces at the wrap, or an indent that leaves no room
+      if (retry) continue;
     }
     if (new_word) ++words_;
     new_word = false;

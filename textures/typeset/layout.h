@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "textures/fonts/script.h"
@@ -47,6 +49,13 @@ class Layout {
   /// Throws InputError when the page holds no line.
   Layout(const Script& script, const TypeStyle& style, const PageSpec& page, TakePage take);
 
+  /// The first row of each page from now on: `head` at its start, and at its end what `number`
+  /// gives for the page, counted from 1. Throws InputError when no row of text is left below it.
+  using NumberSigns = std::function<std::vector<Sign>(std::size_t page)>;
+  void SetHead(std::vector<Sign> head, NumberSigns number);
+  /// Words may end a row where their signs say `hyphen_after`, with this sign behind them.
+  void SetHyphen(const Sign& hyphen) { hyphen_ = hyphen; }
+
   /// Sets one line of the text, wrapped into as many rows as it needs. Throws InputError when a
   /// sign is wider than the page, or the page holds no row of a heading.
   void AddLine(const std::vector<Sign>& signs, LineKind kind = LineKind::kPlain);
@@ -64,6 +73,8 @@ class Layout {
   void CheckRoom() const;
   double Deviation() const;
   void NextPage();
+  void PutHead();
+  std::size_t BreakBefore(const std::vector<Sign>& signs, std::size_t at, std::size_t end) const;
   void GiveAllBut(std::size_t kept);
   void StartRow();
   void EndParagraph();
@@ -86,6 +97,12 @@ class Layout {
   double paragraph_gap_ = 0;                            // [m]
   bool empty_rows_ = true;                              // between paragraphs, in place of the gap
   std::size_t guide_right_ = Script::npos, guide_left_ = Script::npos;
+
+  std::vector<Sign> head_;
+  NumberSigns number_;
+  std::size_t head_rows_ = 0;  // 0 or 1
+  std::size_t pages_begun_ = 0;
+  std::optional<Sign> hyphen_;
 
   TakePage take_;
   Box sheet_P_;                   // [m]

@@ -11,8 +11,8 @@
 
 namespace moontrace {
 
-/// What a line of the text is.
-enum class LineKind : std::uint8_t { kPlain, kHeading, kQuotation };
+/// What a line of the text is; kHead is the running head with the page's number, of no text.
+enum class LineKind : std::uint8_t { kPlain, kHeading, kQuotation, kHead };
 
 /// How marks of structure in the text are taken, and how headings are set.
 struct StructureStyle {

@@ -83,6 +83,9 @@ struct TypeStyle {
   /// In place of the empty line between paragraphs (blank lines of the text) [m]; in alternating
   /// lines, which run on, along the line. Default: an empty line; two word spaces.
   std::optional<double> paragraph_gap;
+  std::string hyphenation;    ///< language of patterns ("en_US"); empty: words are not broken
+  std::string running_head;   ///< stands on the first line of each page; empty: none
+  bool page_numbers = false;  ///< at the end of that line
   RuleStyle rules;
   SheetTexture texture;
   LetterForm form;  ///< that the script was given by Reshaped

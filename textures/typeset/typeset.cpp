@@ -6,11 +6,14 @@
 #include <charconv>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "textures/base/error.h"
 #include "textures/base/units.h"
 #include "textures/base/utf8.h"
 #include "textures/typeset/fold.h"
+#include "textures/typeset/hyphenation.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/make_writer.h"
 #include "textures/typeset/older_punctuation.h"
@@ -62,6 +65,24 @@ void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& s
   counts.links += marks.links.size();
   if (marks.kind == LineKind::kHeading) ++counts.headings;
   if (marks.kind == LineKind::kQuotation && before != marks.kind) ++counts.quotations;
+}
+
+/// Signs of words that stand on pages without being of the text. Throws InputError for what the
+/// script cannot write.
+std::vector<Sign> SignsOf(const std::string& words, const char* what, const Script& script,
+                          const Writer& writer) {
+  Folder folder(words, script, [&writer](char32_t c) { return writer.Has(c); });
+  Typeset notes;
+  std::vector<FoldedChar> line;
+  std::vector<Sign> signs;
+  if (folder.NextLine(line)) writer.Write(words, 1, line, signs, notes);
+  if (notes.missing_count > 0 || notes.untaught_count > 0 || signs.empty()) {
+    throw InputError(
+        fmt::format("{}: script {} has no sign for '{}'", what, script.name,
+                    notes.missing_count > 0 ? notes.missing.front().was : Shown(words)));
+  }
+  for (Sign& sign : signs) sign.begin = sign.end = 0;
+  return signs;
 }
 
 [[noreturn]] void ThrowNothingToSet(const Script& script, const Typeset& result) {
@@ -125,6 +146,24 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
     take(std::move(one));
   });
 
+  const auto words = [&](const std::string& what, const char* option) {
+    return SignsOf(what, option, script, *writer);
+  };
+  std::optional<Hyphenation> hyphenation;
+  if (!style.hyphenation.empty()) {
+    hyphenation.emplace(style.hyphenation);
+    layout.SetHyphen(words("-", "hyphenation").front());
+  }
+  if (!style.running_head.empty() || style.page_numbers) {
+    Layout::NumberSigns number;
+    if (style.page_numbers) {
+      number = [words](std::size_t n) { return words(std::to_string(n), "page numbers"); };
+    }
+    layout.SetHead(style.running_head.empty() ? std::vector<Sign>()
+                                              : words(style.running_head, "running head"),
+                   number);
+  }
+
   Typeset result;
   result.style = style;
   result.page = page;
@@ -139,6 +178,7 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
     if (style.older_punctuation) UseOlderPunctuation(text, script, line);
     writer->Write(text, number, line, signs, result);
     TakeStructure(marks, before, signs, result.structure);
+    if (hyphenation) hyphenation->Mark(text, signs);
     before = marks.kind;
     count += signs.size();
     if (count > kMostSigns) {

@@ -18,9 +18,10 @@ struct Sign {
   std::uint32_t begin = 0;  ///< bytes of the text that it stands for
   std::uint32_t end = 0;
   bool space = false;
-  bool break_after = false;  ///< a hyphen within a word: the line may end behind it
-  bool keep_next = false;    ///< a numeral sign: stays on the line of its first digit
-  bool link = false;         ///< of a link's words
+  bool break_after = false;   ///< a hyphen within a word: the line may end behind it
+  bool keep_next = false;     ///< a numeral sign: stays on the line of its first digit
+  bool hyphen_after = false;  ///< the line may end behind it, with a hyphen
+  bool link = false;          ///< of a link's words
 };
 
 /// Turns folded text into signs: by a script's own rules (signs.h) or by liblouis

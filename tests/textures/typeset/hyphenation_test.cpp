@@ -1,0 +1,200 @@
+#include "textures/typeset/hyphenation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "textures/base/error.h"
+#include "textures/fonts/script_library.h"
+#include "textures/typeset/layout.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+namespace {
+
+bool HavePatterns() {
+  try {
+    const Hyphenation patterns("en_US");
+    return true;
+  } catch (const LackError&) {
+    return false;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// The rows of a text as its glyphs' names, in lines of `width_mm`.
+std::vector<std::string> Rows(const std::string& text, const std::string& language, int width_mm,
+                              const char* script_name = "moon") {
+  const Script script = FindScript(script_name);
+  TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, script);
+  style.hyphenation = language;
+  PageSpec page = FindPage(std::to_string(width_mm) + "x400");
+  page.margin = 0.005;
+  const Typeset set = SetText(text, script, style, page);
+  std::vector<std::string> rows(set.pages.front().lines);
+  for (const PlacedGlyph& glyph : set.pages.front().glyphs) {
+    rows[glyph.line] += script.glyphs[glyph.glyph].name;
+  }
+  return rows;
+}
+
+// Where English words may be parted: by the dictionary (Merriam-Webster: al-pha-bet,
+// in-for-ma-tion, moun-tain), not by the patterns alone.
+TEST(Hyphenation, PartsWordsWhereTheDictionaryDoes) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  const Hyphenation patterns("en_US");
+  const std::string text = "alphabet Information mountain a I strength";
+  std::vector<Sign> signs;
+  for (std::uint32_t i = 0; i < text.size(); ++i) {
+    Sign sign;
+    sign.begin = i;
+    sign.end = i + 1;
+    sign.space = text[i] == ' ';
+    signs.push_back(sign);
+  }
+  patterns.Mark(text, signs);
+  std::string parted;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    parted += text[i];
+    if (signs[i].hyphen_after) parted += '-';
+  }
+  EXPECT_EQ(parted, "al-pha-bet In-for-ma-tion moun-tain a I strength");
+}
+
+TEST(Hyphenation, FillsRowsAndLosesNoLetter) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  std::string text;
+  for (int i = 0; i < 4; ++i) text += "understanding information ";
+  const std::vector<std::string> whole = Rows(text, "", 310), parted = Rows(text, "en_US", 310);
+  EXPECT_LT(parted.size(), whole.size());
+  std::string letters, expected;
+  const std::string hyphen = "hyphen";
+  int hyphens = 0;
+  for (std::string row : parted) {
+    if (row.size() >= hyphen.size() && row.substr(row.size() - hyphen.size()) == hyphen) {
+      row.resize(row.size() - hyphen.size());
+      ++hyphens;
+    }
+    letters += row;
+  }
+  for (const std::string& row : whole) expected += row;
+  EXPECT_EQ(letters, expected);
+  EXPECT_GT(hyphens, 0);
+}
+
+// A contraction is one sign: "the" of "mother" is not parted, whatever the patterns say.
+TEST(Hyphenation, NeverPartsASign) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  for (int width = 40; width < 90; ++width) {
+    for (const std::string& row : Rows("clothing clothing bathroom panther", "en_US", width)) {
+      EXPECT_EQ(row.find("t"
+                         "hyphen"),
+                std::string::npos)
+          << row;  // t-h
+    }
+  }
+}
+
+TEST(Hyphenation, UnknownLanguagesNameTheNearest) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  try {
+    const Hyphenation patterns("en_SU");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean en_US?"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_THROW(Hyphenation("../../../etc/passwd"), InputError);
+}
+
+Typeset Headed(const std::string& text, const std::string& head, bool numbers,
+               LineDirection lines = LineDirection::kLeftToRight, bool structure = false) {
+  Script script = FindScript("moon");
+  TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, script);
+  style.running_head = head;
+  style.page_numbers = numbers;
+  style.lines = lines;
+  style.structure.read = structure;
+  if (lines == LineDirection::kAlternate) AddGuides(script, style);
+  return SetText(text, script, style, FindPage("160x120"));
+}
+
+std::string HeadOf(const TextPage& page, const Script& script) {
+  std::string head;
+  for (const PlacedGlyph& glyph : page.glyphs) {
+    if (glyph.kind == LineKind::kHead) head += script.glyphs[glyph.glyph].name + " ";
+  }
+  return head;
+}
+
+TEST(PageHead, NumbersEveryPageInItsFirstRow) {
+  const Script script = FindScript("moon");
+  std::string text;
+  for (int i = 0; i < 40; ++i) text += "no moon\n";
+  const Typeset plain = Headed(text, "", false), set = Headed(text, "moon", true);
+  ASSERT_GT(set.pages.size(), plain.pages.size());  // a row of each page is taken
+  for (std::size_t p = 0; p < set.pages.size(); ++p) {
+    const TextPage& page = set.pages[p];
+    std::string expected = "m o o n numeral ";
+    for (const char digit : std::to_string(p + 1)) {
+      expected += std::string(1, digit == '0' ? 'j' : static_cast<char>('a' + digit - '1')) + " ";
+    }
+    EXPECT_EQ(HeadOf(page, script), expected);
+    double right = 0;
+    for (const PlacedGlyph& glyph : page.glyphs) {
+      EXPECT_EQ(glyph.kind == LineKind::kHead, glyph.line == 0);
+      if (glyph.kind != LineKind::kHead) continue;
+      EXPECT_EQ(glyph.source_begin, glyph.source_end);
+      double far = 0;
+      for (const Stroke& stroke : script.glyphs[glyph.glyph].strokes) {
+        for (const Piece& piece : stroke.pieces) far = std::max(far, BoundsOf(piece).max.x);
+      }
+      right = std::max(right, glyph.origin_P.x + set.style.size * far);
+    }
+    EXPECT_NEAR(right, set.page.width - set.page.margin, 1e-9);
+  }
+}
+
+// The text itself is what it is without a head, in every direction and with headings.
+TEST(PageHead, LeavesTheTextAsItIs) {
+  std::string text;
+  for (int i = 0; i < 30; ++i) text += i % 4 == 2 ? "# it is\n" : "the moon is bright tonight\n";
+  for (const LineDirection lines : {LineDirection::kLeftToRight, LineDirection::kRightToLeft,
+                                    LineDirection::kVertical, LineDirection::kAlternate}) {
+    const auto glyphs = [&](const Typeset& set) {
+      std::vector<std::size_t> signs;
+      for (const TextPage& page : set.pages) {
+        const Box sheet = page.sheet_P;
+        for (const PlacedGlyph& glyph : page.glyphs) {
+          EXPECT_TRUE(glyph.origin_P.y >= sheet.min.y && glyph.origin_P.y <= sheet.max.y);
+          EXPECT_LT(glyph.line, page.lines);
+          if (glyph.kind != LineKind::kHead && glyph.source_begin < glyph.source_end) {
+            signs.push_back(glyph.glyph);
+          }
+        }
+      }
+      return signs;
+    };
+    const Typeset headed = Headed(text, "it", true, lines, true);
+    EXPECT_EQ(glyphs(headed), glyphs(Headed(text, "", false, lines, true)));
+    for (const TextPage& page : headed.pages) {
+      // none stands alone at a page's foot
+      EXPECT_NE(page.glyphs.back().kind, LineKind::kHeading) << NameOf(lines);
+    }
+  }
+}
+
+TEST(PageHead, WhatDoesNotFitIsToldInOneLine) {
+  EXPECT_THROW(Headed("moon", std::string(100, 'm'), true), InputError);
+  const Script script = FindScript("moon");
+  TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, script);
+  style.page_numbers = true;
+  EXPECT_THROW(SetText("moon", script, style, FindPage("100x35")), InputError);  // one row only
+}
+
+}  // namespace
+}  // namespace moontrace
