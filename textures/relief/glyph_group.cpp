@@ -101,7 +101,8 @@ Texture BuildTexture(const TextPage& page, const Script& script, const TypeStyle
   const TypeStyle heading = LineStyle(LineKind::kHeading, style, script);
   std::map<std::pair<bool, std::size_t>, std::shared_ptr<const Group>> built;
   std::map<Relief, Group> sheets;
-  const GrooveLinks links = LinkPage(page, script, style);
+  const std::shared_ptr<const GrooveLinks> kept = LinksOf(page, script, style);
+  const GrooveLinks& links = *kept;
   const std::vector<Placement> placed_links = LinkPlacements(links, script, style);
   std::size_t next_link = 0;
   for (std::size_t i = 0; i < page.glyphs.size();) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "textures/field/texture.h"
 #include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 
@@ -29,6 +31,7 @@ struct GrooveLinks {
   std::vector<LinkShape> shapes;
   std::vector<GrooveLink> links;  ///< in the order of the text
   std::size_t missing = 0;        ///< places where none keeps the gap: there the hand must lift
+  std::size_t crossings = 0;      ///< pairs of links that run into each other, ends at a dot aside
 };
 
 /// Joins what `style.links` asks for: from the end of a letter's last stroke to the start of the
@@ -37,8 +40,34 @@ struct GrooveLinks {
 /// a dot from any side; a filled area lies within its letter's strokes and is not joined. Links
 /// keep the gap to all strokes of both letters and of their neighbours in the line (FindLink), and
 /// to their own line's half of the space between lines, so that they never meet those of other
-/// lines. Links may cross each other.
+/// lines. They keep it to each other as well where there is room: for a link that has none the one
+/// before makes room, if it can; else they cross, steeply if possible, and are counted.
 GrooveLinks LinkPage(const TextPage& page, const Script& script, const TypeStyle& style);
+
+class LinkFinder;
+
+/// Finds the links of pages one by one. Equal letters that stand equally are searched once for all
+/// of them. Script and style must outlive it.
+class PageLinker {
+ public:
+  PageLinker(const Script& script, const TypeStyle& style);
+  ~PageLinker();
+  PageLinker(const PageLinker&) = delete;
+  PageLinker& operator=(const PageLinker&) = delete;
+
+  /// Finds a page's links and keeps them there (TextPage::links); nothing where none are asked for.
+  void Keep(TextPage& page);
+
+ private:
+  std::unique_ptr<LinkFinder> finder_;  ///< none where no links are asked for
+};
+
+/// Keeps the links of all pages. `alive` is told the share done, 0 to 1, before each page.
+void LinkPages(Typeset& set, const Script& script, const std::function<void(double)>& alive = {});
+
+/// The links that a page keeps, or else those that LinkPage finds; never null.
+std::shared_ptr<const GrooveLinks> LinksOf(const TextPage& page, const Script& script,
+                                           const TypeStyle& style);
 
 /// A link's elements: at each end as deep as the letters, then fading to its own depth, since a tip
 /// does not climb a step.

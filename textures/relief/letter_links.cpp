@@ -6,13 +6,14 @@
 #include <utility>
 
 #include "textures/base/units.h"
+#include "textures/relief/clearance.h"
 #include "textures/typeset/rules.h"
 
 namespace moontrace {
 
 namespace {
 
-constexpr int kRingRays = 12, kDotRays = 8;
+constexpr int kRingRays = 12;
 constexpr double kLeastTurn = 0.6, kWidestTurn = 1.25;  // radius of the sharpest turn [w]
 constexpr double kReachTurn = 0.45;                     // of the room above and below a line
 constexpr double kRoomAside = 1;                        // beyond both letters along the line [em]
@@ -26,6 +27,31 @@ bool IsRing(const Stroke& stroke, double width) {
   const Piece &first = stroke.pieces.front(), &last = stroke.pieces.back();
   return glm::distance(EndOf(last), StartOf(first)) < 1e-2 * width &&
          glm::dot(TangentAt(last, Length(last)), TangentAt(first, 0)) > 0.94;
+}
+
+/// Whether some point of one is nearer than `least` to one of the other, which is moved by `at`.
+bool AreNearer(const std::vector<Curve>& a, const std::vector<Curve>& b, glm::dvec2 at,
+               double least) {
+  for (const Curve& other : b) {
+    const Box box = Moved(Grown(other.box, least), at);
+    for (const Curve& curve : a) {
+      if (Overlap(box, curve.box) && DistanceBetween(curve, Moved(other, at)) < least) return true;
+    }
+  }
+  return false;
+}
+
+/// What lies between two lengths along a path.
+std::vector<Piece> PartOf(const std::vector<Piece>& path, double from, double to) {
+  std::vector<Piece> part;
+  double begin = 0;
+  for (const Piece& piece : path) {
+    const double length = Length(piece);
+    const double a = std::clamp(from - begin, 0.0, length), b = std::clamp(to - begin, 0.0, length);
+    if (b > a) part.push_back(PartBetween(piece, a, b));
+    begin += length;
+  }
+  return part;
 }
 
 }  // namespace
@@ -48,33 +74,60 @@ const LinkedLetter& LetterLinks::LetterOf(std::size_t glyph) {
 }
 
 LetterLink LetterLinks::Between(std::size_t a, std::size_t b, glm::dvec2 offset,
-                                const std::vector<LinkWall>& others,
-                                const std::vector<Ray>& crossed,
-                                std::optional<glm::dvec2> arrived) {
+                                const LinkSurroundings& about) {
   const LinkedLetter &first = LetterOf(a), &second = LetterOf(b);
   if (first.parts.empty() || second.parts.empty()) return {};
-  LinkEnds from = EndsOf(first.parts.back(), true, arrived ? arrived : first.reaches_last);
+  LinkEnds from =
+      EndsOf(first.parts.back(), true, about.arrived ? about.arrived : first.reaches_last);
   LinkEnds to = EndsOf(second.parts.front(), false, second.leaves_first);
   for (Ray& ray : to.end.rays) ray.point += offset;
   from.end.walls = first.walls;
-  for (const LinkWall& wall : second.walls) {
-    to.end.walls.push_back({Placed(wall.piece, 1, offset), wall.half});
+  to.end.walls = WallsAt(b, offset);
+  LinkTask task;
+  task.from = std::move(from.end);
+  task.to = std::move(to.end);
+  task.others = about.others;
+  task.links = about.links;
+  task.may_cross = about.may_cross;
+  LetterLink link{Find(std::move(task), first.box, Moved(second.box, offset)), from.level,
+                  to.level};
+  // a tip that comes fast out of a stroke is held through the turn behind its end
+  if (!link.spine.empty() && ArcOf(link.spine.front())) {
+    link.from_level = std::max(link.from_level, Length(link.spine.front()) + OpenLevel());
   }
-  return {Find(from.end, to.end, first.box, Moved(second.box, offset), others, crossed, false),
-          from.level, to.level};
+  return link;
 }
 
-bool LetterLinks::IsNear(const std::vector<Piece>& spine, std::size_t glyph, glm::dvec2 at) {
-  Box box;
-  for (const Piece& piece : spine) Include(box, BoundsOf(piece));
+bool LetterLinks::IsNear(const std::vector<Curve>& link, std::size_t glyph, glm::dvec2 at) {
   const LinkedLetter& letter = LetterOf(glyph);
-  if (letter.walls.empty() || !Overlap(Grown(box, 3 * half_ + gap_), Moved(letter.box, at))) {
-    return false;
-  }
-  for (const LinkWall& wall : WallsAt(glyph, at)) {
-    if (LeastGap(spine, half_, wall, 0, 0, gap_ / 4 + half_ / 8) < gap_) return true;
+  const Box box = Moved(Grown(letter.box, 2 * half_ + gap_), at);
+  for (const Curve& curve : link) {
+    if (!Overlap(curve.box, box)) continue;
+    for (const LinkWall& wall : letter.walls) {
+      const Curve stroke = CurveOf(Placed(wall.piece, 1, at));
+      if (DistanceBetween(stroke, curve) < wall.half + half_ + gap_) return true;
+    }
   }
   return false;
+}
+
+bool LetterLinks::AreNear(const std::vector<Curve>& a, const std::vector<Curve>& b,
+                          glm::dvec2 at) const {
+  return AreNearer(a, b, at, 2 * half_ + gap_);
+}
+
+bool LetterLinks::RunInto(const std::vector<Piece>& a, const std::vector<Piece>& b, glm::dvec2 at,
+                          bool share_dot) const {
+  const double own = share_dot ? kOpenOwn * style_.width : 0;
+  return AreNearer(CurvesOf(PartOf(a, 0, Length(a) - own)), CurvesOf(PartOf(b, own, Length(b))), at,
+                   2 * half_);
+}
+
+Piece LetterLinks::WayOn(std::size_t glyph, glm::dvec2 at) {
+  const LinkedLetter& letter = LetterOf(glyph);
+  const Ray end = EndsOf(letter.parts.back(), true, std::nullopt).end.rays.front();
+  const glm::dvec2 begin = end.point + at;
+  return Line{begin + radius_ * end.direction, begin + style_.line_pitch * end.direction};
 }
 
 std::vector<LinkWall> LetterLinks::WallsAt(std::size_t glyph, glm::dvec2 at) {
@@ -89,17 +142,16 @@ LinkEnds LetterLinks::EndsOf(const Stroke& stroke, bool leaving,
                              std::optional<glm::dvec2> straight) const {
   LinkEnds ends{{{}, {}, kOpenOwn * style_.width}, OpenLevel()};
   if (stroke.kind == StrokeKind::kDot) {
-    const glm::dvec2 middle = CenterOf(stroke);
-    for (int i = 0; i < kDotRays; ++i) {
-      const glm::dvec2 way = DirectionOf(kTurn * i / kDotRays);
-      if (!straight || glm::dot(way, *straight) > 0.49) ends.end.rays.push_back({middle, way});
-    }
+    ends.end.is_dot = true;
+    ends.end.goes_on = straight.has_value();
+    ends.end.rays = {{CenterOf(stroke), straight.value_or(glm::dvec2(1, 0))}};
     ends.level += DotRadius(stroke);
   } else if (IsRing(stroke, style_.width)) {
     const double length = Length(stroke.pieces);
     for (int i = 0; i < kRingRays; ++i)
       ends.end.rays.push_back(RayAt(stroke, length * i / kRingRays));
     ends.end.own = kRingLinkOwn * style_.width;
+    ends.end.is_ring = true;
     ends.level = kRingLevel * style_.width;
   } else if (leaving) {
     const Piece& last = stroke.pieces.back();
@@ -184,8 +236,12 @@ void LetterLinks::AddInner(const Stroke& a, const Stroke& b, LinkedLetter& lette
   const std::optional<glm::dvec2> arrived = letter.reaches_last;
   letter.reaches_last.reset();
   LinkEnds from = EndsOf(a, true, arrived), to = EndsOf(b, false, std::nullopt);
-  from.end.walls = letter.walls;
-  std::vector<Piece> spine = Find(from.end, to.end, letter.box, letter.box, {}, {}, true);
+  LinkTask task;
+  task.from = std::move(from.end);
+  task.from.walls = letter.walls;
+  task.to = std::move(to.end);
+  task.one_letter = true;
+  std::vector<Piece> spine = Find(std::move(task), letter.box, letter.box);
   if (spine.empty()) {
     ++letter.missing;
     return;
@@ -199,35 +255,10 @@ void LetterLinks::AddInner(const Stroke& a, const Stroke& b, LinkedLetter& lette
   letter.inner.push_back(std::move(spine));
 }
 
-std::vector<Ray> LetterLinks::Ways(const Box& a, const Box& b) const {
-  const double aside = 2 * half_ + 1.2 * gap_;
-  const auto along = [aside](double a0, double a1, double b0, double b1) {
-    std::vector<double> all = {std::min(a0, b0) - aside, Mean(a0, a1), Mean(b0, b1),
-                               std::max(a1, b1) + aside};
-    if (a1 < b0) all.push_back(Mean(a1, b0));
-    if (b1 < a0) all.push_back(Mean(b1, a0));
-    return all;
-  };
-  std::vector<double> ys = along(a.min.y, a.max.y, b.min.y, b.max.y);
-  // a second way below and above, farther out, beyond a link that runs there already
-  ys.push_back(std::min(a.min.y, b.min.y) - aside - 2 * half_ - gap_);
-  ys.push_back(std::max(a.max.y, b.max.y) + aside + 2 * half_ + gap_);
-  std::vector<Ray> ways;
-  for (const double x : along(a.min.x, a.max.x, b.min.x, b.max.x)) {
-    for (const double y : ys) {
-      for (const glm::dvec2 way :
-           {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
-        ways.push_back({{x, y}, way});
-      }
-    }
-  }
-  return ways;
-}
-
-std::vector<Piece> LetterLinks::Find(const LinkEnd& from, const LinkEnd& to, const Box& a,
-                                     const Box& b, const std::vector<LinkWall>& others,
-                                     const std::vector<Ray>& crossed, bool one_letter) const {
-  LinkTask task{from, to, one_letter, others, crossed, half_, gap_, radius_, {}, Ways(a, b)};
+std::vector<Piece> LetterLinks::Find(LinkTask task, const Box& a, const Box& b) const {
+  task.half = half_;
+  task.gap = gap_;
+  task.radius = radius_;
   task.room = a;
   Include(task.room, b);
   const double em = style_.size, beyond = kRoomAside * em;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "textures/fonts/script.h"
+#include "textures/relief/clearance.h"
 #include "textures/relief/link.h"
 #include "textures/typeset/style.h"
 
@@ -31,6 +32,15 @@ struct LinkEnds {
   double level = 0;  ///< as deep as the letters from this end [m]
 };
 
+/// What stands about a link beside its two letters.
+struct LinkSurroundings {
+  std::vector<LinkWall> others;  ///< of further letters [m]
+  std::vector<Piece> links;      ///< centre lines of links found before [m]
+  bool may_cross = false;        ///< those, if steeply
+  /// The direction by which the last link reached a letter that is one dot.
+  std::optional<glm::dvec2> arrived;
+};
+
 /// A link between two letters, from the first one's origin.
 struct LetterLink {
   std::vector<Piece> spine;             ///< [m], in the direction of travel, without a corner
@@ -48,14 +58,23 @@ class LetterLinks {
   const LinkedLetter& LetterOf(std::size_t glyph);
 
   /// From a glyph's last stroke to the first of the next, which stands at `offset`; without a spine
-  /// if none keeps the gap to both and to `others`, or crosses `crossed` too flatly. `arrived`: the
-  /// direction by which the last link reached a letter that is one dot.
+  /// if none keeps the gap to both and to what stands about.
   LetterLink Between(std::size_t a, std::size_t b, glm::dvec2 offset,
-                     const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
-                     std::optional<glm::dvec2> arrived);
+                     const LinkSurroundings& about);
 
   /// Whether a glyph that stands at `at` is nearer to a link than the gap.
-  bool IsNear(const std::vector<Piece>& spine, std::size_t glyph, glm::dvec2 at);
+  bool IsNear(const std::vector<Curve>& link, std::size_t glyph, glm::dvec2 at);
+  /// Whether two links, the second moved by `at`, are nearer to each other than the gap.
+  bool AreNear(const std::vector<Curve>& a, const std::vector<Curve>& b, glm::dvec2 at) const;
+
+  /// Whether the grooves of two links, the second moved by `at`, run into each other; `share_dot`:
+  /// but for the first one's last part and the second's first, which meet at a dot.
+  bool RunInto(const std::vector<Piece>& a, const std::vector<Piece>& b, glm::dvec2 at,
+               bool share_dot) const;
+
+  /// The way straight on from the end of a glyph at `at`, a turn's room away from it, as far as
+  /// links go.
+  Piece WayOn(std::size_t glyph, glm::dvec2 at);
 
   /// What links keep away from, of a glyph at `at`.
   std::vector<LinkWall> WallsAt(std::size_t glyph, glm::dvec2 at);
@@ -83,12 +102,7 @@ class LetterLinks {
 
   void AddInner(const Stroke& a, const Stroke& b, LinkedLetter& letter) const;
 
-  /// Places below, above, beside, between and in the letters, and four directions through each.
-  std::vector<Ray> Ways(const Box& a, const Box& b) const;
-
-  std::vector<Piece> Find(const LinkEnd& from, const LinkEnd& to, const Box& a, const Box& b,
-                          const std::vector<LinkWall>& others, const std::vector<Ray>& crossed,
-                          bool one_letter) const;
+  std::vector<Piece> Find(LinkTask task, const Box& a, const Box& b) const;
 
   const Script& script_;
   TypeStyle style_;

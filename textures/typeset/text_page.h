@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,15 @@ struct PlacedGlyph {
   bool link = false;                 ///< of a link's words
 };
 
+struct GrooveLinks;
+
 struct TextPage {
   std::vector<PlacedGlyph> glyphs;
   std::size_t lines = 0;
   Box sheet_P;      ///< [m]
   Box text_area_P;  ///< between the margins [m]
+  /// Grooves between the letters, once they were looked for: see LinkPages of `textures/relief`.
+  std::shared_ptr<const GrooveLinks> links;
 };
 
 /// Takes a page that is finished.

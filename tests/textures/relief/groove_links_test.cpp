@@ -6,7 +6,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
 #include <set>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/textures/sample_page.h"
 #include "textures/field/field.h"
@@ -60,6 +65,53 @@ const char* const kText =
     "the quick brown fox jumps over the lazy dog. sphinx of black quartz, judge my vow! 1984 "
     "(30-27) 56?";
 
+/// 220 of the commonest words of English.
+const char* const kCommonWords =
+    "the of and to in is you that it he was for on are as with his they at be this have "
+    "from or one had by word but not what all were we when your can said there use an "
+    "each which she do how their if will up other about out many then them these so "
+    "some her would make like him into time has look two more write go see number no "
+    "way could people my than first water been call who its now find long down day did "
+    "get come made may part over new sound take only little work know place year live "
+    "me back give most very after thing our just name good sentence man think say great "
+    "where help through much before line right too mean old any same tell boy follow "
+    "came want show also around form three small set put end does another well large "
+    "must big even such because turn here why ask went men read need land different "
+    "home us move try kind hand picture again change off play spell air away animal "
+    "house point page letter mother answer found study still learn should world high "
+    "every near add food between own below country plant last school father keep tree "
+    "never start city earth eye light thought head under ";
+
+/// Pairs of links that come nearer to each other than their grooves' rims, by points along both, an
+/// eighth of the width apart: no more than 0.1 widths from the truth, and links that keep their gap
+/// are 1.25 apart. The two at a letter of one dot share it: 2 widths from there are left out.
+std::size_t PairsThatMeet(const SamplePage& sample, const GrooveLinks& links) {
+  const double w = sample.typeset.style.width;
+  std::vector<std::vector<glm::dvec2>> all;
+  for (const GrooveLink& link : links.links) {
+    std::vector<glm::dvec2> points;
+    for (const Piece& piece : SpineOf(links, link)) {
+      for (double s = 0; s <= Length(piece); s += w / 8) points.push_back(PointAt(piece, s));
+    }
+    if (link.from != link.to) all.push_back(points);
+  }
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < std::min(i + 3, all.size()); ++j) {
+      const bool share = glm::distance(all[i].back(), all[j].front()) < w / 4;
+      const std::size_t own = share ? 16 : 0;
+      bool meet = false;
+      for (std::size_t a = 0; a + own < all[i].size() && !meet; ++a) {
+        for (std::size_t b = own; b < all[j].size() && !meet; ++b) {
+          meet = glm::distance(all[i][a], all[j][b]) < 1.15 * w;
+        }
+      }
+      pairs += meet ? 1 : 0;
+    }
+  }
+  return pairs;
+}
+
 class LinkedSizes : public ::testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, LinkedSizes, ::testing::Values(0.020, 0.012));
 
@@ -80,6 +132,18 @@ TEST_P(LinkedSizes, JoinsEveryLetterOfALineWithoutACorner) {
   }
   for (std::size_t i = 0; i + 1 < glyphs.size(); ++i) {
     EXPECT_EQ(joined.count(i), glyphs[i].line == glyphs[i + 1].line ? 1u : 0u) << i;
+  }
+}
+
+// Where lines are 1.8 em apart the sharpest turn is 1.25 widths.
+TEST_P(LinkedSizes, BendGently) {
+  const SamplePage sample = Linked(kText, GetParam());
+  const GrooveLinks links = LinksOf(sample);
+  for (const LinkShape& shape : links.shapes) {
+    for (const Piece& piece : shape.spine) {
+      const std::optional<Arc> arc = ArcOf(piece);
+      EXPECT_TRUE(!arc || arc->radius >= 1.25 * sample.typeset.style.width * (1 - 1e-9));
+    }
   }
 }
 
@@ -138,6 +202,79 @@ TEST(GrooveLinks, KeepToTheirLine) {
   }
 }
 
+TEST(GrooveLinks, OfCommonWordsDoNotCross) {
+  std::istringstream words(kCommonWords);
+  std::size_t count = 0, crossings = 0;
+  for (std::string word; words >> word; ++count) {
+    const SamplePage sample = Linked(word, 0.012);
+    const GrooveLinks links = LinksOf(sample);
+    EXPECT_EQ(PairsThatMeet(sample, links), links.crossings) << word;
+    EXPECT_EQ(links.missing, 0u) << word;
+    crossings += links.crossings;
+  }
+  EXPECT_EQ(count, 220u);
+  EXPECT_EQ(crossings, 0u);
+}
+
+// Letters without a space between them, and a wide gap: there is not room for all.
+TEST(GrooveLinks, ThatCrossAreCounted) {
+  SamplePage sample = Linked("gugmgy", 0.012);
+  TypeStyle style = sample.typeset.style;
+  style.letter_gap = -0.004;
+  sample.typeset = SetText("gugmgy", sample.script, style, {"custom", 0.5, 0.5, 0.02});
+  const GrooveLinks links = LinksOf(sample);
+  EXPECT_EQ(PairsThatMeet(sample, links), links.crossings);
+  EXPECT_GT(links.crossings, 0u);
+}
+
+TEST(LinkPages, KeepsTheLinksForAllWhoReadThePage) {
+  SamplePage sample = Linked("the moon", 0.012);
+  const TextPage& page = sample.typeset.pages.front();
+  EXPECT_EQ(page.links, nullptr);
+  LinkPages(sample.typeset, sample.script);
+  const auto kept = LinksOf(page, sample.script, sample.typeset.style);
+  EXPECT_EQ(kept, page.links);
+  EXPECT_EQ(kept, LinksOf(TextPage(page), sample.script, sample.typeset.style));
+  EXPECT_EQ(kept->links.size(), 5u);
+  const GrooveLinks found = LinksOf(sample);
+  ASSERT_EQ(found.links.size(), 5u);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(SpineOf(*kept, kept->links[i]), SpineOf(found, found.links[i]));
+  }
+}
+
+// What is built of a page follows the links that it keeps, and looks for no others.
+TEST(LinkPages, IsWhatTheTextureIsBuiltOf) {
+  SamplePage sample = Linked("la", 0.012);
+  TextPage& page = sample.typeset.pages.front();
+  page.links = std::make_shared<const GrooveLinks>();
+  const TextureField field(BuildTexture(page, sample.script, sample.typeset.style));
+  const GrooveLinks links = LinkPage(page, sample.script, sample.typeset.style);
+  const std::vector<Piece> spine = SpineOf(links, links.links.front());
+  EXPECT_EQ(field.SampleAt(PointAlong(spine, LengthOf(spine) / 2)).displacement, 0);
+}
+
+TEST(LinkPages, GivesEqualLettersThatStandEquallyTheSameLinksOnAllPages) {
+  SamplePage sample = Linked("moon", 0.012);
+  std::string text;
+  for (int i = 0; i < 50; ++i) text += "moon\n";
+  sample.typeset = SetText(text, sample.script, sample.typeset.style, {"custom", 0.2, 0.1, 0.01});
+  ASSERT_GT(sample.typeset.pages.size(), 5u);
+  std::vector<double> shares;
+  LinkPages(sample.typeset, sample.script, [&](double done) { shares.push_back(done); });
+  const GrooveLinks& first = *sample.typeset.pages.front().links;
+  for (const TextPage& page : sample.typeset.pages) {
+    ASSERT_EQ(page.links->shapes.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(page.links->shapes[i].spine, first.shapes[i].spine);
+    }
+  }
+  EXPECT_EQ(shares.size(), sample.typeset.pages.size());
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_LT(shares.back(), 1);
+}
+
 TEST(GrooveLinks, ReachAsFarAsAskedFor) {
   const auto between = [](LinkReach reach) {
     std::vector<std::size_t> from;
@@ -171,6 +308,20 @@ TEST(GrooveLinks, AreCountedWhereThereIsNoRoom) {
   const GrooveLinks links = LinksOf(sample);
   EXPECT_EQ(links.links.size(), 0u);
   EXPECT_EQ(links.missing, 3u);
+}
+
+// A tip that comes out of a stroke is held through the first turn.
+TEST(GrooveLinks, AreAsDeepAsTheLettersThroughTheTurnBehindAStroke) {
+  const SamplePage sample = Linked("it", 0.012);  // a bar downwards, then over to the right
+  const GrooveLinks links = LinksOf(sample);
+  ASSERT_EQ(links.links.size(), 1u);
+  const std::vector<Piece> spine = SpineOf(links, links.links.front());
+  ASSERT_TRUE(ArcOf(spine.front()));
+  const TypeStyle& style = sample.typeset.style;
+  const TextureField field(BuildTexture(sample.typeset.pages.front(), sample.script, style));
+  for (double s = 0; s <= Length(spine.front()); s += 1e-5) {
+    ASSERT_NEAR(field.SampleAt(PointAt(spine.front(), s)).displacement, -style.depth, 1e-9);
+  }
 }
 
 // Along every link's centre line: full depth at its ends, its own in the middle of a long one,
