@@ -1,5 +1,7 @@
 #include "lessons/measure/intended_strokes.h"
 
+#include <algorithm>
+
 #include "lessons/measure/centre_arc.h"
 
 namespace moontrace {
@@ -9,6 +11,13 @@ std::vector<Piece> SpineOf(const Stroke& stroke, double size, double width, glm:
   std::vector<Piece> placed;
   for (const Piece& piece : stroke.pieces) placed.push_back(Placed(piece, size, origin_P));
   return stroke.kind == StrokeKind::kStroke ? placed : CentreArc(placed, width / 2);
+}
+
+/// Half the width of a dot, which is no less than that of a groove.
+double DotRadius(const Stroke& dot, double size, double width) {
+  Box box;
+  for (const Piece& piece : dot.pieces) Include(box, BoundsOf(piece));
+  return std::max(size * (box.max.x - box.min.x), width) / 2;
 }
 
 }  // namespace
@@ -26,6 +35,9 @@ std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& 
       intended.width = scale * style.width;
       intended.spine_P = SpineOf(stroke, scale * style.size, intended.width, placed.origin_P);
       intended.glyph = i;
+      if (stroke.kind == StrokeKind::kDot) {
+        intended.dot_radius = DotRadius(stroke, scale * style.size, intended.width);
+      }
       if (placed.kind == LineKind::kHeading && style.structure.heading_relief) {
         intended.relief = *style.structure.heading_relief;
       } else {

@@ -18,7 +18,7 @@ LinkMeter::LinkMeter(const std::vector<IntendedStroke>& strokes, const GrooveLin
   for (const IntendedStroke& stroke : strokes) {
     width = std::max(width, stroke.width);
     const double share = stroke.kind == StrokeKind::kFill ? kReachInFill : kReach;
-    grooves_.push_back({stroke.spine_P, share * stroke.width});
+    grooves_.push_back({stroke.spine_P, std::max(share * stroke.width, stroke.dot_radius)});
   }
   for (const GrooveLink& link : links.links) {
     grooves_.push_back({SpineOf(links, link), kReach * width});

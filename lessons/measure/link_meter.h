@@ -11,8 +11,8 @@ namespace moontrace {
 
 /// Finds the groove links that a tip left on its paths from stroke to stroke (kTravel): there, in
 /// contact, it was more than half the letters' groove away (as for TraceMetrics::excursions) from
-/// every link and stroke of the two letters. A path within one letter that has no link there is not
-/// looked at. Letters and their errors are the scorer's.
+/// every link and stroke of the two letters, and outside their dots. A path within one letter that
+/// has no link there is not looked at. Letters and their errors are the scorer's.
 class LinkMeter {
  public:
   LinkMeter(const std::vector<IntendedStroke>& strokes, const GrooveLinks& links);

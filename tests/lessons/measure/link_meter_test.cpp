@@ -57,6 +57,29 @@ TEST_F(LinkMeterTest, CountsNothingWithinHalfAGroove) {
   EXPECT_TRUE(Trace(0.49 * kWidth).empty());
 }
 
+// A dot is flat as far as it reaches: no wall within it holds a tip.
+TEST_F(LinkMeterTest, CountsNothingWithinADot) {
+  strokes_[0].kind = StrokeKind::kDot;
+  strokes_[0].spine_P = {Line{{0, 0}, {0, 0}}};
+  links_.shapes[0].spine = {Line{{0, 0}, {0.02, 0}}};
+  const auto left_at = [&](double aside) {
+    LinkMeter meter(strokes_, links_);
+    TraceSample sample;
+    sample.in_contact = true;
+    sample.tip_P = {0, 0, 0};
+    sample.phase = TracePhase::kStroke;
+    meter.Add(sample);
+    sample.phase = TracePhase::kTravel;
+    sample.stroke = 1;
+    sample.tip_P = {0, aside, 0};
+    meter.Add(sample);
+    return meter.left().size();
+  };
+  strokes_[0].dot_radius = 0.9 * kWidth;
+  EXPECT_EQ(left_at(0.89 * kWidth), 0U);
+  EXPECT_EQ(left_at(0.91 * kWidth), 1U);
+}
+
 TEST_F(LinkMeterTest, CountsNothingInTheAir) { EXPECT_TRUE(Trace(2 * kWidth, false).empty()); }
 
 TEST_F(LinkMeterTest, CountsNothingWithoutALink) {
