@@ -21,6 +21,7 @@
 #include "sim/setup/typeset_report.h"
 #include "sim/setup/writing_messages.h"
 #include "textures/base/error.h"
+#include "textures/relief/groove_links.h"
 #include "textures/typeset/back_translate.h"
 #include "textures/typeset/typeset.h"
 
@@ -46,8 +47,14 @@ Book SetBook(const std::string& text, const Script& script, const TypeStyle& sty
              const PageSpec& page, Console& console) {
   Book book{text, script, {}, {}};
   std::vector<TextPage> kept;
+  PageLinker linker(script, style);
   book.set = SetPages(text, script, style, page, [&](TextPage&& one) {
     console.CheckStop();
+    if (!one.glyphs.empty()) {
+      console.Alive(static_cast<double>(one.glyphs.back().source_end) /
+                    static_cast<double>(text.size()));
+    }
+    linker.Keep(one);
     AddCounts(one, script, style, book.counts);
     if (kept.size() < kMostKept) kept.push_back(std::move(one));
   });
@@ -227,8 +234,7 @@ int Run(const PageOptions& options, Console& console) {
   SayReplacements(set, [&console](const std::string& line) { console.Result(line); });
   console.Result(say::LetterShape(set.style));
   if (set.style.links.reach != LinkReach::kNone) {
-    const LinkCounts& links = book.counts.links;
-    console.Result(say::Links(links.links, links.missing, set.style.links));
+    console.Result(say::Links(book.counts.links, set.style.links));
   }
   if (set.style.form != LetterForm{}) console.Result(say::Form(set.style.form));
   if (set.style.structure.read) console.Result(say::Structure(set));

@@ -82,7 +82,7 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
     const LinkCounts links = CountLinks(trace.text.set, trace.text.script);
     std::optional<std::size_t> left;
     if (all.links_left) left = all.links_left->size();
-    console.Result(say::Links(links.links, links.missing, style.links, left));
+    console.Result(say::Links(links, style.links, left));
     console.Result(say::Lifts(all.lifts_within_lines, all.lines));
   }
   console.Result(say::Force(total));

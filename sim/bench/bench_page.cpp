@@ -93,6 +93,21 @@ BenchPage MakeRichBenchPage(std::uint64_t seed) {
   return page;
 }
 
+BenchPage MakeLinkBenchPage(std::uint64_t seed) {
+  constexpr std::size_t kLines = 10, kSigns = 480;
+  BenchPage page;
+  page.script = FindScript("moon");
+  page.style = DefaultStyle(0.012, Relief::kEngraved, page.script);
+  page.style.grade = 0.5;
+  page.style.links.reach = LinkReach::kWords;
+  const PageSpec paper{"custom", 1.6, (kLines + 2) * page.style.line_pitch, 0.01};
+  page.size = {paper.width, paper.height};
+  page.sheet =
+      SetText(RepresentativeText(kLines, seed), page.script, page.style, paper).pages.front();
+  page.sheet.glyphs.resize(kSigns);
+  return page;
+}
+
 std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count,
                                         std::uint64_t seed) {
   std::vector<Box> boxes;

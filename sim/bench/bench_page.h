@@ -26,6 +26,9 @@ BenchPage MakeBenchPage(std::size_t pages, std::uint64_t seed);
 /// within words, line rules, a raised margin, rough paper.
 BenchPage MakeRichBenchPage(std::uint64_t seed);
 
+/// A page of 480 signs of 12 mm, links across words asked for and not yet found; without a texture.
+BenchPage MakeLinkBenchPage(std::uint64_t seed);
+
 /// Seeded points inside the letters' boxes.
 std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count,
                                         std::uint64_t seed);

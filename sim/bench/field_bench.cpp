@@ -4,6 +4,7 @@
 #include "sim/bench/row.h"
 #include "sim/bench/timing.h"
 #include "textures/relief/glyph_group.h"
+#include "textures/relief/groove_links.h"
 
 namespace moontrace {
 
@@ -137,6 +138,15 @@ void AddBuilding(const BenchPage& page, BenchRows& rows) {
   rows.push_back(AtMost("new page of 64 x 30 letters built", 1e3 * time, "ms", 2));
 }
 
+/// Nothing is known from the time before: each go looks for all links anew.
+void AddLinks(BenchRows& rows) {
+  const BenchPage page = MakeLinkBenchPage(4);
+  const double time = MedianSecondsOf(15, [&] {
+    Keep(static_cast<double>(LinkPage(page.sheet, page.script, page.style).missing));
+  });
+  rows.push_back(AtMost("links of a page of 480 signs found", 1e3 * time, "ms", 5));
+}
+
 }  // namespace
 
 BenchRows BenchField() {
@@ -147,6 +157,7 @@ BenchRows BenchField() {
   AddRich(page, field, rows);
   AddGrowth(page, field, rows);
   AddBuilding(page, rows);
+  AddLinks(rows);
   return rows;
 }
 

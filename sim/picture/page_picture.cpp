@@ -49,12 +49,12 @@ Drawing PagePicture(const TextPage& text_page, PageNumber number, const Typeset&
   for (Mark& mark : RuleMarks(text_page, script, set.style)) {
     drawing.marks.push_back(std::move(mark));
   }
-  const GrooveLinks links = LinkPage(text_page, script, set.style);
+  const std::shared_ptr<const GrooveLinks> links = LinksOf(text_page, script, set.style);
   if (set.style.links.reach != LinkReach::kNone) {
     drawing.description += ' ';
-    drawing.description += say::LinksDrawn(links.links.size(), links.missing);
+    drawing.description += say::LinksDrawn({links->links.size(), links->missing, links->crossings});
   }
-  for (Mark& mark : LinkMarks(links, script, set.style, {0, 0}, palette::kLink)) {
+  for (Mark& mark : LinkMarks(*links, script, set.style, {0, 0}, palette::kLink)) {
     drawing.marks.push_back(std::move(mark));
   }
   for (Mark& mark : MoonMarks(text_page, script, set.style, {0, 0}, palette::kInk)) {

@@ -106,7 +106,7 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
   const double print = std::clamp(0.1 * size, 1.5, 2.4);
 
   const Box ink = Drawn(page, script, style, blank, result);
-  const GrooveLinks links = LinkPage(page, script, style);
+  const std::shared_ptr<const GrooveLinks> links = LinksOf(page, script, style);
   Drawing drawing;
   drawing.width = std::max(80.0, kMillimetres * (ink.max.x - ink.min.x) + 2 * border);
   drawing.title = say::TracePictureTitle(script.title, style, blank);
@@ -118,7 +118,7 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
   std::vector<TextMark> words = TextBlock(fmt::format("{}. {}", drawing.title, drawing.description),
                                           below, room, print, palette::kInk);
   const double first = words.empty() ? 0 : -words.back().at.y + print;
-  for (TextMark& line : TextBlock(Legend(links, style, blank, result), below - glm::dvec2(0, first),
+  for (TextMark& line : TextBlock(Legend(*links, style, blank, result), below - glm::dvec2(0, first),
                                   room, print, palette::kInk)) {
     words.push_back(std::move(line));
   }
@@ -128,7 +128,7 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
   const glm::dvec2 from_P = ink.min - glm::dvec2(border, border + words_height) / kMillimetres;
   if (!blank) {
     Append(drawing.marks, RulesFrom(page, script, style, from_P));
-    Append(drawing.marks, LinkMarks(links, script, style, from_P, palette::kLink));
+    Append(drawing.marks, LinkMarks(*links, script, style, from_P, palette::kLink));
   }
   Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)
                               : MoonMarks(page, script, style, from_P, palette::kGroove));

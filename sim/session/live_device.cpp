@@ -79,8 +79,8 @@ HandOnPage LiveDevice::HandOn(const FeltPage& page, const Pose& X_WP) const {
   SetPress(hand_, text.set.style.relief, press_, options);
   options.repeats = true;
   const auto strokes = IntendedStrokes(page.set(), text.script, text.set.style);
-  const GrooveLinks links = LinkPage(page.set(), text.script, text.set.style);
-  const Plan plan = MakePlan(strokes, WalksOf(strokes, page.set(), links), options, X_WP);
+  const auto links = LinksOf(page.set(), text.script, text.set.style);
+  const Plan plan = MakePlan(strokes, WalksOf(strokes, page.set(), *links), options, X_WP);
   return {MakeSimulatedStylus(hand_, plan.path_W, tick_, seed_), plan.duration};
 }
 

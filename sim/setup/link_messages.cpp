@@ -6,21 +6,29 @@
 
 namespace moontrace::say {
 
-std::string Links(std::size_t links, std::size_t missing, const LinkStyle& style,
+std::string Links(const LinkCounts& counts, const LinkStyle& style,
                   std::optional<std::size_t> left) {
+  const std::size_t links = counts.links;
   std::string line = fmt::format("Links: {}", links == 0 ? "none" : fmt::format("{}", links));
   if (links > 0 && left) {
     line += fmt::format(", {} of them left", *left == 0 ? "none" : fmt::format("{}", *left));
   }
   line += fmt::format(", {:.3g} of the letters' depth", style.depth);
-  if (missing == 0) return line + ".";
-  return fmt::format("{}; no room for {}.", line, missing);
+  if (counts.crossings > 0) {
+    line += fmt::format("; {}", Counted(counts.crossings, "pair crosses", "pairs cross"));
+  }
+  if (counts.missing == 0) return line + ".";
+  return fmt::format("{}; no room for {}.", line, counts.missing);
 }
 
-std::string LinksDrawn(std::size_t links, std::size_t missing) {
-  std::string words = fmt::format("{}, drawn thin and light.", Counted(links, "link", "links"));
-  if (missing == 0) return words;
-  return fmt::format("{} No room for {}.", words, Counted(missing, "more", "more"));
+std::string LinksDrawn(const LinkCounts& counts) {
+  std::string words =
+      fmt::format("{}, drawn thin and light.", Counted(counts.links, "link", "links"));
+  if (counts.crossings > 0) {
+    words += fmt::format(" {}.", Counted(counts.crossings, "pair crosses", "pairs cross"));
+  }
+  if (counts.missing == 0) return words;
+  return fmt::format("{} No room for {}.", words, Counted(counts.missing, "more", "more"));
 }
 
 std::string LinksTraced(std::size_t links, std::optional<std::size_t> left) {

@@ -7,15 +7,23 @@
 #include "textures/relief/groove_links.h"
 #include "textures/typeset/style.h"
 
+namespace moontrace {
+
+/// Links of pages, places where none keeps the gap, and pairs that run into each other.
+struct LinkCounts {
+  std::size_t links = 0, missing = 0, crossings = 0;
+};
+
+}  // namespace moontrace
+
 /// Sentences about groove links and about tracing without lifting.
 namespace moontrace::say {
 
-/// How many links a page has and at how many places none keeps the gap; how many the tip left, if
-/// that is known.
-std::string Links(std::size_t links, std::size_t missing, const LinkStyle& style,
+/// How many links there are, and how many the tip left, if that is known.
+std::string Links(const LinkCounts& counts, const LinkStyle& style,
                   std::optional<std::size_t> left = {});
 /// The same for the words beside a picture.
-std::string LinksDrawn(std::size_t links, std::size_t missing);
+std::string LinksDrawn(const LinkCounts& counts);
 /// The colour of links in the picture of a trace, and how many were left: " Pale blue: links."
 std::string LinksTraced(std::size_t links, std::optional<std::size_t> left);
 /// How often the tip left the page within a line, and how many lines there are.

@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "sim/console/console.h"
 #include "sim/setup/help.h"
 #include "sim/setup/link_messages.h"
 #include "sim/setup/setup_messages.h"
+#include "textures/relief/groove_links.h"
 
 namespace moontrace {
 
@@ -31,6 +31,13 @@ LinkStyle LinksOf(const LinkOptions& options, const Label& label) {
   links.depth = options.depth.value_or(label.link_depth.value_or(links.depth));
   links.gap = options.gap ? options.gap : label.link_gap;
   return links;
+}
+
+void KeepLinks(Typeset& set, const Script& script, Console& console) {
+  LinkPages(set, script, [&console](double done) {
+    console.CheckStop();
+    console.Alive(done);
+  });
 }
 
 }  // namespace moontrace

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/setup/link_options.h"
 #include "sim/setup/model_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
@@ -99,6 +100,7 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   setup.set = SetText(setup.text, setup.script, style, sheet);
   const std::size_t signs = CountSigns(setup.set);
   if (signs > kMostSigns) throw InputError(say::TooLong(signs, kMostSigns));
+  KeepLinks(setup.set, setup.script, console);
   if (model && setup.set.pages.size() > 1) {
     console.Remark(say::PagesOnGeom(setup.set.pages.size(), from->geom));
   }

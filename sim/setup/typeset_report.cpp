@@ -90,7 +90,16 @@ Json LinksJson(const LinkStyle& links, const LinkCounts& counts, const TypeStyle
   json["gap_mm"] = kMillimetres * links.gap.value_or(style.width / 4);
   json["count"] = counts.links;
   json["missing"] = counts.missing;
+  json["crossings"] = counts.crossings;
   return json;
+}
+
+void AddLinks(const TextPage& page, const Script& script, const TypeStyle& style,
+              LinkCounts& counts) {
+  const std::shared_ptr<const GrooveLinks> links = LinksOf(page, script, style);
+  counts.links += links->links.size();
+  counts.missing += links->missing;
+  counts.crossings += links->crossings;
 }
 
 }  // namespace
@@ -101,9 +110,7 @@ void AddCounts(const TextPage& page, const Script& script, const TypeStyle& styl
   counts.lines += page.lines;
   counts.signs += page.glyphs.size();
   counts.rules += RaisedLinesOf(page, script, style).rules.size();
-  const GrooveLinks links = LinkPage(page, script, style);
-  counts.links.links += links.links.size();
-  counts.links.missing += links.missing;
+  AddLinks(page, script, style, counts.links);
 }
 
 std::size_t CountSigns(const Typeset& set) {
@@ -114,11 +121,7 @@ std::size_t CountSigns(const Typeset& set) {
 
 LinkCounts CountLinks(const Typeset& set, const Script& script) {
   LinkCounts counts;
-  for (const TextPage& page : set.pages) {
-    const GrooveLinks links = LinkPage(page, script, set.style);
-    counts.links += links.links.size();
-    counts.missing += links.missing;
-  }
+  for (const TextPage& page : set.pages) AddLinks(page, script, set.style, counts);
   return counts;
 }
 

@@ -4,17 +4,12 @@
 #include <functional>
 #include <string>
 
+#include "sim/setup/link_messages.h"
 #include "sim/trial/metrics_json.h"
 #include "textures/fonts/script.h"
-#include "textures/relief/groove_links.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
-
-/// Groove links, and the places where none keeps the gap.
-struct LinkCounts {
-  std::size_t links = 0, missing = 0;
-};
 
 /// What lies on pages.
 struct PageCounts {
@@ -29,6 +24,7 @@ void AddCounts(const TextPage& page, const Script& script, const TypeStyle& styl
                PageCounts& counts);
 
 std::size_t CountSigns(const Typeset& set);
+/// Groove links of all pages.
 LinkCounts CountLinks(const Typeset& set, const Script& script);
 
 /// Rules, raised margin and texture in words, one line each; none for a plain sheet.

@@ -183,8 +183,8 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   const std::vector<IntendedStroke> strokes =
       IntendedStrokes(*setup.page, *setup.script, setup.style);
   const Pose X_WP = scene.X_WP();
-  const GrooveLinks links = LinkPage(*setup.page, *setup.script, setup.style);
-  const Plan plan = MakePlan(strokes, WalksOf(strokes, *setup.page, links), setup.plan, X_WP);
+  const auto links = LinksOf(*setup.page, *setup.script, setup.style);
+  const Plan plan = MakePlan(strokes, WalksOf(strokes, *setup.page, *links), setup.plan, X_WP);
   const std::unique_ptr<Device> stylus =
       MakeSimulatedStylus(setup.hand, plan.path_W, setup.scene.tick, setup.seed);
   if (!plan.path_W.points.empty()) {
@@ -201,7 +201,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   TraceScorer scorer(strokes, setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, *field, scene);
   const auto start = std::chrono::steady_clock::now();
-  LinkMeter link_meter(strokes, links);
+  LinkMeter link_meter(strokes, *links);
   RunTicks(setup, plan, scene, *stylus, scorer, link_meter, LiftCounter(strokes, *setup.page),
            TrialPush(setup, strokes), recorder.get(), result);
   result.score = scorer.Finish();

@@ -2,9 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "sim/setup/link_options.h"
 #include "tests/sim/cli_fixture.h"
+#include "textures/fonts/script_library.h"
+#include "textures/relief/groove_links.h"
 
 namespace moontrace {
 namespace {
@@ -27,6 +32,39 @@ TEST_F(LinkOptionsTest, ArePutOnThePageAndTold) {
   ExpectTextFace(words.out);
   const Outcome crowded = RunLine({"page", "la", "--links", "words", "--link-gap-mm", "12"});
   EXPECT_NE(crowded.out.find("no room for 1."), std::string::npos) << crowded.out;
+}
+
+// Where lines stand closer there is less room to lead links round each other.
+TEST_F(LinkOptionsTest, ThatCrossAreCountedAndTold) {
+  const std::vector<std::string> line = {
+      "page", "gugmgy through", "--links", "words", "--line-pitch-mm", "18", "--page", "300x100"};
+  const nlohmann::json json = RunLine(With(line, {"--json", "--picture", In("p.svg")})).Json();
+  const int crossings = json["links"]["crossings"];
+  EXPECT_GT(crossings, 1);
+  const std::string said = std::to_string(crossings) + " pairs cross";
+  const Outcome words = RunLine(line);
+  EXPECT_NE(words.out.find(said + "."), std::string::npos) << words.out;
+  ExpectTextFace(words.out);
+  EXPECT_NE(ReadAll(In("p.svg")).find(said), std::string::npos);
+  const nlohmann::json apart =
+      RunLine({"page", "bright moon", "--links", "words", "--json"}).Json();
+  EXPECT_EQ(apart["links"]["crossings"], 0);
+}
+
+TEST_F(LinkOptionsTest, AreFoundOnceForAllPages) {
+  std::ostringstream out, err;
+  std::istringstream in;
+  Console console(in, out, err);
+  Script script = FindScript("moon");
+  TypeStyle style = DefaultStyle(0.012, Relief::kEngraved, script);
+  style.links.reach = LinkReach::kWords;
+  Typeset set = SetText("moon\nmoon\nmoon", script, style, {"custom", 0.2, 0.05, 0.01});
+  ASSERT_GT(set.pages.size(), 1u);
+  KeepLinks(set, script, console);
+  for (const TextPage& page : set.pages) {
+    ASSERT_NE(page.links, nullptr);
+    EXPECT_EQ(LinksOf(page, script, style), page.links);
+  }
 }
 
 TEST_F(LinkOptionsTest, AreRefusedWhereTheyCannotBe) {
