@@ -26,8 +26,8 @@ inline constexpr const char* kLinkReaches = "none, letters, words";
 /// so that their curvature is the same and their slope less.
 struct LinkStyle {
   LinkReach reach = LinkReach::kNone;
-  /// Share of the letters' depth, above 0, at most 1. At 0.4 the shipped hand leaves a third of the
-  /// links of 12 mm letters (SlowLinkedTracing), at 0.6 one in fifteen.
+  /// Share of the letters' depth, above 0, at most 1. At 0.4 the shipped hand leaves one in 25 of
+  /// the links of 12 mm letters (SlowLinkedTracing), at 0.6 none.
   double depth = 0.6;
   std::optional<double> gap;  ///< kept to strokes, rim to rim [m]; default a quarter of the width
   bool operator==(const LinkStyle&) const = default;
