@@ -20,6 +20,7 @@
 #include "textures/base/utf8.h"
 #include "textures/fonts/script_check.h"
 #include "textures/fonts/script_library.h"
+#include "textures/fonts/script_writer.h"
 #include "textures/fonts/svg_font_writer.h"
 #include "textures/typeset/fold.h"
 
@@ -157,6 +158,15 @@ int Check(const ScriptOptions& options, const Script& script, Console& console) 
   return findings.empty() && !outlines ? exit_code::kGood : exit_code::kFailed;
 }
 
+/// Throws where the files could not be read again.
+WrittenScript Written(const Script& script, const std::string& svg_name) {
+  try {
+    return WriteScript(script, svg_name);
+  } catch (const InputError& error) {
+    throw InputError(say::NotConverted(error.what()));
+  }
+}
+
 int Convert(const ScriptOptions& options, Script script, Console& console) {
   std::size_t joined = 0;
   for (Glyph& glyph : script.glyphs) {
@@ -165,8 +175,9 @@ int Convert(const ScriptOptions& options, Script script, Console& console) {
     joined += before - glyph.strokes.size();
   }
   const std::string rules = fs::path(options.to).replace_extension(".toml").string();
-  WriteWhole(options.to, WriteSvgFont(script));
-  WriteWhole(rules, WriteRules(script));
+  const WrittenScript written = Written(script, options.to);
+  WriteWhole(options.to, written.svg);
+  WriteWhole(rules, written.toml);
   if (options.output.json) {
     console.Json(Dump(Json{{"font", options.to},
                            {"rules", rules},

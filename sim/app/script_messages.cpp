@@ -147,6 +147,13 @@ std::string MoreFindings(std::size_t count) {
   return fmt::format("And {}; --json lists all.", Counted(count, "more finding", "more findings"));
 }
 
+std::string NotConverted(std::string_view why) {
+  return fmt::format(
+      "script convert: not written, it could not be read back ({}): take other or fewer signs "
+      "with --only",
+      why);
+}
+
 std::string Converted(std::size_t glyphs, std::size_t joined) {
   const std::string signs = Counted(glyphs, "sign", "signs");
   if (joined == 0) return fmt::format("Converted {}; the font and its rules are in:", signs);

@@ -26,6 +26,8 @@ std::string ScriptIsOutlines();
 std::string CheckOutcome(std::size_t findings, std::size_t glyphs, const CheckSize& size);
 std::string FindingLine(const ScriptFinding& finding, const Script& script);
 std::string MoreFindings(std::size_t count);
+/// `why`: the line that reading it back would say.
+std::string NotConverted(std::string_view why);
 std::string Converted(std::size_t glyphs, std::size_t joined);
 std::string TableOutcome(std::size_t shown, std::size_t glyphs);
 std::string TableRow(std::size_t row, std::string_view names);

@@ -19,6 +19,7 @@
 #include "textures/fonts/kanjivg.h"
 #include "textures/fonts/needed_characters.h"
 #include "textures/fonts/script_rules.h"
+#include "textures/fonts/script_writer.h"
 #include "textures/fonts/svg_font.h"
 #include "textures/fonts/svg_source.h"
 
@@ -78,7 +79,7 @@ Script LoadSvg(const std::string& path) {
   std::error_code error;
   const std::string svg = ReadTextFile(path, kMaxSvgBytes);
   if (!fs::exists(toml_path, error)) return ParseForeignFont(svg, path);
-  return ParseScript(svg, path, ReadTextFile(toml_path, std::size_t{1} << 20U), toml_path);
+  return ParseScript(svg, path, ReadTextFile(toml_path, kMaxRulesBytes), toml_path);
 }
 
 Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {

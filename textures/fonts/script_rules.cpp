@@ -8,16 +8,19 @@
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
 #include "textures/base/utf8.h"
+#include "textures/fonts/glyph_name.h"
 
 namespace moontrace {
 namespace {
 
 using Names = std::set<std::string>;
 
-/// Fails unless there is the glyph that stands at `key`.
-void NeedGlyph(const TomlTable& table, const std::string& key, const std::string& glyph,
-               const Names& names) {
-  if (names.count(glyph) != 0) return;
+/// The name of the glyph that stands at `key`, by its own name or as font editors number it
+/// ("uni0416"). Fails where there is none.
+std::string GlyphNamed(const TomlTable& table, const std::string& key, const std::string& glyph,
+                       const Names& names) {
+  if (names.count(glyph) != 0) return glyph;
+  if (const std::string named = CharactersNamed(glyph); names.count(named) != 0) return named;
   const std::string nearest = NearestWord(glyph, {names.begin(), names.end()});
   table.Fail(key, "no glyph '" + OneLine(glyph, 40) + "' in the font; " +
                       (nearest.empty() ? "draw it or correct the name"
@@ -54,8 +57,7 @@ std::vector<double> ReadGrades(const TomlTable& table) {
 
 void ReadSigns(const TomlTable& table, const Names& names, Script& script) {
   for (const std::string& key : table.Keys()) {
-    const std::string glyph = table.String(key);
-    NeedGlyph(table, key, glyph, names);
+    const std::string glyph = GlyphNamed(table, key, table.String(key), names);
     const auto added = script.signs.emplace(OneCharacter(table, key, key), glyph);
     if (!added.second && added.first->second != glyph) {
       table.Fail(key, "the font binds this character to '" + OneLine(added.first->second, 40) +
@@ -65,14 +67,12 @@ void ReadSigns(const TomlTable& table, const Names& names, Script& script) {
 }
 
 void ReadNumerals(const TomlTable& table, const Names& names, Script& script) {
-  script.numeral_sign = table.String("sign");
-  NeedGlyph(table, "sign", script.numeral_sign, names);
+  script.numeral_sign = GlyphNamed(table, "sign", table.String("sign"), names);
   const TomlTable digits = table.Table("digits");
   for (char digit = '0'; digit <= '9'; ++digit) {
     const std::string key(1, digit);
-    const std::string glyph = digits.String(key);
-    NeedGlyph(digits, key, glyph, names);
-    script.digits[static_cast<char32_t>(digit)] = glyph;
+    script.digits[static_cast<char32_t>(digit)] =
+        GlyphNamed(digits, key, digits.String(key), names);
   }
   digits.FailUnknown();
   table.FailUnknown();
@@ -84,7 +84,7 @@ Contraction ReadContraction(const TomlTable& table, const Names& names) {
   if (contraction.print.empty()) table.Fail("print", "empty; give the letters it stands for");
   contraction.signs = table.Strings("signs");
   if (contraction.signs.empty()) table.Fail("signs", "empty; name the glyphs that are written");
-  for (const std::string& sign : contraction.signs) NeedGlyph(table, "signs", sign, names);
+  for (std::string& sign : contraction.signs) sign = GlyphNamed(table, "signs", sign, names);
   contraction.grade = table.Number("grade");
   const std::string where = table.String("where", "anywhere");
   if (where == "anywhere") {
@@ -123,18 +123,17 @@ void ReadMeasures(const TomlTable& table, Script& script) {
 }
 
 void ReadForms(const TomlTable& table, const Names& names, Script& script) {
-  for (const std::string& letter : table.Keys()) {
-    NeedGlyph(table, letter, letter, names);
-    const TomlTable forms = table.Table(letter);
+  for (const std::string& key : table.Keys()) {
+    const std::string letter = GlyphNamed(table, key, key, names);
+    const TomlTable forms = table.Table(key);
     bool has_default = false;
     for (const std::string& form : forms.Keys()) {
-      const std::string glyph = forms.String(form);
-      NeedGlyph(forms, form, glyph, names);
+      const std::string glyph = GlyphNamed(forms, form, forms.String(form), names);
       script.forms[letter][form] = glyph;
       has_default = has_default || glyph == letter;
     }
     if (!has_default) {
-      table.Fail(letter, "no form is the glyph '" + OneLine(letter, 40) + "' itself; name one so");
+      table.Fail(key, "no form is the glyph '" + OneLine(letter, 40) + "' itself; name one so");
     }
   }
 }

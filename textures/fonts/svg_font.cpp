@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
@@ -14,6 +15,8 @@
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
+#include "textures/fonts/character_script.h"
+#include "textures/fonts/glyph_name.h"
 #include "textures/fonts/svg_path.h"
 #include "textures/fonts/svg_shapes.h"
 #include "textures/fonts/svg_source.h"
@@ -21,7 +24,9 @@
 namespace moontrace {
 namespace {
 
-constexpr std::size_t kMaxGlyphs = 10000;
+/// Bytes of a file for each command and piece beyond those that every file may have: no path
+/// without <use> writes more of them.
+constexpr std::size_t kBytesOfCommand = 4;
 constexpr double kMaxEms = 100;
 constexpr double kTolerance = 0.001;  ///< [em]
 
@@ -30,7 +35,10 @@ std::string Quoted(std::string_view text) { return fmt::format("'{}'", OneLine(t
 class FontReader {
  public:
   FontReader(std::string_view svg, const std::string& file_name, SvgFontKind kind)
-      : source_(svg, file_name), foreign_(kind == SvgFontKind::kForeign) {}
+      : source_(svg, file_name), foreign_(kind == SvgFontKind::kForeign) {
+    limits_.commands = std::max(limits_.commands, svg.size() / kBytesOfCommand);
+    limits_.pieces = std::max(limits_.pieces, svg.size() / kBytesOfCommand);
+  }
 
   SvgFont Read() {
     const pugi::xml_node font = FindFont();
@@ -40,8 +48,11 @@ class FontReader {
     out_.metadata = source_.root().child("metadata").text().get();
     limits_.tolerance = kTolerance * em_;
     limits_.greatest = kMaxEms * em_;
+    for (const pugi::xml_node node : font.children("glyph")) written_.insert(WrittenName(node));
     for (const pugi::xml_node node : font.children("glyph")) {
-      if (out_.glyphs.size() == kMaxGlyphs) source_.Fail(node, "more than 10000 glyphs; use fewer");
+      if (out_.glyphs.size() == kMostCharacters) {
+        source_.Fail(node, fmt::format("more than {} glyphs; use fewer", kMostCharacters));
+      }
       ReadGlyph(font, node);
     }
     if (out_.glyphs.empty() && foreign_) {
@@ -82,11 +93,24 @@ class FontReader {
     return *em;
   }
 
+  /// As the file has it.
+  static std::string_view WrittenName(pugi::xml_node node) {
+    const std::string_view name = node.attribute("glyph-name").value();
+    return name.empty() ? node.attribute("unicode").value() : name;
+  }
+
+  /// By its characters where the file only numbers them, unless another glyph is called that.
+  std::string NameOf(pugi::xml_node node) const {
+    const std::string_view written = WrittenName(node);
+    std::string characters = CharactersNamed(written);
+    const bool free = !characters.empty() && written_.count(characters) == 0;
+    return free ? characters : std::string(written);
+  }
+
   void ReadGlyph(pugi::xml_node font, pugi::xml_node node) {
     const std::string characters = node.attribute("unicode").value();
     Glyph glyph;
-    glyph.name = node.attribute("glyph-name").value();
-    if (glyph.name.empty()) glyph.name = characters;
+    glyph.name = NameOf(node);
     if (glyph.name.empty()) {
       if (foreign_) return;
       source_.Fail(node, "a glyph without glyph-name or unicode; name it");
@@ -167,6 +191,7 @@ class FontReader {
   double em_ = 1000;
   PathLimits limits_;
   SvgShapes shapes_{source_, limits_};
+  std::set<std::string_view, std::less<>> written_;  ///< names as the file has them
   std::set<std::string> names_;
   std::map<std::string, std::size_t> copies_;  ///< by name: how many have been renamed
   SvgFont out_;

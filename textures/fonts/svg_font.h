@@ -25,15 +25,17 @@ struct SvgFont {
 
 /// Reads the first <font> of an SVG document; each <glyph> by `SvgShapes`, the `d` attribute first,
 /// filled areas last. Curves become arcs within 0.001 em. A glyph without glyph-name goes by its
-/// character; one for the space with nothing drawn is left out; <missing-glyph> is not read, since
-/// what a script has no sign for is reported and left out.
+/// character; so does one whose glyph-name only numbers it ("uni0022", see glyph_name.h), unless
+/// another glyph has that name; one for the space with nothing drawn is left out; <missing-glyph>
+/// is not read, since what a script has no sign for is reported and left out.
 ///
 /// One em is the font-face's cap-height. Where that is absent or 0, kOwn takes units-per-em (which
 /// our fonts set equal; fontforge drops the cap-height of a font without capitals), kForeign the
 /// ascent, else units-per-em.
 ///
 /// Throws InputError (file:line:column, cause, cure): broken XML, not UTF-8, no font, no glyphs,
-/// more than 8 MB, 10 000 glyphs or 100 000 path commands, a coordinate beyond 100 em, a broken
+/// more than 64 MB, 20 000 glyphs, 100 000 path commands that are not in the file one by one but
+/// come of <use> (one more for every four bytes of the file), a coordinate beyond 100 em, a broken
 /// path, a cycle of <use>. kOwn also: a name or character twice, a glyph without a name, with
 /// nothing drawn or for a group of characters. kForeign leaves glyphs out that have no name or
 /// character, nothing drawn or no step to the next one (marks set over letters); of two for one

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/vector_int2_sized.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string_view>
@@ -11,11 +12,13 @@
 #include "textures/base/overload.h"
 #include "textures/base/utf8.h"
 #include "textures/base/xml_text.h"
+#include "textures/fonts/glyph_name.h"
 
 namespace moontrace {
 namespace {
 
-constexpr double kUnits = 1000;  ///< of one em
+constexpr double kUnits = 1000;      ///< of one em
+constexpr double kDecimals = 10000;  ///< of one unit, as numbers are rounded
 constexpr double kLongestArc = std::numbers::pi / 2 + 1e-9;
 constexpr double kGreatestRadius = 99;  ///< [em]; readers refuse numbers beyond 100 em
 constexpr double kChordHeight = 1e-4;   ///< [em] of a flat arc over the lines written for it
@@ -28,46 +31,83 @@ std::string Number(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string Point(glm::dvec2 p_em) {
-  return fmt::format("{} {}", Number(kUnits * p_em.x), Number(kUnits * p_em.y));
-}
-
 /// Text for an attribute; control characters, which XML 1.0 has not, are left out.
 std::string Escaped(std::string text) {
   std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20U; });
   return EscapedXml(text);
 }
 
-void AppendArc(const Arc& arc, std::string& path) {
-  const bool flat = arc.radius > kGreatestRadius;
-  // a chord lies r (1 - cos(sweep / 2)) below its arc, about r sweep^2 / 8
-  const double longest = flat ? std::sqrt(8 * kChordHeight / arc.radius) : kLongestArc;
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / longest)));
-  for (int i = 1; i <= parts; ++i) {
-    const double angle = arc.start + arc.sweep * i / parts;
-    const glm::dvec2 to = arc.center + arc.radius * glm::dvec2(std::cos(angle), std::sin(angle));
-    if (flat) {
-      path.append(" L").append(Point(to));
-      continue;
-    }
-    const std::string radius = Number(kUnits * arc.radius);
-    path += fmt::format(" A{} {} 0 0 {} {}", radius, radius, arc.sweep > 0 ? 1 : 0, Point(to));
+/// A path's text, written compactly: what goes on from the place before is written relative to it,
+/// a letter only where the command changes.
+class PathText {
+ public:
+  /// Begins a subpath.
+  void MoveTo(glm::dvec2 p_em) { Command('M', Rounded(p_em), ""); }
+
+  /// `home`: the piece ends where the subpath began, and is written so that it does so for readers
+  /// that add up with less care.
+  void Add(const Piece& piece, bool home) {
+    std::visit(Overload{[&](const Line& line) { LineTo(line.to, home); },
+                        [&](const Arc& arc) { ArcTo(arc, home); }},
+               piece);
   }
-}
 
-void AppendPiece(const Piece& piece, std::string& path) {
-  std::visit(Overload{[&path](const Line& line) { path.append(" L").append(Point(line.to)); },
-                      [&path](const Arc& arc) { AppendArc(arc, path); }},
-             piece);
-}
+  void Close() {
+    text_ += 'Z';
+    command_ = 'Z';
+  }
 
-std::string PathOf(const Stroke& stroke) {
-  std::string path = "M";
-  path.append(Point(StartOf(stroke.pieces.front())));
-  for (const Piece& piece : stroke.pieces) AppendPiece(piece, path);
-  if (stroke.kind != StrokeKind::kStroke) path.append(" Z");
-  return path;
-}
+  std::string Take() { return std::move(text_); }
+
+ private:
+  /// In units of the last decimal.
+  using Place = glm::i64vec2;
+  static Place Rounded(glm::dvec2 p_em) {
+    return {std::llround(kUnits * kDecimals * p_em.x), std::llround(kUnits * kDecimals * p_em.y)};
+  }
+
+  void LineTo(glm::dvec2 to_em, bool home) { Command(home ? 'L' : 'l', Rounded(to_em), ""); }
+
+  void ArcTo(const Arc& arc, bool home) {
+    const bool flat = arc.radius > kGreatestRadius;
+    // a chord lies r (1 - cos(sweep / 2)) below its arc, about r sweep^2 / 8
+    const double longest = flat ? std::sqrt(8 * kChordHeight / arc.radius) : kLongestArc;
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / longest)));
+    const std::string radius = Number(kUnits * arc.radius);
+    const std::string shape = fmt::format("{} {} 0 0 {}", radius, radius, arc.sweep > 0 ? 1 : 0);
+    for (int i = 1; i <= parts; ++i) {
+      const bool last = home && i == parts;
+      const glm::dvec2 to = PointAt(Piece(arc), Length(Piece(arc)) * i / parts);
+      if (flat) LineTo(to, last);
+      if (!flat) Command(last ? 'A' : 'a', Rounded(to), shape);
+    }
+  }
+
+  /// `shape`: the numbers before the place that is reached.
+  void Command(char command, Place to, const std::string& shape) {
+    const bool relative = command == 'l' || command == 'a';
+    if (command != command_ || command == 'M') text_ += command;
+    Append(shape);
+    const Place written = relative ? to - at_ : to;
+    Append(Number(static_cast<double>(written.x) / kDecimals));
+    Append(Number(static_cast<double>(written.y) / kDecimals));
+    command_ = command;
+    at_ = to;
+  }
+
+  /// A blank parts numbers where no sign does.
+  void Append(const std::string& numbers) {
+    if (numbers.empty()) return;
+    const char before = text_.empty() ? 'M' : text_.back();
+    const bool behind_number = (before >= '0' && before <= '9') || before == '.';
+    if (behind_number && numbers[0] != '-') text_ += ' ';
+    text_ += numbers;
+  }
+
+  std::string text_;
+  char command_ = '\0';
+  Place at_{0, 0};
+};
 
 bool IsRing(const Stroke& stroke) {
   return stroke.kind == StrokeKind::kStroke &&
@@ -88,15 +128,20 @@ Stroke Opened(Stroke ring) {
 /// All strokes in one path, in writing order. fontforge closes a ring that another subpath follows,
 /// so such a ring ends a hair short.
 std::string PathOf(const Glyph& glyph) {
-  std::string path;
+  PathText path;
   for (std::size_t i = 0; i < glyph.strokes.size(); ++i) {
-    const Stroke& stroke = glyph.strokes[i];
-    if (stroke.pieces.empty()) continue;
+    if (glyph.strokes[i].pieces.empty()) continue;
     const bool followed = i + 1 < glyph.strokes.size();
-    path.append(path.empty() ? "" : " ");
-    path.append(PathOf(followed && IsRing(stroke) ? Opened(stroke) : stroke));
+    const bool ring = IsRing(glyph.strokes[i]);
+    const Stroke stroke = followed && ring ? Opened(glyph.strokes[i]) : glyph.strokes[i];
+    const bool closed = stroke.kind != StrokeKind::kStroke;
+    path.MoveTo(StartOf(stroke.pieces.front()));
+    for (std::size_t k = 0; k < stroke.pieces.size(); ++k) {
+      path.Add(stroke.pieces[k], (closed || ring) && k + 1 == stroke.pieces.size());
+    }
+    if (closed) path.Close();
   }
-  return path;
+  return path.Take();
 }
 
 /// TOML's basic string.
@@ -208,7 +253,7 @@ std::string WriteSvgFont(const Script& script) {
             ? ""
             : fmt::format(" unicode=\"{}\"", Escaped(ToUtf8(character->second)));
     svg += fmt::format("<glyph{} glyph-name=\"{}\" horiz-adv-x=\"{}\"\n  d=\"{}\"/>\n", unicode,
-                       Escaped(glyph.name), Number(kUnits * glyph.advance), PathOf(glyph));
+                       FontGlyphName(glyph.name), Number(kUnits * glyph.advance), PathOf(glyph));
   }
   return svg + "</font>\n</defs>\n</svg>\n";
 }

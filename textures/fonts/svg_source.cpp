@@ -12,7 +12,7 @@ namespace moontrace {
 SvgSource::SvgSource(std::string_view svg, const std::string& file_name)
     : text_(svg), file_(file_name) {
   if (svg.size() > kMaxSvgBytes) {
-    throw InputError(file_name + ": holds more than 8 MB; simplify the font");
+    throw InputError(file_name + ": holds more than 64 MB; simplify the font");
   }
   buffer_ = svg;
   const pugi::xml_parse_result result = document_.load_buffer_inplace(

@@ -8,15 +8,16 @@
 
 namespace moontrace {
 
-/// Greatest size of an SVG font file [bytes].
-constexpr std::size_t kMaxSvgBytes = std::size_t{8} << 20U;
+/// Greatest size of an SVG font file [bytes]: twice what all of KanjiVG or Make Me a Hanzi takes as
+/// WriteSvgFont writes it.
+constexpr std::size_t kMaxSvgBytes = std::size_t{64} << 20U;
 
 /// An SVG document, parsed in place, so that every value can be traced to its byte in the file. For
 /// the readers of SVG only. External entities are not read.
 class SvgSource {
  public:
-  /// Keeps a reference to `svg`. Throws InputError (file:line:column, cause, cure): more than 8 MB,
-  /// not UTF-8, no or broken XML.
+  /// Keeps a reference to `svg`. Throws InputError (file:line:column, cause, cure): more than 64
+  /// MB, not UTF-8, no or broken XML.
   SvgSource(std::string_view svg, const std::string& file_name);
 
   pugi::xml_node root() const { return document_.document_element(); }

@@ -99,6 +99,17 @@ TEST_F(ScriptCommand, ConvertsAnyScriptToAFontThatSetsThePage) {
   ExpectOnly({"k.svg", "k.toml"});
 }
 
+TEST_F(ScriptCommand, WritesNoFontThatItCouldNotReadAgain) {
+  // XML has no such character.
+  WriteAll(In("m.txt"), R"({"character":"\u0001","medians":[[[1,1],[500,500]]]})");
+  const Outcome outcome = RunLine({"script", "convert", In("m.txt"), "--to", In("k.svg")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err, "script convert: not written, it could not be read back (" + In("k.svg") +
+                             ": sign 'U+0001' would come back as 'uni0001'): take other or fewer "
+                             "signs with --only\n");
+  ExpectOnly({"m.txt"});
+}
+
 TEST_F(ScriptCommand, JoinsStrokesWhereAsked) {
   WriteAll(In("split.svg"), Font("M0 0L500 0M500 0L1000 0"));
   ASSERT_EQ(RunLine({"script", "convert", In("split.svg"), "--to", In("one.svg"), "--join"}).code,

@@ -15,6 +15,7 @@
 #include "textures/fonts/script.h"
 #include "textures/fonts/script_check.h"
 #include "textures/fonts/script_library.h"
+#include "textures/fonts/script_writer.h"
 #include "textures/fonts/svg_font_writer.h"
 
 namespace moontrace {
@@ -50,7 +51,7 @@ class Fontforge : public testing::Test {
                                 "; f.generate('" + after.string() + "')";
     const std::string command = "fontforge -lang=py -c \"" + program + "\" >/dev/null 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0);
-    return ParseScript(ReadTextFile(after.string(), 8U << 20U), "after.svg", toml, "after.toml");
+    return ParseScript(ReadTextFile(after.string(), 64U << 20U), "after.svg", toml, "after.toml");
   }
 
   fs::path folder_;
@@ -76,8 +77,18 @@ void ExpectSame(const Script& moon, const Script& again) {
   }
 }
 
+/// Round trips of what the converter writes.
+class SlowFontforge : public Fontforge {
+ protected:
+  void ExpectBack(const Script& script) const {
+    SCOPED_TRACE(script.title);
+    const WrittenScript written = WriteScript(script, "a.svg");
+    ExpectSame(script, Saved(written.svg, written.toml, true));
+  }
+};
+
 std::string Shipped(const char* file) {
-  return ReadTextFile(SourcePath(std::string("textures/scripts/") + file), 8U << 20U);
+  return ReadTextFile(SourcePath(std::string("textures/scripts/") + file), 64U << 20U);
 }
 
 TEST_F(Fontforge, BringsEveryGlyphOfMoonBack) {
@@ -88,6 +99,22 @@ TEST_F(Fontforge, BringsEveryGlyphOfMoonBack) {
 TEST_F(Fontforge, BringsBackWhatTheConverterWrote) {
   const Script moon = FindScript("moon");
   ExpectSame(moon, Saved(WriteSvgFont(moon), WriteRules(moon), true));
+}
+
+TEST_F(SlowFontforge, BringsEveryShippedScriptBack) {
+  for (const char* name : {"moon", "braille", "shapes", "sample-kanji", "sample-hanzi"}) {
+    ExpectBack(FindScript(name));
+  }
+}
+
+// Their glyphs go by their characters, & < > " among them, and by numbers as "#95".
+TEST_F(SlowFontforge, BringsHersheyFontsBack) {
+  if (!fs::exists("/usr/share/hershey-fonts")) {
+    GTEST_SKIP() << "hershey-fonts-data is not installed";
+  }
+  for (const char* name : {"rowmans", "scripts", "gothgbt", "timesrb", "japanese"}) {
+    ExpectBack(FindScript(std::string("hershey:") + name));
+  }
 }
 
 TEST_F(Fontforge, ClosesEveryPathUnlessTheFontIsStrokedAndIsCaughtAtIt) {

@@ -167,17 +167,37 @@ TEST(ParseSvgFont, NamesWhatIsWrongWithTheDocument) {
 }
 
 TEST(ParseSvgFont, BoundsSizeGlyphsAndCommands) {
-  EXPECT_EQ(ErrorOf(std::string((std::size_t{8} << 20U) + 1, ' ')),
-            "a.svg: holds more than 8 MB; simplify the font");
+  EXPECT_EQ(ErrorOf(std::string((std::size_t{64} << 20U) + 1, ' ')),
+            "a.svg: holds more than 64 MB; simplify the font");
   std::string many;
-  for (int i = 0; i <= 10000; ++i) {
+  for (int i = 0; i <= 20000; ++i) {
     many += "<glyph glyph-name=\"g" + std::to_string(i) + "\" d=\"M0 0L1 1\"/>";
   }
-  EXPECT_NE(ErrorOf(FontOf(many)).find(": more than 10000 glyphs; use fewer"), std::string::npos);
-  std::string zigzag = "<glyph glyph-name=\"x\" d=\"M0 0";
-  for (int i = 0; i < 100000; ++i) zigzag += i % 2 == 0 ? "L1 1" : "L1 0";
-  EXPECT_NE(ErrorOf(FontOf(zigzag + "\"/>")).find(": too many path commands; simplify the drawing"),
+  EXPECT_NE(ErrorOf(FontOf(many)).find(": more than 20000 glyphs; use fewer"), std::string::npos);
+  // A path of 1000 commands used a hundred times.
+  std::string used = "<glyph glyph-name=\"x\"><path id=\"p\" d=\"M0 0";
+  for (int i = 0; i < 1000; ++i) used += i % 2 == 0 ? "L1 1" : "L1 0";
+  used += "\"/>";
+  for (int i = 0; i < 100; ++i) used += "<use href=\"#p\"/>";
+  EXPECT_NE(ErrorOf(FontOf(used + "</glyph>")).find(": too many path commands; simplify"),
             std::string::npos);
+}
+
+TEST(ParseSvgFont, ReadsAsManyCommandsAsTheFileHolds) {
+  std::string zigzag = "<glyph glyph-name=\"x\" d=\"M0 0";
+  for (int i = 0; i < 300000; ++i) zigzag += i % 2 == 0 ? "L1 1" : "L1 0";
+  EXPECT_EQ(ParseSvgFont(FontOf(zigzag + "\"/>"), "a.svg").glyphs.at(0).strokes.size(), 1U);
+}
+
+TEST(ParseSvgFont, TakesNumberedCharactersForNamesUnlessAnotherGlyphHasThem) {
+  const SvgFont font =
+      ParseSvgFont(FontOf("<glyph unicode=\"&quot;\" glyph-name=\"uni0022\" d=\"M0 0L1 1\"/>"
+                          "<glyph glyph-name=\"uni0041\" d=\"M0 0L1 1\"/>"
+                          "<glyph glyph-name=\"A\" d=\"M0 0L1 1\"/>"),
+                   "a.svg");
+  EXPECT_EQ(font.glyphs.at(0).name, "\"");
+  EXPECT_EQ(font.glyphs.at(1).name, "uni0041");
+  EXPECT_EQ(font.characters.at(U'"'), "\"");
 }
 
 TEST(ParseSvgFont, BoundsDeepNesting) {
