@@ -219,6 +219,7 @@ int Run(const PageOptions& options, Console& console) {
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   const std::string text = ReadText(options.text, "page", console);
   Script script = ScriptOf(options.style, nullptr, text);
+  for (const std::string& remark : script.remarks) console.Remark(remark);
   const TypeStyle style = StyleOf(options.style, options.layout, script, nullptr);
   const Book book = SetBook(text, script, style, PageOf(options.layout), console);
   const Typeset& set = book.set;

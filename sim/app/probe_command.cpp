@@ -63,6 +63,7 @@ int Run(const ProbeOptions& options, Console& console) {
   }
   const std::string text = ReadText(options.text, "probe X Y Z", console);
   Script script = ScriptOf(options.style, nullptr, text);
+  for (const std::string& remark : script.remarks) console.Remark(remark);
   const TypeStyle style = StyleOf(options.style, options.layout, script, nullptr);
   const Typeset set = SetText(text, script, style, PageOf(options.layout));
   const TextPage& page = set.pages.front();

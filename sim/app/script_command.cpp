@@ -87,7 +87,8 @@ int Info(const ScriptOptions& options, const Script& script, Console& console) {
                            {"space_advance_em", script.space_advance},
                            {"grades", script.grades},
                            {"contractions", script.contractions.size()},
-                           {"outlines", IsOutlineFont(script)}}));
+                           {"outlines", IsOutlineFont(script)},
+                           {"remarks", script.remarks}}));
     return exit_code::kGood;
   }
   console.Result(say::ScriptOutcome(script));
@@ -289,6 +290,7 @@ int Run(const ScriptOptions& options, Console& console) {
   if (options.action == "list") return List(options, console);
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   Script script = LoadScriptNamed(options.script, options.only);
+  for (const std::string& remark : script.remarks) console.Remark(remark);
   KeepOnly(options.only, script);
   console.CheckStop();
   if (options.action == "info") return Info(options, script, console);

@@ -86,6 +86,7 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   TextSetup setup;
   setup.text = TextFor(request, from, console);
   setup.script = ScriptFor(request, from);
+  for (const std::string& remark : setup.script.remarks) console.Remark(remark);
   setup.script_name = request.style.script.value_or(
       from != nullptr && from->script ? *from->script : setup.script.name);
   StyleOptions letters = request.style;

@@ -134,6 +134,7 @@ Json TypesetJson(const Typeset& set, const Script& script) {
 Json TypesetJson(const Typeset& set, const Script& script, const PageCounts& counts) {
   Json json;
   json["script"] = script.name;
+  if (!script.remarks.empty()) json["script_remarks"] = script.remarks;
   json["size_mm"] = kMillimetres * set.style.size;
   json["width_mm"] = kMillimetres * set.style.width;
   json["depth_mm"] = kMillimetres * set.style.depth;

@@ -73,6 +73,7 @@ void Borrow(Script& script, const Script& other, const std::string& name_or_path
                     OneLine(other.name, 40), OneLine(script.name, 40)));
   }
   script.borrowed_from = name_or_path;
+  script.remarks.insert(script.remarks.end(), other.remarks.begin(), other.remarks.end());
 }
 
 }  // namespace moontrace

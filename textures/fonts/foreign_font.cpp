@@ -35,6 +35,8 @@ Script ParseForeignFont(std::string_view svg, const std::string& svg_name) {
   script.grades = {1};
   script.glyphs = std::move(font.glyphs);
   script.signs = std::move(font.characters);
+  if (!font.remark.empty())
+    script.remarks.push_back(OneLine(script.title, 40) + ": " + font.remark);
   for (const auto& [print, glyph] : font.groups) {
     script.contractions.push_back({print, {glyph}, 1, Contraction::Where::kAnywhere});
   }

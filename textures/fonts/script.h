@@ -73,6 +73,8 @@ struct Script {
   std::map<char32_t, std::string> transliterations, names;
   std::set<char32_t> borrowed;  ///< characters whose glyph is another script's
   std::string borrowed_from;    ///< that script, name or path
+  /// What users of the script should know of how its file was read, one sentence each.
+  std::vector<std::string> remarks;
 
   /// Index of a glyph by name, or npos.
   std::size_t Find(std::string_view glyph_name) const noexcept;

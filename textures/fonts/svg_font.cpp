@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <functional>
@@ -29,8 +30,14 @@ namespace {
 constexpr std::size_t kBytesOfCommand = 4;
 constexpr double kMaxEms = 100;
 constexpr double kTolerance = 0.001;  ///< [em]
+constexpr double kAgreement = 0.02;   ///< of a letter's height with the figure stated, relative
 
 std::string Quoted(std::string_view text) { return fmt::format("'{}'", OneLine(text, 40)); }
+
+bool IsEm(double units) { return units >= 1e-3 && units <= 1e6; }
+
+/// Whether a figure of the font's face agrees with what is drawn.
+bool Agree(double stated, double drawn) { return std::abs(drawn - stated) <= kAgreement * drawn; }
 
 class FontReader {
  public:
@@ -42,7 +49,8 @@ class FontReader {
 
   SvgFont Read() {
     const pugi::xml_node font = FindFont();
-    em_ = EmOf(font);
+    em_ = StatedEm(font);
+    if (foreign_) em_ = EmByLetters(font, em_);
     out_.family = font.child("font-face").attribute("font-family").value();
     if (out_.family.empty()) out_.family = font.attribute("id").value();
     out_.metadata = source_.root().child("metadata").text().get();
@@ -77,20 +85,70 @@ class FontReader {
     return font;
   }
 
-  double EmOf(pugi::xml_node font) const {
+  /// By the face's figures; notes which one it is.
+  double StatedEm(pugi::xml_node font) {
     const pugi::xml_node face = font.child("font-face");
     if (!face) source_.Fail(font, "a font without <font-face>; add one with units-per-em");
-    std::optional<double> em = source_.NumberOf(face, "cap-height");
-    if (foreign_ && em.value_or(0) == 0) em = source_.NumberOf(face, "ascent");
-    if (em.value_or(0) == 0) {
-      const std::optional<double> units = source_.NumberOf(face, "units-per-em");
-      if (units) em = units;
+    std::optional<double> em;
+    for (const char* figure : {"cap-height", "ascent", "units-per-em"}) {
+      if (em.value_or(0) != 0) break;
+      if (!foreign_ && std::strcmp(figure, "ascent") == 0) continue;
+      if (const std::optional<double> number = source_.NumberOf(face, figure)) em = number;
+      stated_by_ = figure;
     }
     if (!em) source_.Fail(face, "neither cap-height nor units-per-em; give one of them");
-    if (!(*em >= 1e-3 && *em <= 1e6)) {
+    if (!IsEm(*em)) {
       source_.Fail(face, "cap-height or units-per-em outside 0.001 to 1000000; use 1000");
     }
     return *em;
+  }
+
+  /// How far the first drawn glyph of a character reaches above the base line [units]; 0 where
+  /// there is none.
+  double TopOf(pugi::xml_node font, char32_t character) {
+    const std::string wanted = ToUtf8(character);
+    const pugi::xml_node node = font.find_child([&wanted](pugi::xml_node child) {
+      return std::strcmp(child.name(), "glyph") == 0 &&
+             wanted == child.attribute("unicode").value();
+    });
+    double top = 0;
+    if (!node) return top;
+    for (const Stroke& stroke : shapes_.Of(node)) {
+      for (const Piece& piece : stroke.pieces) top = std::max(top, BoundsOf(piece).max.y);
+    }
+    return top;
+  }
+
+  /// The em as svg_font.h says: what the font states, or what its letters show.
+  double EmByLetters(pugi::xml_node font, double stated) {
+    double units = source_.NumberOf(font.child("font-face"), "units-per-em").value_or(stated);
+    if (!IsEm(units)) units = stated;
+    limits_.greatest = kMaxEms * std::max(stated, units);
+    limits_.tolerance = kTolerance * stated;
+    const auto is_letter = [units](double top) {
+      return IsEm(top) && top >= 0.1 * units && top <= 3 * units;
+    };
+    for (const char32_t capital : std::u32string_view(U"HEFIKLMNTUVWXYZ")) {
+      const double top = TopOf(font, capital);
+      if (!is_letter(top)) continue;
+      if (Agree(stated, top)) return stated;
+      const std::string letter = ToUtf8(capital);
+      out_.remark = fmt::format("its {} is {:.6g}, but its {} is {:.6g} high; sized by {}.",
+                                stated_by_, stated, letter, top, letter);
+      return top;
+    }
+    const double x = TopOf(font, U'x');
+    return is_letter(x) ? EmByX(font.child("font-face"), stated, x) : stated;
+  }
+
+  double EmByX(pugi::xml_node face, double stated, double x) {
+    const double x_height = source_.NumberOf(face, "x-height").value_or(0);
+    const double em = stated * x / x_height;
+    const bool states_both = x_height > 0 && source_.NumberOf(face, "cap-height").value_or(0) > 0;
+    if (!states_both || !IsEm(em) || Agree(x_height, x)) return stated;
+    out_.remark =
+        fmt::format("its x-height is {:.6g}, but its x is {:.6g} high; sized by x.", x_height, x);
+    return em;
   }
 
   /// As the file has it.
@@ -189,6 +247,7 @@ class FontReader {
   SvgSource source_;
   bool foreign_ = false;
   double em_ = 1000;
+  const char* stated_by_ = "";  ///< the face's figure that states the em
   PathLimits limits_;
   SvgShapes shapes_{source_, limits_};
   std::set<std::string_view, std::less<>> written_;  ///< names as the file has them

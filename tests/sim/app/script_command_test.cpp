@@ -58,6 +58,27 @@ TEST_F(ScriptCommand, TellsAuthorLicenceAndWhatIsWritten) {
             "\u6728");
 }
 
+TEST_F(ScriptCommand, SaysWhereAFontIsSizedByItsLetters) {
+  WriteAll(In("f.svg"),
+           "<svg><font horiz-adv-x=\"1200\"><font-face font-family=\"F\" units-per-em=\"1000\" "
+           "cap-height=\"500\"/><glyph unicode=\"H\" d=\"M0 0V662\"/></font></svg>");
+  const std::string remark = "F: its cap-height is 500, but its H is 662 high; sized by H.";
+  for (const std::vector<std::string>& args :
+       {std::vector<std::string>{"script", "info", In("f.svg")},
+        {"script", "check", In("f.svg")},
+        {"script", "convert", In("f.svg"), "--to", In("k.svg")},
+        {"page", "H", "--script", In("f.svg")},
+        {"probe", "10", "10", "0", "H", "--script", In("f.svg")}}) {
+    const Outcome outcome = RunLine(args);
+    EXPECT_EQ(outcome.code, 0) << args[1];
+    EXPECT_EQ(outcome.err, remark + "\n") << args[1];
+  }
+  EXPECT_EQ(RunLine({"script", "info", In("f.svg"), "--json"}).Json()["remarks"][0], remark);
+  EXPECT_EQ(RunLine({"page", "H", "--json", "--script", In("f.svg")}).Json()["script_remarks"][0],
+            remark);
+  EXPECT_EQ(RunLine({"script", "info", In("k.svg")}).err, "");
+}
+
 TEST_F(ScriptCommand, PartsAllSignsAlike) {
   std::string out = RunLine({"script", "info", "moon"}).out;
   std::replace(out.begin(), out.end(), '\n', ' ');  // wrapped

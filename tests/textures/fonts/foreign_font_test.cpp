@@ -4,6 +4,9 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "textures/base/error.h"
 #include "textures/typeset/typeset.h"
@@ -66,6 +69,60 @@ TEST(ParseForeignFont, TakesCapHeightThenAscentThenUnitsPerEmAsTheEm) {
     EXPECT_DOUBLE_EQ(LengthOf(ParseForeignFont(FontOf(glyph, face), "a.svg").glyphs.at(0)),
                      700 / em);
   }
+}
+
+/// A font of one stem a letter, of these heights.
+Script Stems(const std::string& face, const std::vector<std::pair<char, int>>& letters) {
+  std::string glyphs;
+  for (const auto& [letter, height] : letters) {
+    glyphs += std::string("<glyph unicode=\"") + letter + "\" d=\"M0 0V" + std::to_string(height) +
+              "\"/>";
+  }
+  return ParseForeignFont(FontOf(glyphs, face), "a.svg");
+}
+
+/// Height of a letter [em].
+double HeightOf(char letter, const Script& script) {
+  return LengthOf(script.glyphs.at(script.Find(std::string(1, letter))));
+}
+
+// Inkscape's Hershey fonts: every one states 500, capitals are 662.
+TEST(ParseForeignFont, MeasuresAnEmThatItsCapitalsContradictAndSaysSo) {
+  const std::string face = "units-per-em=\"1000\" ascent=\"800\" cap-height=\"500\"";
+  const Script inkscape = Stems(face, {{'T', 640}, {'E', 650}, {'H', 662}, {'x', 441}});
+  EXPECT_DOUBLE_EQ(HeightOf('H', inkscape), 1);
+  EXPECT_DOUBLE_EQ(HeightOf('x', inkscape), 441.0 / 662);
+  EXPECT_EQ(inkscape.remarks,
+            std::vector<std::string>{
+                "Strokes: its cap-height is 500, but its H is 662 high; sized by H."});
+  const Script no_h = Stems(face, {{'T', 640}, {'E', 650}, {'x', 441}});
+  EXPECT_DOUBLE_EQ(HeightOf('E', no_h), 1);
+  const Script no_cap_height = Stems("units-per-em=\"1000\" ascent=\"800\"", {{'H', 662}});
+  EXPECT_DOUBLE_EQ(HeightOf('H', no_cap_height), 1);
+  EXPECT_EQ(no_cap_height.remarks,
+            std::vector<std::string>{"Strokes: its ascent is 800, but its H is 662 high; sized by "
+                                     "H."});
+}
+
+TEST(ParseForeignFont, BelievesTheFiguresWithinTwoPercentAndWhereASymbolStandsForTheLetter) {
+  const std::string face = "units-per-em=\"1000\" cap-height=\"";
+  const Script near = Stems(face + "656\"", {{'H', 662}});
+  EXPECT_DOUBLE_EQ(HeightOf('H', near), 662.0 / 656);
+  EXPECT_TRUE(near.remarks.empty());
+  for (const int top : {-100, 90, 3100}) {
+    const Script symbol = Stems(face + "500\"", {{'H', top}, {'a', 300}});
+    EXPECT_DOUBLE_EQ(HeightOf('a', symbol), 0.6) << top;
+    EXPECT_TRUE(symbol.remarks.empty());
+  }
+}
+
+TEST(ParseForeignFont, ScalesTheCapHeightByTheXOfAFontWithoutCapitals) {
+  const std::string face = "units-per-em=\"1000\" cap-height=\"500\" x-height=\"300\"";
+  const Script script = Stems(face, {{'x', 450}});  // one and a half times what is stated
+  EXPECT_DOUBLE_EQ(HeightOf('x', script), 450.0 / 750);
+  EXPECT_EQ(script.remarks, std::vector<std::string>{"Strokes: its x-height is 300, but its x is "
+                                                     "450 high; sized by x."});
+  EXPECT_DOUBLE_EQ(HeightOf('x', Stems(face, {{'x', 303}})), 303.0 / 500);
 }
 
 TEST(ParseForeignFont, WritesGroupsOfCharactersAsOneSign) {
