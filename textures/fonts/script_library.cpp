@@ -88,17 +88,35 @@ Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
   throw InputError(path + ": a folder without characters: give KanjiVG's or hanzi-writer-data's");
 }
 
-[[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {
+/// The name that was meant, or empty: a Hershey font may be named without its prefix.
+std::string NearestScript(const std::string& name, const std::vector<ScriptEntry>& entries) {
   std::vector<std::string> names;
-  names.reserve(entries.size());
   for (const ScriptEntry& entry : entries) names.push_back(entry.name);
-  const std::string with_prefix = std::string(kHershey).append(name);
-  const bool is_hershey = std::find(names.begin(), names.end(), with_prefix) != names.end();
+  const bool prefixed = name.rfind(kHershey, 0) == 0;
+  for (const ScriptEntry& entry : entries) {
+    const bool hershey = entry.name.rfind(kHershey, 0) == 0;
+    if (hershey && !prefixed) names.push_back(entry.name.substr(kHershey.size()));
+    if (!hershey && prefixed) std::erase(names, entry.name);
+  }
+  const std::string nearest = NearestWord(name, names);
+  const std::string with_prefix = std::string(kHershey).append(nearest);
+  const auto is = [](const std::string& wanted) {
+    return [&wanted](const ScriptEntry& entry) { return entry.name == wanted; };
+  };
+  const bool known = nearest.empty() || std::any_of(entries.begin(), entries.end(), is(nearest));
+  return known ? nearest : with_prefix;
+}
+
+[[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {
   std::error_code error;
   if (name.rfind(kHershey, 0) == 0 && !fs::is_directory(kHersheyFolder, error)) {
     throw LackError("no Hershey fonts here: install hershey-fonts-data, or give a font's path");
   }
-  const std::string nearest = is_hershey ? with_prefix : NearestWord(name, names);
+  const std::string nearest = NearestScript(name, entries);
+  if (nearest != std::string(kHershey).append(name) && fs::exists(name, error)) {
+    throw InputError(fmt::format("unknown script '{0}'; for the file or folder here give './{0}'",
+                                 OneLine(name, 25)));
+  }
   if (nearest.empty()) {
     throw InputError(fmt::format("unknown script '{}': give a font's path or see script list",
                                  OneLine(name, 30)));

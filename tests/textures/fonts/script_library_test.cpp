@@ -91,6 +91,28 @@ TEST_F(ScriptLibrary, FindsDebiansHersheyFonts) {
   EXPECT_NE(Error("hershey:rowman").find("did you mean 'hershey:rowman"), std::string::npos);
 }
 
+TEST_F(ScriptLibrary, NamesTheNearestOfAllSources) {
+  Write("kanarese.jhf", "    1  1JZ\n    2  3MWRFRT\n");
+  EXPECT_EQ(Error("kanares"), "unknown script 'kanares'; did you mean 'kanarese'?");
+  EXPECT_EQ(Error("sampel-kanji"), "unknown script 'sampel-kanji'; did you mean 'sample-kanji'?");
+  if (!fs::exists("/usr/share/hershey-fonts")) {
+    GTEST_SKIP() << "hershey-fonts-data is not installed";
+  }
+  EXPECT_EQ(Error("hershey:gothgb"),
+            "unknown script 'hershey:gothgb'; did you mean 'hershey:gothgbt'?");
+  EXPECT_EQ(Error("hershy:scripts"),
+            "unknown script 'hershy:scripts'; did you mean 'hershey:scripts'?");
+  EXPECT_EQ(Error("futura"), "unknown script 'futura'; did you mean 'hershey:futural'?");
+  EXPECT_EQ(Error("gothgbd"), "unknown script 'gothgbd'; did you mean 'hershey:gothgbt'?");
+}
+
+TEST_F(ScriptLibrary, TellsHowToNameAFolderThatLiesHere) {
+  const fs::path before = fs::current_path();
+  fs::current_path(kScripts + "/..");
+  EXPECT_EQ(Error("tiles"), "unknown script 'tiles'; for the file or folder here give './tiles'");
+  fs::current_path(before);
+}
+
 TEST_F(ScriptLibrary, SaysWhatIsKnownAndWhatIsNoScript) {
   EXPECT_EQ(Error("mon"), "unknown script 'mon'; did you mean 'moon'?");
   EXPECT_EQ(Error(kData),

@@ -44,6 +44,11 @@ std::string RulesError(const std::string& more, const std::string& rules = kRule
   return ErrorOf([&] { Parse(more, rules); });
 }
 
+TEST(ParseScript, KnowsGlyphsByNumberedNamesToo) {
+  const Script script = Parse("[signs]\n'!' = 'uni0074'\n");  // U+0074 is t
+  EXPECT_EQ(script.signs.at(U'!'), "t");
+}
+
 TEST(ParseScript, ReadsEveryRule) {
   const Script script = Parse(
       "protect_mark = '|'\n[signs]\n',' = 'comma'\n[folds]\n'æ' = 'ae'\n"
