@@ -132,6 +132,7 @@ struct ScriptOptions {
   std::string action, script;
   std::string only;            ///< these characters; empty = all
   std::optional<double> size;  ///< [m]
+  bool all = false;            ///< check: each finding, however many
   std::string to;              ///< convert: the SVG font; the TOML file goes beside it
   bool join = false;           ///< convert: strokes that follow each other become one
   std::string picture;         ///< picture: .svg, .png, .pdf

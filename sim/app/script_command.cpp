@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/app/messages.h"
+#include "sim/app/script_findings.h"
 #include "sim/app/script_messages.h"
 #include "sim/picture/picture_file.h"
 #include "sim/picture/script_table.h"
@@ -14,6 +15,7 @@
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
 #include "textures/base/output_file.h"
 #include "textures/base/text_file.h"
 #include "textures/base/units.h"
@@ -30,7 +32,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFindingsSaid = 100;
+constexpr std::size_t kMostOfAKindSaid = 20;
+constexpr std::size_t kMostFindings = 500000;  // some 100 MB of JSON
 constexpr std::size_t kMostCharactersSaid = 400;
 constexpr double kJoinWithin = 0.01;  // [em], as the checker takes ends to meet
 
@@ -115,18 +118,71 @@ std::string_view KeyOf(ScriptFinding::Kind kind) {
       return "tight-bend";
     case ScriptFinding::Kind::kNarrowGap:
       return "narrow-gap";
+    case ScriptFinding::Kind::kTooMany:
+      return "too-many-strokes";
   }
   return {};
 }
 
 Json FindingJson(const ScriptFinding& finding, const Script& script) {
   const bool turn = finding.kind <= ScriptFinding::Kind::kReversed;
-  Json json{{"glyph", script.glyphs[finding.glyph].name},
-            {"kind", KeyOf(finding.kind)},
-            {"strokes", {finding.stroke + 1, finding.other + 1}}};
+  Json json{{"glyph", script.glyphs[finding.glyph].name}, {"kind", KeyOf(finding.kind)}};
+  if (finding.kind == ScriptFinding::Kind::kTooMany) {
+    json["count"] = finding.figure;
+    return json;
+  }
+  json["strokes"] = {finding.stroke + 1, finding.other + 1};
   json[turn ? "turn_rad" : "figure_mm"] = turn ? finding.figure : kMillimetres * finding.figure;
   if (finding.needed > 0) json["needed_mm"] = kMillimetres * finding.needed;
   return json;
+}
+
+/// All kinds, in their order.
+std::vector<ScriptFinding::Kind> Kinds() {
+  std::vector<ScriptFinding::Kind> kinds;
+  for (std::size_t i = 0; i < FindingTally::kKinds; ++i) {
+    kinds.push_back(static_cast<ScriptFinding::Kind>(i));
+  }
+  return kinds;
+}
+
+/// The findings are written one by one: as one tree they would take ten times the memory.
+void WriteFindings(const FindingTally& tally, const Script& script, Json head, Console& console) {
+  head["counts"] = Json::object();
+  for (const ScriptFinding::Kind kind : Kinds()) {
+    if (tally.of(kind).findings > 0) head["counts"][KeyOf(kind)] = tally.of(kind).findings;
+  }
+  head["left_out"] = tally.total() - tally.kept().size();
+  std::string text = Dump(head);
+  text.pop_back();  // the closing brace
+  text += ",\"findings\":[";
+  for (const ScriptFinding& finding : tally.kept()) {
+    if (text.back() != '[') text += ',';
+    text += Dump(FindingJson(finding, script));
+  }
+  console.Json(text + "]}");
+}
+
+/// One line a finding, or a kind where one has too many.
+void SayFindings(const FindingTally& tally, const Script& script, Console& console) {
+  bool summed = false;
+  for (const ScriptFinding::Kind kind : Kinds()) {
+    const FindingTally::OfKind& of = tally.of(kind);
+    if (tally.Keeps(kind)) continue;
+    std::vector<std::string> names;
+    for (const std::size_t glyph : of.examples) names.push_back(script.glyphs[glyph].name);
+    console.Result(say::FindingsOfKind(kind, of.findings, of.glyphs, names));
+    summed = true;
+  }
+  std::size_t said = 0;
+  for (const ScriptFinding& finding : tally.kept()) {
+    if (++said % 1000 == 0) console.CheckStop();
+    if (tally.Keeps(finding.kind)) console.Result(say::FindingLine(finding, script));
+  }
+  if (summed) console.Result(say::FindingsSummedUp());
+  if (!summed && tally.total() > tally.kept().size()) {
+    console.Result(say::MoreFindings(tally.total() - tally.kept().size()));
+  }
 }
 
 /// Ends with 1 where there is something to mend, so that a script can be checked unattended.
@@ -136,27 +192,27 @@ int Check(const ScriptOptions& options, const Script& script, Console& console) 
   CheckSize check;
   check.size = size;
   check.groove = style.width;
-  const std::vector<ScriptFinding> findings = CheckScript(script, check);
+  const bool each = options.all || options.output.json;
+  FindingTally tally(each ? kMostFindings : kMostOfAKindSaid, kMostFindings);
+  for (std::size_t glyph = 0; glyph < script.glyphs.size(); ++glyph) {
+    console.CheckStop();
+    console.Alive(static_cast<double>(glyph) / static_cast<double>(script.glyphs.size()));
+    for (const ScriptFinding& finding : CheckGlyph(script, glyph, check)) tally.Add(finding);
+  }
   const bool outlines = IsOutlineFont(script);
   if (options.output.json) {
-    Json list = Json::array();
-    for (const ScriptFinding& finding : findings) list.push_back(FindingJson(finding, script));
-    console.Json(Dump(Json{{"size_mm", 1e3 * size},
-                           {"groove_mm", 1e3 * check.groove},
-                           {"probe_mm", 1e3 * check.probe_diameter},
-                           {"outlines", outlines},
-                           {"findings", std::move(list)}}));
+    const Json head{{"size_mm", 1e3 * size},
+                    {"groove_mm", 1e3 * check.groove},
+                    {"probe_mm", 1e3 * check.probe_diameter},
+                    {"outlines", outlines},
+                    {"remarks", script.remarks}};
+    WriteFindings(tally, script, head, console);
   } else {
-    console.Result(say::CheckOutcome(findings.size(), script.glyphs.size(), check));
-    for (std::size_t i = 0; i < std::min(findings.size(), kMostFindingsSaid); ++i) {
-      console.Result(say::FindingLine(findings[i], script));
-    }
-    if (findings.size() > kMostFindingsSaid) {
-      console.Result(say::MoreFindings(findings.size() - kMostFindingsSaid));
-    }
+    console.Result(say::CheckOutcome(tally.total(), script.glyphs.size(), check));
+    SayFindings(tally, script, console);
     if (outlines) console.Result(say::ScriptIsOutlines());
   }
-  return findings.empty() && !outlines ? exit_code::kGood : exit_code::kFailed;
+  return tally.total() == 0 && !outlines ? exit_code::kGood : exit_code::kFailed;
 }
 
 /// Throws where the files could not be read again.
@@ -244,15 +300,16 @@ void KeepOnly(const std::string& only, Script& script) {
 }
 
 void CheckUse(const ScriptOptions& options) {
-  const auto known = {"list", "info", "check", "convert", "picture"};
+  const std::vector<std::string> known = {"list", "info", "check", "convert", "picture"};
   const std::string& action = options.action;
   if (std::find(known.begin(), known.end(), action) == known.end()) {
-    throw UsageError(say::NotAScriptAction(action));
+    throw UsageError(say::NotAScriptAction(action, NearestWord(action, known)));
   }
   const auto only_for = [&action](const char* option, bool given, const char* owner) {
     if (given && action != owner) throw UsageError(say::NotOfThisAction(option, action));
   };
   only_for("--size-mm", options.size.has_value(), "check");
+  only_for("--all", options.all, "check");
   only_for("--to", !options.to.empty(), "convert");
   only_for("--join", options.join, "convert");
   only_for("--picture", !options.picture.empty(), "picture");
@@ -279,6 +336,7 @@ void AddOptions(CLI::App& app, ScriptOptions& options) {
   AddPath(app, "SCRIPT", "NAME", options.script, help::kScriptName);
   AddPath(app, "--only", "TEXT", options.only, help::kScriptOnly);
   AddNumber(app, "--size-mm", options.size, 1, 1000, 1e-3, help::kScriptSize);
+  AddFlag(app, "--all", options.all, help::kScriptAll);
   AddPath(app, "--to", "FILE", options.to, help::kScriptTo);
   AddFlag(app, "--join", options.join, help::kScriptJoin);
   AddPicture(app, options.picture, help::kScriptPicture);

@@ -32,6 +32,8 @@ const char* Name(Kind kind) {
       return "bend too tight";
     case Kind::kNarrowGap:
       return "gap too narrow";
+    case Kind::kTooMany:
+      return "too many strokes";
   }
   return "";
 }
@@ -53,14 +55,21 @@ std::string Explained(const ScriptFinding& finding) {
     case Kind::kNarrowGap:
       if (finding.figure < 0) return "grooves run " + Mm(-finding.figure) + " into each other";
       return Mm(finding.figure) + " between the grooves, needs " + Mm(finding.needed);
+    case Kind::kTooMany:
+      return fmt::format("{} in all, the first {} are looked at", Short(finding.figure, 0),
+                         kMostCheckedStrokes);
   }
   return "";
 }
 
 }  // namespace
 
-std::string NotAScriptAction(std::string_view given) {
+std::string NotAScriptAction(std::string_view given, std::string_view nearest) {
   if (given.empty()) return "script: say what to do: list, info, check, convert or picture";
+  if (!nearest.empty()) {
+    return fmt::format("script: unknown action '{}'; did you mean '{}'?", OneLine(given, 40),
+                       nearest);
+  }
   return fmt::format("script: unknown action '{}': give list, info, check, convert or picture",
                      OneLine(given, 40));
 }
@@ -135,16 +144,34 @@ std::string CheckOutcome(std::size_t findings, std::size_t glyphs, const CheckSi
 }
 
 std::string FindingLine(const ScriptFinding& finding, const Script& script) {
+  const std::string name = OneLine(script.glyphs[finding.glyph].name, 40);
+  if (finding.kind == Kind::kTooMany) {
+    return fmt::format("{}: {}, {}.", name, Name(finding.kind), Explained(finding));
+  }
   const std::string strokes =
       finding.other == finding.stroke
           ? fmt::format("stroke {}", finding.stroke + 1)
           : fmt::format("strokes {} and {}", finding.stroke + 1, finding.other + 1);
-  return fmt::format("{}: {}, {}: {}.", OneLine(script.glyphs[finding.glyph].name, 40),
-                     Name(finding.kind), strokes, Explained(finding));
+  return fmt::format("{}: {}, {}: {}.", name, Name(finding.kind), strokes, Explained(finding));
+}
+
+std::string FindingsOfKind(ScriptFinding::Kind kind, std::size_t findings, std::size_t glyphs,
+                           const std::vector<std::string>& names) {
+  std::string examples;
+  for (const std::string& name : names) {
+    examples.append(examples.empty() ? "" : ", ").append(OneLine(name, 40));
+  }
+  return fmt::format("{}: {} in {}{}{}.", Name(kind), findings, Counted(glyphs, "sign", "signs"),
+                     glyphs > names.size() ? ", such as " : ": ", examples);
+}
+
+std::string FindingsSummedUp() {
+  return "Kinds with more than 20 findings are summed up; --all lists each.";
 }
 
 std::string MoreFindings(std::size_t count) {
-  return fmt::format("And {}; --json lists all.", Counted(count, "more finding", "more findings"));
+  return fmt::format("And {}; take fewer signs with --only.",
+                     Counted(count, "more finding", "more findings"));
 }
 
 std::string NotConverted(std::string_view why) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "textures/fonts/script.h"
 #include "textures/fonts/script_check.h"
@@ -10,7 +11,8 @@
 /// The sentences of `moontrace script`.
 namespace moontrace::say {
 
-std::string NotAScriptAction(std::string_view given);
+/// `nearest`: a known one, or empty.
+std::string NotAScriptAction(std::string_view given, std::string_view nearest);
 std::string NoScriptNamed(std::string_view action);
 std::string NotOfThisAction(std::string_view option, std::string_view action);
 std::string ScriptCount(std::size_t count);
@@ -25,6 +27,10 @@ std::string ScriptRules(const Script& script);
 std::string ScriptIsOutlines();
 std::string CheckOutcome(std::size_t findings, std::size_t glyphs, const CheckSize& size);
 std::string FindingLine(const ScriptFinding& finding, const Script& script);
+/// `names`: the first signs that have one.
+std::string FindingsOfKind(ScriptFinding::Kind kind, std::size_t findings, std::size_t glyphs,
+                           const std::vector<std::string>& names);
+std::string FindingsSummedUp();
 std::string MoreFindings(std::size_t count);
 /// `why`: the line that reading it back would say.
 std::string NotConverted(std::string_view why);
@@ -42,6 +48,8 @@ inline constexpr const char* kScriptOnly =
     "only these characters; for scripts of thousands. Default all.";
 inline constexpr const char* kScriptSize =
     "check: size of the letters in mm that strokes must be good for. Default the script's own.";
+inline constexpr const char* kScriptAll =
+    "check: list each finding; else kinds with more than 20 are summed up.";
 inline constexpr const char* kScriptTo =
     "convert: write this SVG font, and a TOML file of its rules beside it.";
 inline constexpr const char* kScriptJoin =

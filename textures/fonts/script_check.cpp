@@ -18,6 +18,7 @@ constexpr double kMeeting = 0.01;                 ///< strokes this near meet [e
 constexpr double kSmooth = std::numbers::pi / 6;  ///< greatest turn of a stroke that goes on [rad]
 constexpr double kStep = 0.01;                    ///< between samples [em]
 constexpr double kMostSamples = 2000;             ///< of a glyph
+constexpr std::size_t kMostPieces = 1000;         ///< whose ends are all samples
 constexpr double kLeastOverlap = 0.05;            ///< shorter ones are meetings [em]
 constexpr double kParallel = 0.966;               ///< cosine of 15 degrees
 constexpr double kLeastBend = std::numbers::pi / 2 - 1e-6;  ///< [rad]
@@ -29,7 +30,8 @@ struct Sample {
   double at = 0;  ///< arc length from the stroke's start [em]
 };
 
-std::vector<Sample> SamplesOf(const Stroke& stroke, double step) {
+/// `every`: also both ends of each piece, however short it is.
+std::vector<Sample> SamplesOf(const Stroke& stroke, double step, bool every) {
   std::vector<Sample> samples;
   double at = 0;
   for (const Piece& piece : stroke.pieces) {
@@ -37,9 +39,14 @@ std::vector<Sample> SamplesOf(const Stroke& stroke, double step) {
     const int count = std::max(1, static_cast<int>(std::ceil(length / step)));
     for (int i = 0; i <= count; ++i) {
       const double s = length * i / count;
+      if (!every && !samples.empty() && at + s < samples.back().at + step) continue;
       samples.push_back({PointAt(piece, s), TangentAt(piece, s), at + s});
     }
     at += length;
+  }
+  if (!every) {
+    const Piece& last = stroke.pieces.back();
+    samples.push_back({EndOf(last), TangentAt(last, Length(last)), at});
   }
   return samples;
 }
@@ -60,27 +67,40 @@ class GlyphChecker {
                std::vector<ScriptFinding>& findings)
       : glyph_(glyph), index_(index), size_(size), findings_(findings) {
     double total = 0;
-    for (const Stroke& stroke : glyph.strokes) total += Length(stroke.pieces);
+    std::size_t pieces = 0;
+    for (std::size_t i = 0; i < Count(); ++i) {
+      total += Length(glyph.strokes[i].pieces);
+      pieces += glyph.strokes[i].pieces.size();
+    }
     const double step = std::max(kStep, total / kMostSamples);
-    for (const Stroke& stroke : glyph.strokes) {
-      samples_.push_back(IsLine(stroke) ? SamplesOf(stroke, step) : std::vector<Sample>());
+    for (std::size_t i = 0; i < Count(); ++i) {
+      const Stroke& stroke = glyph.strokes[i];
+      const bool every = pieces <= kMostPieces;
+      samples_.push_back(IsLine(stroke) ? SamplesOf(stroke, step, every) : std::vector<Sample>());
+      boxes_.emplace_back();
+      for (const Sample& sample : samples_.back()) Include(boxes_.back(), sample.p);
     }
   }
 
   void Check() {
     const std::u32string name = ToCodePoints(glyph_.name);
     const bool by_rule = name.size() == 1 && name[0] >= kFirstIdeograph;
-    for (std::size_t i = 0; i < glyph_.strokes.size(); ++i) {
+    for (std::size_t i = 0; i < Count(); ++i) {
       CheckBends(i);
       CheckItself(i);
-      for (std::size_t j = i + 1; j < glyph_.strokes.size(); ++j) {
+      for (std::size_t j = i + 1; j < Count(); ++j) {
         if (!by_rule) CheckEnds(i, j);
         CheckPair(i, j);
       }
     }
+    const std::size_t strokes = glyph_.strokes.size();
+    if (strokes > Count()) Add(Kind::kTooMany, 0, 0, static_cast<double>(strokes));
   }
 
  private:
+  /// Of the strokes that are looked at.
+  std::size_t Count() const { return std::min(glyph_.strokes.size(), kMostCheckedStrokes); }
+
   static bool IsLine(const Stroke& stroke) {
     return stroke.kind == StrokeKind::kStroke && !stroke.pieces.empty();
   }
@@ -147,6 +167,9 @@ class GlyphChecker {
 
   double NeededSpacing() const { return (size_.groove + size_.probe_diameter) / size_.size; }
 
+  /// What comes within the other's groove has joined it [em].
+  double Meeting() const { return std::max(kMeeting, size_.groove / 2 / size_.size); }
+
   /// Arc length along stroke i between two of its samples; on a ring the shorter of the two.
   double ArcLength(std::size_t i, const Sample& a, const Sample& b) const {
     const double length = std::abs(a.at - b.at);
@@ -186,8 +209,7 @@ class GlyphChecker {
     for (const Sample& sample : one) {
       nearest.push_back(NearestIn(j, sample, itself, apart));
     }
-    // What comes within the other's groove has joined it.
-    const double meeting = std::max(kMeeting, size_.groove / 2 / size_.size);
+    const double meeting = Meeting();
     double overlap = 0, narrow = 1e300;
     for (std::size_t k = 0; k < one.size(); ++k) {
       const Nearest& at = nearest[k];
@@ -221,7 +243,10 @@ class GlyphChecker {
   }
 
   void CheckPair(std::size_t i, std::size_t j) {
-    if (!samples_[i].empty() && !samples_[j].empty()) CheckAlong(i, j, -1);
+    if (samples_[i].empty() || samples_[j].empty()) return;
+    // Boxes further apart than any finding reaches: most pairs of a large character.
+    if (!Overlap(Grown(boxes_[i], std::max(NeededSpacing(), Meeting())), boxes_[j])) return;
+    CheckAlong(i, j, -1);
   }
 
   const Glyph& glyph_;
@@ -229,15 +254,15 @@ class GlyphChecker {
   const CheckSize& size_;
   std::vector<ScriptFinding>& findings_;
   std::vector<std::vector<Sample>> samples_;  ///< by stroke; empty for dots and fills
+  std::vector<Box> boxes_;                    ///< of the samples
 };
 
 }  // namespace
 
-std::vector<ScriptFinding> CheckScript(const Script& script, const CheckSize& size) {
+std::vector<ScriptFinding> CheckGlyph(const Script& script, std::size_t glyph,
+                                      const CheckSize& size) {
   std::vector<ScriptFinding> findings;
-  for (std::size_t i = 0; i < script.glyphs.size(); ++i) {
-    GlyphChecker(script.glyphs[i], i, size, findings).Check();
-  }
+  GlyphChecker(script.glyphs[glyph], glyph, size, findings).Check();
   return findings;
 }
 

@@ -103,6 +103,54 @@ TEST_F(ScriptCommand, ChecksAndExitsWithOneWhereThereIsSomethingToMend) {
   EXPECT_EQ(json["findings"][0]["strokes"], nlohmann::json({1, 2}));
 }
 
+/// Twenty-one signs with a gap too narrow, A to U, and one cut stroke, V.
+std::string FontOfManyFaults() {
+  std::string svg = "<svg><font horiz-adv-x=\"1200\"><font-face units-per-em=\"1000\"/>";
+  for (char c = 'A'; c <= 'U'; ++c) {
+    svg += std::string("<glyph unicode=\"") + c + "\" d=\"M0 0V1000M100 0V1000\"/>";
+  }
+  return svg + "<glyph unicode=\"V\" d=\"M0 0V500M0 500V1000\"/></font></svg>";
+}
+
+TEST_F(ScriptCommand, SumsUpKindsOfMoreThanTwentyFindings) {
+  WriteAll(In("f.svg"), FontOfManyFaults());
+  const Outcome outcome = RunLine({"script", "check", In("f.svg")});
+  EXPECT_EQ(outcome.code, 1);
+  const std::vector<std::string> lines = Lines(outcome.out);
+  EXPECT_EQ(lines.at(0).rfind("22 findings in 22 signs, letters of ", 0), 0U) << lines[0];
+  const auto has = [&lines](const std::string& line) {
+    return std::find(lines.begin(), lines.end(), line) != lines.end();
+  };
+  EXPECT_TRUE(has("gap too narrow: 21 in 21 signs, such as A, B, C.")) << outcome.out;
+  EXPECT_TRUE(has("Kinds with more than 20 findings are summed up; --all lists each."));
+  EXPECT_NE(outcome.out.find("V: split stroke, strokes 1 and 2: "), std::string::npos);
+  EXPECT_EQ(outcome.out.find("U: gap too narrow"), std::string::npos);
+  ExpectTextFace(outcome.out);
+}
+
+TEST_F(ScriptCommand, ListsEachFindingWhereAskedAndInJson) {
+  WriteAll(In("f.svg"), FontOfManyFaults());
+  const std::string all = RunLine({"script", "check", In("f.svg"), "--all"}).out;
+  for (char c = 'A'; c <= 'U'; ++c) {
+    EXPECT_NE(all.find(std::string("\n") + c + ": gap too narrow"), std::string::npos) << c;
+  }
+  EXPECT_EQ(all.find("summed up"), std::string::npos);
+  const nlohmann::json json = RunLine({"script", "check", In("f.svg"), "--json"}).Json();
+  EXPECT_EQ(json["findings"].size(), 22U);
+  EXPECT_EQ(json["counts"], (nlohmann::json{{"narrow-gap", 21}, {"split", 1}}));
+  EXPECT_EQ(json["left_out"], 0);
+  // Twenty are few enough.
+  const std::string few =
+      RunLine({"script", "check", In("f.svg"), "--only", "ABCDEFGHIJKLMNOPQRST"}).out;
+  EXPECT_NE(few.find("\nT: gap too narrow"), std::string::npos) << few;
+}
+
+TEST_F(ScriptCommand, NamesTheNearestAction) {
+  EXPECT_EQ(RunLine({"script", "lst"}).err, "script: unknown action 'lst'; did you mean 'list'?\n");
+  EXPECT_EQ(RunLine({"script", "zzzzzz"}).err,
+            "script: unknown action 'zzzzzz': give list, info, check, convert or picture\n");
+}
+
 TEST_F(ScriptCommand, FindsMoreAtSmallerSizes) {
   WriteAll(In("pair.svg"), Font("M0 0L1000 0M0 300L1000 300"));
   EXPECT_EQ(RunLine({"script", "check", In("pair.svg"), "--size-mm", "20"}).code, 0);
@@ -163,6 +211,7 @@ TEST_F(ScriptCommand, RefusesWhatItCannotUnderstand) {
                                                {"script", "convert", "moon", "--to", "x.txt"},
                                                {"script", "picture", "moon"},
                                                {"script", "info", "moon", "--join"},
+                                               {"script", "info", "moon", "--all"},
                                                {"script", "list", "moon"}}) {
     const Outcome outcome = RunLine(args);
     EXPECT_EQ(outcome.code, 2) << outcome.out;

@@ -25,7 +25,7 @@ Stroke ArcStroke(Arc arc) { return {StrokeKind::kStroke, {arc}}; }
 std::vector<ScriptFinding> FindingsOf(std::vector<Stroke> strokes, const std::string& name = "a") {
   Script script;
   script.glyphs.push_back({name, 1, std::move(strokes)});
-  return CheckScript(script, {0.010, 0.001, 0.0012});
+  return CheckGlyph(script, 0, {0.010, 0.001, 0.0012});
 }
 
 ScriptFinding OnlyFinding(std::vector<Stroke> strokes) {
@@ -38,10 +38,12 @@ TEST(CheckScript, IsSilentAboutMoonAtItsUsualSize) {
   // But for one variant, whose arc lies on the ring's outer edge so that both are one groove.
   const Script moon = FindScript("moon");
   const CheckSize usual{0.012, 0.1165 * 0.012, 0.0012};
-  for (const ScriptFinding& finding : CheckScript(moon, usual)) {
-    if (moon.glyphs[finding.glyph].name == "h.arc" && finding.kind == Kind::kNarrowGap) continue;
-    ADD_FAILURE() << moon.glyphs[finding.glyph].name << " kind " << static_cast<int>(finding.kind)
-                  << " figure " << finding.figure;
+  for (std::size_t glyph = 0; glyph < moon.glyphs.size(); ++glyph) {
+    for (const ScriptFinding& finding : CheckGlyph(moon, glyph, usual)) {
+      if (moon.glyphs[glyph].name == "h.arc" && finding.kind == Kind::kNarrowGap) continue;
+      ADD_FAILURE() << moon.glyphs[glyph].name << " kind " << static_cast<int>(finding.kind)
+                    << " figure " << finding.figure;
+    }
   }
 }
 
@@ -119,6 +121,33 @@ TEST(CheckScript, TakesCrossingsAndAnglesForWhatTheyAre) {
   for (int i = 0; i <= 16; ++i) ring.emplace_back(std::cos(i * 0.3927), std::sin(i * 0.3927));
   ring.back() = ring.front();
   EXPECT_TRUE(FindingsOf({LineStroke(ring)}).empty());
+}
+
+/// A line from one point to the other, of equal short ones.
+Stroke CutLine(glm::dvec2 from, glm::dvec2 to, int pieces) {
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i <= pieces; ++i) points.push_back(from + (to - from) * (double(i) / pieces));
+  return LineStroke(points);
+}
+
+// Were every piece's end a sample, this would take 10^11 comparisons.
+TEST(CheckScript, FindsTheSameInStrokesOfVeryManyPieces) {
+  const ScriptFinding found =
+      OnlyFinding({CutLine({0, 0}, {1, 0}, 200000), CutLine({0, 0.15}, {1, 0.15}, 200000)});
+  EXPECT_EQ(found.kind, Kind::kNarrowGap);
+  EXPECT_NEAR(found.figure, 0.0005, 1e-9);
+  EXPECT_TRUE(
+      FindingsOf({CutLine({0, 0}, {1, 0}, 5000), CutLine({0, 0.23}, {1, 0.23}, 5000)}).empty());
+}
+
+TEST(CheckScript, LooksAtNoMoreStrokesThanAnyCharacterHasAndSaysSo) {
+  std::vector<Stroke> strokes;
+  for (int i = 0; i < 256; ++i) strokes.push_back(LineStroke({{0, 0.3 * i}, {1, 0.3 * i}}));
+  EXPECT_TRUE(FindingsOf(strokes).empty());
+  strokes.resize(100000, strokes.back());
+  const ScriptFinding found = OnlyFinding(strokes);
+  EXPECT_EQ(found.kind, Kind::kTooMany);
+  EXPECT_EQ(found.figure, 100000);
 }
 
 TEST(IsOutlineFont, TellsPrintFromStrokes) {
