@@ -185,7 +185,7 @@ Script ParseScript(std::string_view svg, const std::string& svg_name, std::strin
   SvgFont font = ParseSvgFont(svg, svg_name);
   script.glyphs = std::move(font.glyphs);
   script.signs = std::move(font.characters);
-  ReadRules(toml, toml_name, script);
+  ReadRules(toml, toml_name, font.em, script);
   return script;
 }
 

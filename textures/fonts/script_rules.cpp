@@ -122,6 +122,20 @@ void ReadMeasures(const TomlTable& table, Script& script) {
   if (table.Has("line_pitch_em")) script.line_pitch = Positive(table, "line_pitch_em", 100);
 }
 
+void ReadEm(const TomlTable& table, double font_em, Script& script) {
+  const double scale = font_em / table.Number("em_units");
+  if (!(scale >= 0.1 && scale <= 10)) {
+    table.Fail("em_units", "far from the font's own cap-height; give the font's units in one em");
+  }
+  if (scale == 1) return;
+  for (Glyph& glyph : script.glyphs) {
+    glyph.advance *= scale;
+    for (Stroke& stroke : glyph.strokes) {
+      for (Piece& piece : stroke.pieces) piece = Placed(piece, scale, glm::dvec2(0.0, 0.0));
+    }
+  }
+}
+
 void ReadForms(const TomlTable& table, const Names& names, Script& script) {
   for (const std::string& key : table.Keys()) {
     const std::string letter = GlyphNamed(table, key, key, names);
@@ -149,8 +163,10 @@ void ReadOlderPunctuation(const TomlTable& table, OlderPunctuation& older) {
 
 }  // namespace
 
-void ReadRules(std::string_view toml, const std::string& file_name, Script& script) {
+void ReadRules(std::string_view toml, const std::string& file_name, double font_em,
+               Script& script) {
   const TomlTable table = TomlTable::Parse(toml, file_name);
+  if (table.Has("em_units")) ReadEm(table, font_em, script);
   Names names;
   for (const Glyph& glyph : script.glyphs) names.insert(glyph.name);
   script.title = table.String("title");

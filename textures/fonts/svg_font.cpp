@@ -51,6 +51,7 @@ class FontReader {
     const pugi::xml_node font = FindFont();
     em_ = StatedEm(font);
     if (foreign_) em_ = EmByLetters(font, em_);
+    out_.em = em_;
     out_.family = font.child("font-face").attribute("font-family").value();
     if (out_.family.empty()) out_.family = font.attribute("id").value();
     out_.metadata = source_.root().child("metadata").text().get();

@@ -17,6 +17,7 @@ enum class SvgFontKind { kOwn, kForeign };
 struct SvgFont {
   std::string family;                          ///< of the font-face, else the font's id
   std::string metadata;                        ///< text of <metadata>: often author and licence
+  double em = 0;                               ///< [units of the file] that glyphs were divided by
   std::string remark;                          ///< one sentence where the em was measured, or empty
   double space_advance = 0;                    ///< [em]; 0 = no glyph for the space
   std::vector<Glyph> glyphs;                   ///< in the file's order, lengths in em

@@ -264,9 +264,9 @@ std::string WriteRules(const Script& script) {
   std::string toml = fmt::format(
       "# Rules of the script whose glyphs are in the SVG font of this name.\n"
       "title = {}\nauthor = {}\nlicence = {}\nstroke_width_em = {:.6g}\nspace_advance_em = {:.6g}\n"
-      "grades = [{}]\n",
+      "grades = [{}]\nem_units = {}\n",
       Quoted(script.title), Quoted(script.author), Quoted(script.licence), script.stroke_width,
-      script.space_advance, Joined(grades));
+      script.space_advance, Joined(grades), Number(kUnits));
   toml += fmt::format("size_mm = {:.6g}\nline_pitch_em = {:.6g}\n", 1000 * script.size,
                       script.line_pitch);
   if (script.depth > 0) toml += fmt::format("depth_em = {:.6g}\n", script.depth);

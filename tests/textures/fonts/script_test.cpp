@@ -44,6 +44,18 @@ std::string RulesError(const std::string& more, const std::string& rules = kRule
   return ErrorOf([&] { Parse(more, rules); });
 }
 
+TEST(ParseScript, TakesItsOwnEmBeforeTheFontsCapHeight) {
+  const Script as_font = Parse(""), own = Parse("em_units = 2000\n");  // the font has 1000
+  ASSERT_EQ(own.glyphs.size(), as_font.glyphs.size());
+  EXPECT_DOUBLE_EQ(own.glyphs[0].advance, as_font.glyphs[0].advance / 2);
+  EXPECT_DOUBLE_EQ(Length(own.glyphs[0].strokes[0].pieces),
+                   Length(as_font.glyphs[0].strokes[0].pieces) / 2);
+  for (const char* wrong : {"0", "-1000", "99", "10001", "nan", "inf"}) {
+    const std::string error = RulesError(std::string("em_units = ") + wrong + "\n");
+    EXPECT_EQ(error.rfind("small.toml:7:", 0), 0U) << error;
+  }
+}
+
 TEST(ParseScript, KnowsGlyphsByNumberedNamesToo) {
   const Script script = Parse("[signs]\n'!' = 'uni0074'\n");  // U+0074 is t
   EXPECT_EQ(script.signs.at(U'!'), "t");
