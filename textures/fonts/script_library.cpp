@@ -91,12 +91,15 @@ Script LoadFolder(const std::string& path, const std::set<char32_t>& needed) {
 /// The name that was meant, or empty: a Hershey font may be named without its prefix.
 std::string NearestScript(const std::string& name, const std::vector<ScriptEntry>& entries) {
   std::vector<std::string> names;
-  for (const ScriptEntry& entry : entries) names.push_back(entry.name);
+  names.reserve(2 * entries.size());
   const bool prefixed = name.rfind(kHershey, 0) == 0;
   for (const ScriptEntry& entry : entries) {
     const bool hershey = entry.name.rfind(kHershey, 0) == 0;
+    if (hershey || !prefixed) names.push_back(entry.name);
+  }
+  for (const ScriptEntry& entry : entries) {
+    const bool hershey = entry.name.rfind(kHershey, 0) == 0;
     if (hershey && !prefixed) names.push_back(entry.name.substr(kHershey.size()));
-    if (!hershey && prefixed) std::erase(names, entry.name);
   }
   const std::string nearest = NearestWord(name, names);
   const std::string with_prefix = std::string(kHershey).append(nearest);
@@ -166,7 +169,9 @@ Script LoadScriptFile(const std::string& path, std::string_view text) {
 }
 
 bool IsScriptPath(const std::string& name_or_path) {
-  return name_or_path.find('/') != std::string::npos || IsFile(EndingOf(name_or_path));
+  const bool hershey = name_or_path.rfind(kHershey, 0) == 0;
+  return name_or_path.find('/') != std::string::npos ||
+         (!hershey && IsFile(EndingOf(name_or_path)));
 }
 
 Script LoadScriptNamed(const std::string& name_or_path, std::string_view text) {

@@ -27,7 +27,7 @@ std::vector<ScriptEntry> ListScripts();
 Script LoadScriptFile(const std::string& path, std::string_view text);
 
 /// Whether it is taken for a path, not for a name: it holds a '/' or ends like a file that can be
-/// loaded.
+/// loaded and does not begin as the names of Hershey's fonts do.
 bool IsScriptPath(const std::string& name_or_path);
 
 /// By a name of ListScripts, or by path (IsScriptPath). Throws InputError, for an unknown name with

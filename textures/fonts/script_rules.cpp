@@ -9,6 +9,7 @@
 #include "textures/base/toml_reader.h"
 #include "textures/base/utf8.h"
 #include "textures/fonts/glyph_name.h"
+#include "textures/fonts/svg_font.h"
 
 namespace moontrace {
 namespace {
@@ -20,7 +21,7 @@ using Names = std::set<std::string>;
 std::string GlyphNamed(const TomlTable& table, const std::string& key, const std::string& glyph,
                        const Names& names) {
   if (names.count(glyph) != 0) return glyph;
-  if (const std::string named = CharactersNamed(glyph); names.count(named) != 0) return named;
+  if (std::string named = CharactersNamed(glyph); names.count(named) != 0) return named;
   const std::string nearest = NearestWord(glyph, {names.begin(), names.end()});
   table.Fail(key, "no glyph '" + OneLine(glyph, 40) + "' in the font; " +
                       (nearest.empty() ? "draw it or correct the name"
@@ -128,12 +129,19 @@ void ReadEm(const TomlTable& table, double font_em, Script& script) {
     table.Fail("em_units", "far from the font's own cap-height; give the font's units in one em");
   }
   if (scale == 1) return;
+  double reach = 0;
   for (Glyph& glyph : script.glyphs) {
     glyph.advance *= scale;
+    reach = std::max(reach, glyph.advance);
     for (Stroke& stroke : glyph.strokes) {
-      for (Piece& piece : stroke.pieces) piece = Placed(piece, scale, glm::dvec2(0.0, 0.0));
+      for (Piece& piece : stroke.pieces) {
+        piece = Placed(piece, scale, glm::dvec2(0.0, 0.0));
+        const Box box = BoundsOf(piece);
+        reach = std::max({reach, box.max.x, box.max.y, -box.min.x, -box.min.y});
+      }
     }
   }
+  if (reach > kMaxEms) table.Fail("em_units", "by it a glyph reaches beyond 100 em; correct it");
 }
 
 void ReadForms(const TomlTable& table, const Names& names, Script& script) {

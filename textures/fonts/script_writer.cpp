@@ -123,7 +123,7 @@ std::optional<std::string> Difference(const Script& one, const Script& other) {
            " signs would come back";
   }
   for (std::size_t i = 0; i < one.glyphs.size(); ++i) {
-    const std::optional<std::string> difference = GlyphDifference(one.glyphs[i], other.glyphs[i]);
+    std::optional<std::string> difference = GlyphDifference(one.glyphs[i], other.glyphs[i]);
     if (difference) return difference;
   }
   return RulesDifference(one, other);

@@ -28,7 +28,6 @@ namespace {
 /// Bytes of a file for each command and piece beyond those that every file may have: no path
 /// without <use> writes more of them.
 constexpr std::size_t kBytesOfCommand = 4;
-constexpr double kMaxEms = 100;
 constexpr double kTolerance = 0.001;  ///< [em]
 constexpr double kAgreement = 0.02;   ///< of a letter's height with the figure stated, relative
 

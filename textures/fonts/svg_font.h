@@ -9,6 +9,9 @@
 
 namespace moontrace {
 
+/// How far a glyph may reach [em].
+constexpr double kMaxEms = 100;
+
 /// Whose font it is. kOwn: one that has a TOML file beside it, written for Moontrace. kForeign: any
 /// SVG 1.1 font.
 enum class SvgFontKind { kOwn, kForeign };

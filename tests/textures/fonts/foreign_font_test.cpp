@@ -71,6 +71,19 @@ TEST(ParseForeignFont, TakesCapHeightThenAscentThenUnitsPerEmAsTheEm) {
   }
 }
 
+// Inkscape's fonts have both, and terms of a page behind them.
+TEST(ParseForeignFont, KeepsTheWordsAboutItsLicence) {
+  const std::string svg = FontOf("<glyph unicode=\"a\" d=\"M0 0L1 1\"/>");
+  const std::string terms(2000, 'x'), place = "Drawn by\n  A. Person, CC0";
+  std::string licensed = svg;
+  licensed.replace(svg.find(place), place.size(),
+                   "Font name:  T\n License:   SIL Open Font License\nUse: " + terms + "\n");
+  const Script script = ParseForeignFont(licensed, "a.svg");
+  EXPECT_EQ(script.licence, "SIL Open Font License");
+  EXPECT_EQ(script.author, "Font name: T License: SIL Open Font License Use: " + terms);
+  EXPECT_EQ(FontWith("<glyph unicode=\"a\" d=\"M0 0L1 1\"/>").licence, "see the author's words");
+}
+
 /// A font of one stem a letter, of these heights.
 Script Stems(const std::string& face, const std::vector<std::pair<char, int>>& letters) {
   std::string glyphs;

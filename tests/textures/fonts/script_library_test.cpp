@@ -102,6 +102,8 @@ TEST_F(ScriptLibrary, NamesTheNearestOfAllSources) {
             "unknown script 'hershey:gothgb'; did you mean 'hershey:gothgbt'?");
   EXPECT_EQ(Error("hershy:scripts"),
             "unknown script 'hershy:scripts'; did you mean 'hershey:scripts'?");
+  EXPECT_EQ(Error("hershey:rowmans.jhf"),
+            "unknown script 'hershey:rowmans.jhf'; did you mean 'hershey:rowmans'?");
   EXPECT_EQ(Error("futura"), "unknown script 'futura'; did you mean 'hershey:futural'?");
   EXPECT_EQ(Error("gothgbd"), "unknown script 'gothgbd'; did you mean 'hershey:gothgbt'?");
 }

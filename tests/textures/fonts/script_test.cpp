@@ -56,6 +56,17 @@ TEST(ParseScript, TakesItsOwnEmBeforeTheFontsCapHeight) {
   }
 }
 
+TEST(ParseScript, RefusesAnEmByWhichAGlyphIsTooLarge) {
+  const std::string font =
+      "<svg><font horiz-adv-x='900'><font-face units-per-em='1000'/>"
+      "<glyph unicode='a' d='M0 0L50000 0'/></font></svg>";
+  const std::string rules = kRules;
+  EXPECT_EQ(ErrorOf([&] { ParseScript(font, "a.svg", rules + "em_units = 499\n", "a.toml"); }),
+            "a.toml:7:12: em_units: by it a glyph reaches beyond 100 em; correct it");
+  EXPECT_EQ(ErrorOf([&] { ParseScript(font, "a.svg", rules + "em_units = 501\n", "a.toml"); }),
+            "no error");
+}
+
 TEST(ParseScript, KnowsGlyphsByNumberedNamesToo) {
   const Script script = Parse("[signs]\n'!' = 'uni0074'\n");  // U+0074 is t
   EXPECT_EQ(script.signs.at(U'!'), "t");
