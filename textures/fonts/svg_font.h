@@ -48,12 +48,13 @@ struct SvgFont {
 /// scaled by the x.
 ///
 /// Throws InputError (file:line:column, cause, cure): broken XML, not UTF-8, no font, no glyphs,
-/// more than 64 MB, 20 000 glyphs, 100 000 path commands that are not in the file one by one but
-/// come of <use> (one more for every four bytes of the file), a coordinate beyond 100 em, a broken
-/// path, a cycle of <use>. kOwn also: a name or character twice, a glyph without a name, with
-/// nothing drawn or for a group of characters. kForeign leaves glyphs out that have no name or
-/// character, nothing drawn or no step to the next one (marks set over letters); of two for one
-/// character the first counts, as SVG 1.1 (section 20.4) says; a second name gets "#2" behind it.
+/// more than 64 MB or 20 000 glyphs, more path commands or pieces than 100 000 and 200 000 and than
+/// a quarter of the file's bytes (paths alone hold no more commands, so <use> is bounded), a
+/// coordinate beyond 100 em, a broken path, a cycle of <use>. kOwn also: a name or character twice,
+/// a glyph without a name, with nothing drawn or for a group of characters. kForeign leaves glyphs
+/// out that have no name or character, nothing drawn or no step to the next one (marks set over
+/// letters); of two for one character the first counts, as SVG 1.1 (section 20.4) says; a second
+/// name gets "#2" behind it.
 SvgFont ParseSvgFont(std::string_view svg, const std::string& file_name,
                      SvgFontKind kind = SvgFontKind::kOwn);
 
