@@ -8,8 +8,8 @@
 
 namespace moontrace {
 
-/// Greatest size of an SVG font file [bytes]: the 9500 characters of Make Me a Hanzi take some 25 MB
-/// as WriteSvgFont writes them, and 40 MB once fontforge has saved them.
+/// Greatest size of an SVG font file [bytes]: the 9500 characters of Make Me a Hanzi take some 25
+/// MB as WriteSvgFont writes them, and 40 MB once fontforge has saved them.
 constexpr std::size_t kMaxSvgBytes = std::size_t{64} << 20U;
 
 /// An SVG document, parsed in place, so that every value can be traced to its byte in the file. For
