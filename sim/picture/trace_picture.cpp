@@ -118,8 +118,8 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
   std::vector<TextMark> words = TextBlock(fmt::format("{}. {}", drawing.title, drawing.description),
                                           below, room, print, palette::kInk);
   const double first = words.empty() ? 0 : -words.back().at.y + print;
-  for (TextMark& line : TextBlock(Legend(*links, style, blank, result), below - glm::dvec2(0, first),
-                                  room, print, palette::kInk)) {
+  for (TextMark& line : TextBlock(Legend(*links, style, blank, result),
+                                  below - glm::dvec2(0, first), room, print, palette::kInk)) {
     words.push_back(std::move(line));
   }
   const double words_height = (words.empty() ? 0 : -words.back().at.y) + border;

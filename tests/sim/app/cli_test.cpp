@@ -122,7 +122,7 @@ TEST(Cli, WordsThatMeanACommandNameIt) {
     const Outcome outcome = RunLine({word});
     EXPECT_EQ(outcome.code, 2) << word;
     const std::string nearest = std::string("did you mean ") + command + "?";
-    if (*command != 0) EXPECT_NE(outcome.err.find(nearest), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find(nearest) != std::string::npos, *command != 0) << outcome.err;
     EXPECT_NE(outcome.err.find("moontrace help"), std::string::npos) << outcome.err;
   }
   EXPECT_NE(RunLine({"help", "pgae"}).err.find("did you mean page?"), std::string::npos);

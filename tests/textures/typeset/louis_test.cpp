@@ -55,7 +55,8 @@ std::string Cells(const BrailleTable& table, std::u32string_view text) {
 // pages.
 std::vector<std::string> Corpus(const BrailleTable& table) {
   std::vector<std::string> lines;
-  for (const char* page : {"README.md", "CONTRIBUTING.md", "CHANGELOG.md", "lessons/README.md", "sim/README.md"}) {
+  for (const char* page :
+       {"README.md", "CONTRIBUTING.md", "CHANGELOG.md", "lessons/README.md", "sim/README.md"}) {
     std::ifstream in(SourcePath(page));
     for (std::string line; std::getline(in, line);) {
       bool has_all = line.find('\\') == std::string::npos;  // lou_translate reads those as its own
