@@ -147,6 +147,7 @@ std::vector<Found> FindAll(const std::string& folder) {
     list += (list.empty() ? "" : ", ") + found.entry.name;
   }
   names.insert(names.end(), {"simulated", "mouse"});  // the commands' own, never plugged in
+  names.erase(std::remove(names.begin(), names.end(), name), names.end());
   const std::string nearest = NearestName(name, names);
   // the nearest, or all that are there: names, which may be many, stand at the end
   const std::string instead = !nearest.empty() ? "did you mean " + nearest + "?"

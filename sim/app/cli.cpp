@@ -168,7 +168,7 @@ constexpr Command kCommands[] = {
     Of<BenchOptions>({"bench", help::kBench, Audience::kResearcher, "",
                       "benchmark speed measure stability heat"}),
     Of<DevicesOptions>({"devices", help::kDevices, Audience::kDeviceBuilder, "",
-                        "device hardware usb hid test joystick"}),
+                        "device hardware usb hid joystick"}),
 };
 
 std::vector<CommandCard> Cards() {
@@ -190,6 +190,10 @@ const Command& FindCommand(const std::string& name) {
 /// `help`, `help COMMAND`, `help --markdown`.
 int Help(const Args& args, Console& console) {
   if (args.empty()) {
+    console.out() << ProgramHelp(Cards());
+  } else if (args.front() == "test" || args.front() == "packages") {
+    console.Result(say::LaunchersWord(args.front()));
+  } else if (args.front() == "help" || args.front() == "version" || args.front() == "--help") {
     console.out() << ProgramHelp(Cards());
   } else if (args.front() == "--markdown") {
     std::vector<CommandSheet> sheets;

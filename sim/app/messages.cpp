@@ -15,6 +15,12 @@ std::string UnknownCommand(std::string_view given, std::string_view nearest) {
                      DidYouMean(nearest));
 }
 
+std::string LaunchersWord(std::string_view word) {
+  return word == "test"
+             ? "./moontrace test: in a clone, builds and runs the quick tests."
+             : "./moontrace packages run, test or ci: in a clone, installs what is needed.";
+}
+
 std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest) {
   return fmt::format("unknown option {}: {}\"moontrace {} --help-all\" lists the options",

@@ -17,6 +17,7 @@ namespace moontrace::say {
 
 // The command line.
 std::string UnknownCommand(std::string_view given, std::string_view nearest);
+std::string LaunchersWord(std::string_view word);
 std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest);
 std::string SpareArgument(std::string_view given, std::string_view command);

@@ -127,7 +127,8 @@ std::string ProgramHelp(const std::vector<CommandCard>& cards) {
   return help + "\n" +
          Wrapped(
              "One command: moontrace help COMMAND, or moontrace COMMAND --help-all for every "
-             "option. The version: moontrace version.") +
+             "option. The version: moontrace version. In a clone, ./moontrace test runs the "
+             "tests.") +
          Wrapped(kExitCodes);
 }
 

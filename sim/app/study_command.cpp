@@ -170,7 +170,7 @@ void AddOptions(CLI::App& app, StudyOptions& options) {
 int Run(const StudyOptions& options, Console& console) {
   if (options.words.empty()) throw UsageError(say::NoStudyNamed());
   if (options.words.front() == "merge") return Merge(options, console);
-  if (options.words.size() > 1) throw UsageError(say::TooManyStudies());
+  if (options.words.size() > 1) throw UsageError(say::TooManyStudies(options.words.front()));
   const Shard shard = ShardOf(options.shard);
   const std::string file = ProtocolPath(options.words.front());
   const StudyProtocol protocol = ProtocolAt(file);

@@ -16,7 +16,10 @@ std::string NoSuchStudy(std::string_view given) {
                      OneLine(given, 40));
 }
 
-std::string TooManyStudies() { return "one protocol at a time: run study again for the next"; }
+std::string TooManyStudies(std::string_view first) {
+  return fmt::format("one protocol at a time{}: run study again for the next",
+                     NearestListed(first, "merge").empty() ? "" : ", or did you mean merge?");
+}
 
 std::string NothingToMerge() { return "no files to merge: name those that the shards wrote"; }
 

@@ -13,7 +13,7 @@ namespace moontrace::say {
 
 std::string NoStudyNamed();
 std::string NoSuchStudy(std::string_view given);
-std::string TooManyStudies();
+std::string TooManyStudies(std::string_view first);
 std::string NothingToMerge();
 std::string MergeNeedsOutput();
 std::string OnlyForStudies(std::string_view option);

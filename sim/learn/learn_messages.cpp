@@ -4,6 +4,7 @@
 
 #include "sim/console/wording.h"
 #include "sim/learn/learn_path.h"
+#include "sim/tutor/word_messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {
@@ -63,9 +64,9 @@ std::vector<std::string> LearnHelp() {
       TraceEnds(), "An empty line tells what is waited for."};
 }
 
-std::string LearnUnknown(std::string_view given) {
+std::string LearnUnknown(std::string_view given, std::string_view nearest) {
   if (given.size() > 1 && given.front() == '/') given.remove_prefix(1);
-  return fmt::format("Unknown: {}. Type ? for the words.", OneLine(given, 20));
+  return WordUnknown(given, nearest);
 }
 
 std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words) {

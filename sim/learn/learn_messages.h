@@ -60,7 +60,7 @@ std::string ProgramTraces();
 /// What ? gives: of words, of single keys (key -> word).
 std::vector<std::string> LearnHelp();
 std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys);
-std::string LearnUnknown(std::string_view given);
+std::string LearnUnknown(std::string_view given, std::string_view nearest);
 std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words);
 std::string AlreadyStopped();
 std::string NotStopped();

@@ -20,8 +20,11 @@ const Lesson& LessonNamed(const Course& course, const std::string& name) {
   if (name.empty()) return course.lessons.front();
   std::vector<std::string> ids;
   for (const Lesson& lesson : course.lessons) {
-    if (lesson.id == name) return lesson;
     ids.push_back(lesson.id);
+    // "04-itlo", the number that is heard, "5", or "itlo"
+    const std::size_t dash = lesson.id.find('-');
+    const bool is_end = dash != std::string::npos && lesson.id.substr(dash + 1) == name;
+    if (lesson.id == name || std::to_string(ids.size()) == name || is_end) return lesson;
   }
   throw UsageError(say::NoSuchLesson(name, NearestWord(name, ids)));
 }

@@ -9,6 +9,7 @@
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_session.h"
 #include "sim/session/loop_messages.h"
+#include "textures/base/nearest_word.h"
 
 namespace moontrace {
 
@@ -46,7 +47,7 @@ void LearnSession::Obey(const std::string& line) {
     case LearnLine::Kind::kNothing:
       break;  // what is waited for
     case LearnLine::Kind::kUnknown:
-      teller_.Say(Priority::kText, say::LearnUnknown(line));
+      teller_.Say(Priority::kText, say::LearnUnknown(line, NearestWord(line, LearnWords())));
       break;
     case LearnLine::Kind::kAmbiguous:
       teller_.Say(Priority::kText, say::LearnAmbiguous(line, LearnWordsFrom(line)));

@@ -67,10 +67,11 @@ Print PrintOf(const Reach& reach, double scale, const TypeStyle& style) {
     const double room = pitch - (reach.ridge_high - reach.ridge_low) - 2 * rule;
     const double height = fitting(room);
     if (height < kSmallest - 1e-9) {
-      throw InputError(fmt::format(
-          "line pitch {:.4g} mm leaves no room for print between the rules: at least {:.4g} mm",
-          InMillimetres(pitch),
-          std::ceil(InMillimetres(pitch - room + kBlock * kSmallest) * 100) / 100));
+      throw InputError(
+          fmt::format("line pitch {:.4g} mm leaves no room for print between the rules: choose "
+                      "{:.4g} mm or more",
+                      InMillimetres(pitch),
+                      std::ceil(InMillimetres(pitch - room + kBlock * kSmallest) * 100) / 100));
     }
     return {height, rule - reach.ridge_low + (kGap + 1) * height};
   }

@@ -258,6 +258,9 @@ TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Scri
       chosen(options.older_punctuation, from.older_punctuation).value_or(false);
   if (options.only) style.only = TaughtSigns(*options.only, script);
   style.lines = layout.lines;
+  if (!layout.hyphenation.empty() && layout.lines == LineDirection::kAlternate) {
+    throw UsageError(say::AlternateLinesBreakWords());
+  }
   style.hyphenation = layout.hyphenation;
   style.running_head = layout.running_head;
   style.page_numbers = layout.page_numbers;

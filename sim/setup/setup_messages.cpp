@@ -40,6 +40,10 @@ std::string OutOfRange(std::string_view option, std::string_view given, double l
                      Plain(high));
 }
 
+std::string AlternateLinesBreakWords() {
+  return "--hyphenate: alternating lines break words wherever a line ends; leave one of both out";
+}
+
 std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices) {
   return fmt::format("{} is {}: {}choose {}", option, Quoted(given),
                      DidYouMean(NearestListed(given, choices)), choices);

@@ -15,6 +15,7 @@ std::string ValueEmpty(std::string_view option);
 std::string NotANumber(std::string_view option, std::string_view given);
 std::string NotAWholeNumber(std::string_view option, std::string_view given);
 std::string OutOfRange(std::string_view option, std::string_view given, double low, double high);
+std::string AlternateLinesBreakWords();
 std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices);
 std::string NotAPage(std::string_view given);
 std::string NotAPicture(std::string_view option, std::string_view given);

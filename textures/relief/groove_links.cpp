@@ -60,7 +60,8 @@ class LinkFinder {
   }
 
   bool Joins(std::size_t i) const {
-    if (!InLine(i, i + 1)) return false;
+    // a running head is not read on from its words to the page's number
+    if (!InLine(i, i + 1) || GlyphAt(i).kind == LineKind::kHead) return false;
     return reach_ == LinkReach::kWords || GlyphAt(i).word == GlyphAt(i + 1).word;
   }
 

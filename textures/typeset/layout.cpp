@@ -152,7 +152,8 @@ void Layout::PutHead() {
   const double between = head_.empty() || number.empty() ? 0 : Row().space;
   if (head_length + between + number_length > line_length_ + kSlack) {
     throw InputError(fmt::format(
-        "the running head needs {:.4g} mm, lines are {:.4g} mm: choose fewer words or smaller "
+        "running head and page number need {:.4g} mm, lines are {:.4g} mm: choose fewer words or "
+        "smaller "
         "letters",
         InMillimetres(head_length + between + number_length), InMillimetres(line_length_)));
   }
@@ -422,7 +423,10 @@ void Layout::Wrap(const Sign& last) {
                      origin.y};
   if (glyph != Script::npos) pages_.back().glyphs.push_back(placed);
   StartRow();
-  if (pages_.back().glyphs.empty()) {  // no line follows on that page
+  const bool new_page =
+      std::all_of(pages_.back().glyphs.begin(), pages_.back().glyphs.end(),
+                  [](const PlacedGlyph& placed_one) { return placed_one.kind == LineKind::kHead; });
+  if (new_page) {  // no line follows on that page
     if (glyph != Script::npos) pages_[pages_.size() - 2].glyphs.pop_back();
     return;
   }

@@ -176,7 +176,7 @@ std::vector<Line> RulesOf(const Ink& ink, const Box& area, const TypeStyle& styl
     if (above + half + apart > free_from + kSlack) {
       throw InputError(fmt::format(
           "line pitch {:.4g} mm leaves no room for rules {:.4g} mm wide and {:.4g} mm "
-          "apart: at least {:.4g} mm",
+          "apart: choose a line pitch of {:.4g} mm or more",
           InMillimetres(base_before - line.base), InMillimetres(width), InMillimetres(apart),
           MmAtLeast(base_before - line.base + above + half + apart - free_from)));
     }

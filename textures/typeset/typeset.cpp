@@ -71,12 +71,16 @@ void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& s
 /// script cannot write.
 std::vector<Sign> SignsOf(const std::string& words, const char* what, const Script& script,
                           const Writer& writer) {
+  if (std::any_of(words.begin(), words.end(), [](char c) { return c >= 0 && c < ' '; })) {
+    throw InputError(fmt::format("{}: give one line without tabs", what));
+  }
   Folder folder(words, script, [&writer](char32_t c) { return writer.Has(c); });
   Typeset notes;
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
   if (folder.NextLine(line)) writer.Write(words, 1, line, signs, notes);
-  if (notes.missing_count > 0 || notes.untaught_count > 0 || signs.empty()) {
+  if (notes.missing_count > 0 || notes.untaught_count > 0 ||
+      std::all_of(signs.begin(), signs.end(), [](const Sign& sign) { return sign.space; })) {
     throw InputError(
         fmt::format("{}: script {} has no sign for '{}'", what, script.name,
                     notes.missing_count > 0 ? notes.missing.front().was : Shown(words)));

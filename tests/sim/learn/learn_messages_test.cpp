@@ -74,8 +74,10 @@ TEST(LearnMessages, ItemsAreCalledByTheirNames) {
 }
 
 TEST(LearnMessages, AnUnknownKeyIsToldWithoutTheSlashOfWords) {
-  EXPECT_EQ(say::LearnUnknown("/x"), "Unknown: x. Type ? for the words.");
-  EXPECT_EQ(say::LearnUnknown("/"), "Unknown: /. Type ? for the words.");
+  EXPECT_EQ(say::LearnUnknown("/x", ""), "Unknown: x. Type ? for the words.");
+  EXPECT_EQ(say::LearnUnknown("biger", "bigger"),
+            "Unknown: biger. Did you mean bigger? Type ? for the words.");
+  EXPECT_EQ(say::LearnUnknown("/", ""), "Unknown: /. Type ? for the words.");
 }
 
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {

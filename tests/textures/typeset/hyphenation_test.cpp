@@ -9,6 +9,7 @@
 
 #include "textures/base/error.h"
 #include "textures/fonts/script_library.h"
+#include "textures/relief/groove_links.h"
 #include "textures/typeset/layout.h"
 #include "textures/typeset/typeset.h"
 
@@ -188,7 +189,38 @@ TEST(PageHead, LeavesTheTextAsItIs) {
   }
 }
 
+// The last line of a page leads nowhere, whether or not the next page has a head.
+TEST(PageHead, NoGuideLineLeadsOffThePage) {
+  std::string text;
+  for (int i = 0; i < 40; ++i) text += "the moon is bright ";
+  Script script = FindScript("moon");
+  const Typeset set = Headed(text, "moon", true, LineDirection::kAlternate);
+  AddGuides(script, set.style);
+  ASSERT_GT(set.pages.size(), 2U);
+  for (const TextPage& page : set.pages) {
+    const std::string last = script.glyphs[page.glyphs.back().glyph].name;
+    EXPECT_TRUE(last != "guide-right" && last != "guide-left") << last;
+  }
+}
+
+TEST(PageHead, IsNotLinkedToThePagesNumber) {
+  const Script script = FindScript("moon");
+  Typeset set = Headed("moon", "moon", true);
+  set.style.links.reach = LinkReach::kWords;
+  const TextPage& page = set.pages.front();
+  const GrooveLinks links = *LinksOf(page, script, set.style);
+  int between = 0;
+  for (const GrooveLink& link : links.links) {
+    if (link.from == link.to) continue;  // joins a sign's own strokes
+    EXPECT_NE(page.glyphs[link.from].kind, LineKind::kHead);
+    ++between;
+  }
+  EXPECT_EQ(between, 3);  // of the text alone
+}
+
 TEST(PageHead, WhatDoesNotFitIsToldInOneLine) {
+  EXPECT_THROW(Headed("moon", "two\nlines", true), InputError);
+  EXPECT_THROW(Headed("moon", "   ", true), InputError);
   EXPECT_THROW(Headed("moon", std::string(100, 'm'), true), InputError);
   const Script script = FindScript("moon");
   TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, script);

@@ -172,9 +172,9 @@ TEST(RulesRoom, IsToldWhereItLacks) {
   // strokes 10 + 1.165 mm high, twice a gap of 1 mm and a rule of 1 mm, and 1 mm between the rules;
   // hundredths rounded up
   style.line_pitch = 0.0151;
-  EXPECT_EQ(
-      ErrorOf(style, FindPage("a5")),
-      "line pitch 15.1 mm leaves no room for rules 1 mm wide and 1 mm apart: at least 16.17 mm");
+  EXPECT_EQ(ErrorOf(style, FindPage("a5")),
+            "line pitch 15.1 mm leaves no room for rules 1 mm wide and 1 mm apart: choose a line "
+            "pitch of 16.17 mm or more");
   style.line_pitch = 0.01617;
   EXPECT_EQ(ErrorOf(style, FindPage("a5")), "");
   style.rules.margin = true;
