@@ -189,18 +189,17 @@ const Command& FindCommand(const std::string& name) {
 
 /// `help`, `help COMMAND`, `help --markdown`.
 int Help(const Args& args, Console& console) {
-  if (args.empty()) {
+  const std::string what = args.empty() ? "help" : args.front();
+  if (what == "help" || what == "version" || what == "--help") {
     console.out() << ProgramHelp(Cards());
-  } else if (args.front() == "test" || args.front() == "packages") {
-    console.Result(say::LaunchersWord(args.front()));
-  } else if (args.front() == "help" || args.front() == "version" || args.front() == "--help") {
-    console.out() << ProgramHelp(Cards());
-  } else if (args.front() == "--markdown") {
+  } else if (what == "test" || what == "packages") {
+    console.Result(say::LaunchersWord(what));
+  } else if (what == "--markdown") {
     std::vector<CommandSheet> sheets;
     for (const Command& command : kCommands) sheets.push_back(command.sheet(command.card));
     console.out() << Reference(Cards(), sheets);
   } else {
-    const Command& command = FindCommand(args.front());
+    const Command& command = FindCommand(what);
     const bool all = AsksForHelp(args) == HelpAsked::kAll;
     console.out() << CommandHelp(command.card, command.sheet(command.card), all);
   }

@@ -212,16 +212,17 @@ std::string NearestCommand(std::string_view word, const std::vector<CommandCard>
     for (const std::string& also : Words(card.also)) known.emplace(also, card.name);
   }
   for (const CommandCard& card : cards) known.insert_or_assign(card.name, card.name);
-  std::vector<std::string> names;
-  for (const CommandCard& card : cards) names.emplace_back(card.name);
   const auto exact = known.find(meant);
   if (exact != known.end()) return exact->second;
-  const std::string nearest = NearestWord(meant, names);
+  std::vector<std::string> names(cards.size());
+  std::transform(cards.begin(), cards.end(), names.begin(),
+                 [](const CommandCard& card) { return card.name; });
+  std::string nearest = NearestWord(meant, names);
   if (!nearest.empty()) return nearest;
   names.clear();
   for (const auto& [also, name] : known) names.push_back(also);
-  const std::string also = NearestWord(meant, names);
-  return also.empty() ? also : known.at(also);
+  nearest = NearestWord(meant, names);
+  return nearest.empty() ? nearest : known.at(nearest);
 }
 
 }  // namespace moontrace
