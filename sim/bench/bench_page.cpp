@@ -141,32 +141,4 @@ std::vector<glm::dvec2> SlidingPoints(const BenchPage& page, std::size_t most) {
   return points;
 }
 
-HeightGrid::HeightGrid(const TextureField& field, glm::dvec2 size, std::size_t columns,
-                       std::size_t rows)
-    : columns_(columns),
-      rows_(rows),
-      cells_per_m_(glm::dvec2(columns - 1, rows - 1) / size),
-      heights_(columns * rows) {
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t column = 0; column < columns; ++column) {
-      const glm::dvec2 p = glm::dvec2(column, row) / cells_per_m_;
-      heights_[row * columns + column] = static_cast<float>(field.SampleAt(p).displacement);
-    }
-  }
-}
-
-Sample HeightGrid::SampleAt(glm::dvec2 p) const noexcept {
-  double u = p.x * cells_per_m_.x, v = p.y * cells_per_m_.y;
-  const auto column = std::min(static_cast<std::size_t>(u > 0 ? u : 0), columns_ - 2);
-  const auto row = std::min(static_cast<std::size_t>(v > 0 ? v : 0), rows_ - 2);
-  u -= static_cast<double>(column);
-  v -= static_cast<double>(row);
-  const float* below = &heights_[row * columns_ + column];
-  const float* above = below + columns_;
-  const double a = below[0], b = below[1], c = above[0], d = above[1];
-  return {(a * (1 - u) + b * u) * (1 - v) + (c * (1 - u) + d * u) * v,
-          {((b - a) * (1 - v) + (d - c) * v) * cells_per_m_.x,
-           ((c - a) * (1 - u) + (d - b) * u) * cells_per_m_.y}};
-}
-
 }  // namespace moontrace

@@ -36,17 +36,4 @@ std::vector<glm::dvec2> PointsInLetters(const BenchPage& page, std::size_t count
 /// kHz).
 std::vector<glm::dvec2> SlidingPoints(const BenchPage& page, std::size_t most);
 
-/// The sampled height map that a query is compared with: bilinear height and gradient, floats.
-class HeightGrid {
- public:
-  HeightGrid(const TextureField& field, glm::dvec2 size, std::size_t columns, std::size_t rows);
-  Sample SampleAt(glm::dvec2 p) const noexcept;
-  std::size_t memory_bytes() const { return heights_.size() * sizeof(float); }
-
- private:
-  std::size_t columns_, rows_;
-  glm::dvec2 cells_per_m_;
-  std::vector<float> heights_;
-};
-
 }  // namespace moontrace

@@ -1,7 +1,9 @@
 #include <cmath>
+#include <string>
 
 #include "sim/bench/bench_page.h"
 #include "sim/bench/row.h"
+#include "sim/bench/sampled_maps.h"
 #include "sim/bench/timing.h"
 #include "textures/relief/glyph_group.h"
 #include "textures/relief/groove_links.h"
@@ -114,6 +116,52 @@ void AddGrowth(const BenchPage& page, const TextureField& field, BenchRows& rows
       Shown("memory of the book", 1e-6 * static_cast<double>(whole.memory_bytes()), "MB"));
 }
 
+/// The page as a glyph atlas, 53 um from height to height: what a careful programmer would write in
+/// place of the grid.
+void AddAtlas(const BenchPage& page, const TextureField& field, BenchRows& rows) {
+  const GlyphAtlas atlas(page, 53e-6);
+  const std::vector<glm::dvec2> points = PointsInLetters(page, kPoints, 25);
+  const Turns chain = ByTurns(
+      kTurns, [&] { Keep(Chain(field, points)); }, [&] { Keep(Chain(atlas, points)); });
+  rows.push_back(
+      AtMost("query, each waiting for the last, against a glyph atlas", chain.ratio, "times", 0.7));
+  const Turns free = ByTurns(
+      kTurns, [&] { Keep(Independent(field, points)); }, [&] { Keep(Independent(atlas, points)); });
+  rows.push_back(AtMost("independent queries against a glyph atlas", free.ratio, "times", 1.0));
+  rows.push_back(Shown("independent query in the atlas", Nanoseconds(free.second, kPoints), "ns"));
+  double error = 0;
+  for (std::size_t i = 0; i < kPoints / 4; ++i) {
+    error = std::max(error, std::abs(atlas.SampleAt(points[i]).displacement -
+                                     field.SampleAt(points[i]).displacement));
+  }
+  rows.push_back(Shown("error of the atlas", 1e6 * error, "um"));
+  rows.push_back(
+      Shown("memory of the atlas", 1e-6 * static_cast<double>(atlas.memory_bytes()), "MB"));
+}
+
+/// Rows of a height map over the whole sheet, 20 points a millimetre, and a finger's path.
+void AddMany(const BenchPage& page, const TextureField& field, BenchRows& rows) {
+  std::vector<glm::dvec2> map;
+  for (double y = 0.05e-3; y < page.size.y && map.size() < kPoints; y += 1.7e-3) {
+    for (double x = 0.05e-3; x < page.size.x; x += 0.05e-3) map.emplace_back(x, y);
+  }
+  const auto add = [&](const char* what, const std::vector<glm::dvec2>& points) {
+    std::vector<Sample> samples(points.size());
+    const Turns turns = ByTurns(
+        kTurns, [&] { Keep(Independent(field, points)); },
+        [&] {
+          field.SamplesAt(points, samples);
+          Keep(samples[samples.size() / 2].displacement);
+        });
+    rows.push_back(
+        AtLeast(std::string(what) + " at once against one by one", turns.ratio, "times faster", 3));
+    rows.push_back(
+        Shown(std::string("point of ") + what, Nanoseconds(turns.second, points.size()), "ns"));
+  };
+  add("a height map", map);
+  add("a finger's path", SlidingPoints(page, kPoints));
+}
+
 /// Everything that a page may have, against the plain one.
 void AddRich(const BenchPage& page, const TextureField& field, BenchRows& rows) {
   const BenchPage rich = MakeRichBenchPage(4);
@@ -154,6 +202,8 @@ BenchRows BenchField() {
   const BenchPage page = MakeBenchPage(1, 4);
   const TextureField field(page.texture);
   AddQueries(page, field, rows);
+  AddAtlas(page, field, rows);
+  AddMany(page, field, rows);
   AddRich(page, field, rows);
   AddGrowth(page, field, rows);
   AddBuilding(page, rows);

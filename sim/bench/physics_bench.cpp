@@ -19,8 +19,6 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kTipRadius = 0.25e-3;  // of MuJoCo's own tip on its height field [m]
-
 /// A finger's path over the page at 50 mm/s, pressed 1 mm in.
 std::vector<DeviceState> Slide(const BenchPage& page, std::size_t ticks) {
   std::vector<DeviceState> inputs;
@@ -60,11 +58,11 @@ std::string Number(double value) { return fmt::format("{:.9g}", value); }
 
 /// MuJoCo's own means for the same page: a height field, and a tip on three slides.
 ModelPtr HeightFieldModel(const BenchPage& page, const TextureField& field, int columns, int rows,
-                          bool leaning) {
+                          double tip_radius, bool leaning) {
   const double depth = field.greatest_displacement();
   const std::string half_x = Number(page.size.x / 2), half_y = Number(page.size.y / 2);
   const std::string contact = "condim='1' friction='0.2 0 0' solref='0.002 1'";
-  const std::string radius = Number(kTipRadius);
+  const std::string radius = Number(tip_radius);
   const std::string tip =
       leaning ? "<geom type='capsule' fromto='0 0 0 0.03 0 0.06' mass='0.05' size='" + radius + "' "
               : "<geom type='sphere' mass='0.05' size='" + radius + "' ";
@@ -91,12 +89,12 @@ ModelPtr HeightFieldModel(const BenchPage& page, const TextureField& field, int 
 }
 
 /// Drags the tip as Scene's coupling does.
-double RunHeightField(const mjModel& m, const std::vector<DeviceState>& inputs) {
+double RunHeightField(const mjModel& m, double tip_radius, const std::vector<DeviceState>& inputs) {
   const DataPtr d = MakeData(m, "bench");
   for (int axis = 0; axis < 3; ++axis) d->qpos[axis] = inputs.front().p_D[axis];
-  d->qpos[2] = kTipRadius;
+  d->qpos[2] = tip_radius;
   for (const DeviceState& input : inputs) {
-    Pull(*d, input.p_D + glm::dvec3(0, 0, kTipRadius));
+    Pull(*d, input.p_D + glm::dvec3(0, 0, tip_radius));
     mj_step(&m, d.get());
   }
   return d->qpos[2];
@@ -120,18 +118,21 @@ Scene PageOnlyScene() {
 void AddHeightField(const BenchPage& page, const TextureField& field, BenchRows& rows) {
   Scene scene = PageOnlyScene();
   scene.SetField(&field);
-  const auto add = [&](const char* tip, bool leaning, std::size_t ticks, double bar) {
-    const ModelPtr model = HeightFieldModel(page, field, 4000, 2000, leaning);
+  const auto add = [&](const char* tip, double radius, bool leaning, std::size_t ticks,
+                       double bar) {
+    const ModelPtr model = HeightFieldModel(page, field, 4000, 2000, radius, leaning);
     const std::vector<DeviceState> inputs = Slide(page, ticks);
     const Turns turns = ByTurns(
-        21, [&] { Keep(RunHeightField(*model, inputs)); }, [&] { Keep(RunScene(scene, inputs)); });
+        21, [&] { Keep(RunHeightField(*model, radius, inputs)); },
+        [&] { Keep(RunScene(scene, inputs)); });
     rows.push_back(AtLeast(fmt::format("against MuJoCo's height field, {}", tip), turns.ratio,
                            "times faster", bar));
     rows.push_back(Shown(fmt::format("step of that height field, {}", tip),
                          1e6 * turns.first / static_cast<double>(ticks), "us"));
   };
-  add("sphere of 0.25 mm", false, 4000, 15);
-  add("leaning stylus", true, 400, 200);
+  add("sphere of 0.25 mm", 0.25e-3, false, 4000, 15);
+  add("sphere of 0.05 mm", 0.05e-3, false, 4000, 8);
+  add("leaning stylus", 0.25e-3, true, 400, 200);
 }
 
 /// The whole tick: device, sample, step, guiding push, safety, device.

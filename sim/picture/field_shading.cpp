@@ -27,10 +27,9 @@ struct Shader {
   std::size_t width, height;
   double greatest;  ///< [m]
 
-  Color At(glm::dvec2 p_P) const {
+  Color At(glm::dvec2 p_P, const Sample& sample) const {
     const bool on_sheet = p_P.x >= sheet_P.min.x && p_P.x <= sheet_P.max.x &&
                           p_P.y >= sheet_P.min.y && p_P.y <= sheet_P.max.y;
-    const Sample sample = field.SampleAt(p_P);
     const double h = sample.displacement;
     Color color = on_sheet ? shade.paper : shade.desk;
     if (h != 0 && greatest > 0) {
@@ -47,8 +46,14 @@ struct Shader {
     const glm::dvec2 step = (view_P.max - view_P.min) /
                             glm::dvec2(static_cast<double>(width), static_cast<double>(height));
     const double y = view_P.max.y - step.y * (static_cast<double>(row) + 0.5);
+    std::vector<glm::dvec2> points(width);
     for (std::size_t i = 0; i < width; ++i) {
-      const Color color = At({view_P.min.x + step.x * (static_cast<double>(i) + 0.5), y});
+      points[i] = {view_P.min.x + step.x * (static_cast<double>(i) + 0.5), y};
+    }
+    std::vector<Sample> samples(width);
+    field.SamplesAt(points, samples);
+    for (std::size_t i = 0; i < width; ++i) {
+      const Color color = At(points[i], samples[i]);
       *out++ = Byte(color.red);
       *out++ = Byte(color.green);
       *out++ = Byte(color.blue);

@@ -9,6 +9,10 @@ namespace moontrace {
 
 namespace {
 
+/// How much steeper than its profile a crease can be where blending rounds it: 1 and twice the
+/// greatest slope of the weight, 1.5 / rho, times the greatest pull, rho / 4 (blend.h).
+constexpr double kBlendSteepens = 1.75;
+
 void Add(Digest& digest, glm::dvec2 v) {
   digest.Add(v.x);
   digest.Add(v.y);
@@ -66,6 +70,7 @@ TextureField::TextureField(TextureField&&) noexcept = default;
 TextureField& TextureField::operator=(TextureField&&) noexcept = default;
 
 TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
+  double slope_bound = 0;
   for (const Layer& layer : texture.layers) {
     if (layer.group == nullptr || layer.group->bounds.min.x > layer.group->bounds.max.x) continue;
     layers_.push_back(CompileLayer(layer));
@@ -78,11 +83,16 @@ TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
     greatest_slope_ += slope;
     greatest_curvature_ += curvature;
     greatest_displacement_ += depth;
+    (layer.relief == Relief::kEmbossed ? greatest_rise_ : greatest_fall_) += depth;
+    slope_bound += layers_.back().blend_radii.size() > 1 ? kBlendSteepens * slope : slope;
   }
   greatest_slope_ += paper_.bounds().slope;
+  slope_bound += paper_.bounds().slope;
   greatest_curvature_ += paper_.bounds().curvature;
   greatest_displacement_ += paper_.bounds().displacement;
-  steepest_cosine_ = 1 / std::sqrt(1 + greatest_slope_ * greatest_slope_);
+  greatest_rise_ += paper_.bounds().displacement;
+  greatest_fall_ += paper_.bounds().displacement;
+  if (slope_bound > 0) inverse_slope_bound_ = 1 / slope_bound;
 }
 
 std::size_t TextureField::memory_bytes() const noexcept {

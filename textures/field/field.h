@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "textures/field/paper_field.h"
@@ -22,17 +24,26 @@ class TextureField {
   /// Displacement and gradient at `p_P` [m]; zero outside every element and for a point that is not
   /// finite. On a crease the lowest-numbered member's gradient. Any thread.
   Sample SampleAt(glm::dvec2 p_P) const noexcept;
+  /// The same at many points, bit for bit; `samples` is at least as long. Faster where neighbours
+  /// follow each other, as along the rows of a picture: what lies near is found once, and the
+  /// points of a cell are worked out side by side. Any thread.
+  void SamplesAt(std::span<const glm::dvec2> points_P, std::span<Sample> samples) const noexcept;
 
   /// Greatest slope and curvature over all elements: s_max [m/m], (s/r)_max [1/m]; zero when empty.
   /// Layers and paper add. Where an embossed crease is rounded the surface may be steeper, by the
   /// change of the blend's weights: at most 1.75 times, 1.2 in the fonts tried.
   double greatest_slope() const noexcept { return greatest_slope_; }
-  /// Cosine of the steepest inclination, 1 / sqrt(1 + s_max^2); 1 when empty.
-  double steepest_cosine() const noexcept { return steepest_cosine_; }
+  /// 1 over a slope that is exceeded nowhere, rounded embossed creases included [m/m]; infinite
+  /// when empty.
+  double inverse_slope_bound() const noexcept { return inverse_slope_bound_; }
   double greatest_curvature() const noexcept { return greatest_curvature_; }
   /// Deepest and highest displacement that can occur [m], both >= 0 as magnitudes, summed over
   /// layers.
   double greatest_displacement() const noexcept { return greatest_displacement_; }
+  /// Highest displacement above the plane that can occur [m], >= 0; zero where all is engraved.
+  double greatest_rise() const noexcept { return greatest_rise_; }
+  /// Deepest displacement below the plane [m], >= 0; zero where all is embossed.
+  double greatest_fall() const noexcept { return greatest_fall_; }
 
   std::size_t memory_bytes() const noexcept;
   /// A digest of everything that decides a sample: equal fields, equal digests.
@@ -42,9 +53,11 @@ class TextureField {
   std::vector<CompiledLayer> layers_;
   PaperField paper_;
   double greatest_slope_ = 0;
-  double steepest_cosine_ = 1;
+  double inverse_slope_bound_ = std::numeric_limits<double>::infinity();
   double greatest_curvature_ = 0;
   double greatest_displacement_ = 0;
+  double greatest_rise_ = 0;
+  double greatest_fall_ = 0;
 
  public:
   ~TextureField();

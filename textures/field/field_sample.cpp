@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "textures/field/blend.h"
-#include "textures/field/field_layer.h"
+#include "textures/field/field_find.h"
 
 namespace moontrace {
 
@@ -265,49 +265,18 @@ Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Ce
 /// `p` lies in the block's box.
 inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
                              glm::dvec2 p) noexcept {
-  const auto column = static_cast<std::uint32_t>((p.x - block.box.min.x) * block.cells_per_m.x);
-  const auto row = static_cast<std::uint32_t>((p.y - block.box.min.y) * block.cells_per_m.y);
-  const Cell& cell = layer.cells[block.first_cell + std::min(row, block.rows - 1u) * block.columns +
-                                 std::min(column, block.columns - 1u)];
+  const Cell& cell = layer.cells[block.first_cell + CellOf(block, p)];
   if (cell.count == 0) return {};
   if (block.plain) return SamplePlain(layer, block, cell, p);
   return block.blend > 0 ? SampleBlended(layer, block, cell, p)
                          : SampleMixed(layer, block, cell, p);
 }
 
-/// `p` relative to a placed block's origin; nothing if it lies beside the block.
-inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
-  // one branch instead of four: they are all taken or the point lies between letters
-  return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
-}
-
-/// At most one block is met: the last that begins at or before the point.
-inline Magnitude SampleRow(const CompiledLayer& layer, std::uint32_t band, glm::dvec2 p) noexcept {
-  const Rows& rows = layer.rows;
-  const double from_begin = p.x - rows.begin;
-  const double u = from_begin * rows.slots_per_m;
-  if (!(u >= 0 && u < rows.slot_count)) return {};
-  const std::uint32_t start =
-      std::min(static_cast<std::uint32_t>(u), rows.length - 1 - Rows::kWindow);
-  const Letters* slot = &rows.slots[band * rows.length + start];
-  // counting needs no branch, which at random points would be mispredicted
-  const auto here = static_cast<std::int32_t>(from_begin * rows.steps_per_m);
-  std::uint32_t begun = 0;
-  for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first <= here ? 1 : 0;
-  const Letters& letters = slot[begun];
-  std::int32_t place = letters.first, next = place;
-  std::uint32_t which = 0;
-  for (std::uint32_t i = 0; i + 1 < Letters::kMost; ++i) {
-    const std::int32_t step = rows.codes[letters.codes[i]].step;
-    next += step;
-    const std::int32_t has_begun = next <= here ? 1 : 0;
-    place += step & -has_begun;
-    which += static_cast<std::uint32_t>(has_begun);
-  }
-  const Block& block = layer.blocks[rows.codes[letters.codes[which]].block];
-  const double x = rows.first_x + static_cast<double>(place) * rows.step;
-  const glm::dvec2 local(p.x - x, p.y - rows.y[band]);
-  return IsIn(block.box, local) ? SampleBlock(layer, block, local) : Magnitude{};
+inline Magnitude SampleRow(const CompiledLayer& layer, std::uint32_t row, glm::dvec2 p) noexcept {
+  const FoundLetter letter = FindLetter(layer, row, p.x);
+  if (letter.block == nullptr) return {};
+  const glm::dvec2 local = p - letter.origin;
+  return IsIn(letter.block->box, local) ? SampleBlock(layer, *letter.block, local) : Magnitude{};
 }
 
 /// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
@@ -382,6 +351,16 @@ inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept 
 }
 
 }  // namespace
+
+Magnitude SampleBlockAt(const CompiledLayer& layer, const Block& block, glm::dvec2 p) noexcept {
+  return SampleBlock(layer, block, p);
+}
+Magnitude SampleLayerAt(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+  return SampleLayer(layer, p);
+}
+bool IsBare(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+  return IsIn(layer.hole, p) || IsBetween(layer, p);
+}
 
 Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
   Sample sum;

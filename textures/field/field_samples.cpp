@@ -1,0 +1,249 @@
+// Many points at once. Points that follow each other in one letter are cut into runs of one cell;
+// the elements of that cell are then looked at one after the other, for all points of the run side
+// by side, in loops that compilers turn into vector instructions.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "textures/field/field_find.h"
+
+// The widest vectors that the processor has are chosen when the program starts. Sanitizers run
+// before that choice could be made, so their builds keep to the compiler's default.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+#define MOONTRACE_WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define MOONTRACE_WIDE
+#endif
+
+namespace moontrace {
+
+namespace {
+
+using CompiledLayer = TextureField::CompiledLayer;
+
+constexpr std::size_t kMost = 64;  ///< points of a run
+constexpr std::size_t kSide = 8;   ///< that the widest vectors work out side by side
+constexpr double kFar = 1e300;
+constexpr double kTiny = 1e-300;
+constexpr double kHair = 1e-9;  ///< more than all rounding of places on a page [m]
+
+/// Points of a run from their block's origin [m], and what is found there.
+struct Run {
+  std::size_t count = 0;
+  alignas(64) std::array<double, kMost> x, y;
+  alignas(64) std::array<double, kMost> distance, away_x, away_y;
+  alignas(64) std::array<double, kMost> height, slope_x, slope_y;
+};
+
+/// As NearestOf and SamplePlain of the single query, in the same order of operations.
+MOONTRACE_WIDE void RunPlain(const FlatElement* elements, const std::uint16_t* items,
+                             std::size_t item_count, const FlatProfile& profile,
+                             Run& run) noexcept {
+  // whole vectors only, so that no rest is left to be worked out one by one
+  const std::size_t count = (run.count + kSide - 1) / kSide * kSide;
+  const double *x = run.x.data(), *y = run.y.data();
+  double *best = run.distance.data(), *away_x = run.away_x.data(), *away_y = run.away_y.data();
+  for (std::size_t i = 0; i < count; ++i) best[i] = kFar;
+  for (std::size_t i = 0; i < count; ++i) away_x[i] = away_y[i] = 0;
+  for (std::size_t k = 0; k < item_count; ++k) {
+    const FlatElement& element = elements[items[k]];
+    const double ax = element.anchor.x, ay = element.anchor.y;
+    const double ux = element.direction.x, uy = element.direction.y;
+    if (element.kind == FlatKind::kLine) {
+      const double length = element.length;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double vx = x[i] - ax, vy = y[i] - ay;
+        const double along = vx * ux + vy * uy;
+        const double across = vy * ux - vx * uy;
+        const double side = std::copysign(1.0, across);
+        const double d = (along >= 0) & (along <= length) ? std::abs(across) : kFar;
+        const bool nearer = d < best[i];
+        best[i] = nearer ? d : best[i];
+        away_x[i] = nearer ? -side * uy : away_x[i];
+        away_y[i] = nearer ? side * ux : away_y[i];
+      }
+    } else {
+      const double radius = element.radius, cos_half = element.cos_half;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double vx = x[i] - ax, vy = y[i] - ay;
+        const double along = vx * ux + vy * uy;
+        const double distance = std::sqrt(vx * vx + vy * vy);
+        const double off = distance - radius;
+        const double scale = std::copysign(1.0, off) / (distance > kTiny ? distance : kTiny);
+        const double d = along >= distance * cos_half ? std::abs(off) : kFar;
+        const bool nearer = d < best[i];
+        best[i] = nearer ? d : best[i];
+        away_x[i] = nearer ? scale * vx : away_x[i];
+        away_y[i] = nearer ? scale * vy : away_y[i];
+      }
+    }
+  }
+  const double k = profile.curvature, half = profile.half, rounding = profile.rounding;
+  const double flank = profile.flank, steep = profile.slope;
+  double *height = run.height.data(), *slope_x = run.slope_x.data(), *slope_y = run.slope_y.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double d = best[i];
+    const double to_spine = rounding - d, to_rim = d - (half - rounding);
+    const double in_spine = 0.5 * (to_spine + std::abs(to_spine));
+    const double in_rim = 0.5 * (to_rim + std::abs(to_rim));
+    const double h = flank - steep * d + 0.5 * k * (in_rim * in_rim - in_spine * in_spine);
+    const double slope = k * (in_spine + in_rim) - steep;
+    const bool inside = d < half;
+    height[i] = inside ? h : 0;
+    slope_x[i] = inside ? slope * away_x[i] : 0;
+    slope_y[i] = inside ? slope * away_y[i] : 0;
+  }
+}
+
+/// Adds a layer that stands in rows to the samples.
+class RowLayer {
+ public:
+  RowLayer(const CompiledLayer& layer, std::span<const glm::dvec2> points,
+           std::span<Sample> samples) noexcept
+      : layer_(layer), points_(points), samples_(samples) {}
+
+  void Add() noexcept {
+    std::size_t i = 0;
+    while (i < points_.size()) i = AddRun(i);
+  }
+
+ private:
+  /// Adds what the layer gives at the i-th point and at those after it that meet the same cell, or
+  /// the same gap; returns the next point's number.
+  std::size_t AddRun(std::size_t i) noexcept {
+    const glm::dvec2 p = points_[i];
+    const std::uint32_t band = BandOf(layer_, p.y);
+    if (band >= layer_.band_count) return Skip(i, {{-kFar, p.y}, {kFar, p.y}});
+    const std::vector<std::uint32_t>& of_band = layer_.rows.of_band;
+    const FoundLetter letter = FindLetter(layer_, of_band.empty() ? band : of_band[band], p.x);
+    if (letter.block == nullptr) return i + 1;
+    const double below = layer_.origin.y + band * band_height_;
+    const Box in_band{{-kFar, below + kHair}, {kFar, below + band_height_ - kHair}};
+    if (IsIn(letter.block->box, p - letter.origin)) return AddLetter(letter, in_band, i);
+    return Skip(i, GapBeside(letter, in_band, p));
+  }
+
+  /// Where there is nothing around a point of the letter's stretch that is not in its box: beyond
+  /// one of its sides. A hair less, so that rounding decides nothing.
+  Box GapBeside(const FoundLetter& letter, const Box& in_band, glm::dvec2 p) const noexcept {
+    const Box box{letter.block->box.min + letter.origin, letter.block->box.max + letter.origin};
+    const double next = layer_.rows.begin + letter.next * layer_.rows.step;
+    Box gap = in_band;
+    if (p.x < box.min.x) {
+      gap.min.x = p.x;
+      gap.max.x = box.min.x - kHair;
+      return gap;
+    }
+    gap.min.x = p.x > box.max.x ? box.max.x + kHair : p.x;
+    gap.max.x = next - kHair;
+    if (p.x > box.max.x) return gap;
+    if (p.y > box.max.y) gap.min.y = std::max(gap.min.y, box.max.y + kHair);
+    if (p.y < box.min.y) gap.max.y = std::min(gap.max.y, box.min.y - kHair);
+    return gap;
+  }
+
+  /// The number of the next point outside the gap.
+  std::size_t Skip(std::size_t i, const Box& gap) const noexcept {
+    do ++i;
+    while (i < points_.size() && IsIn(gap, points_[i]));
+    return i;
+  }
+
+  /// The same for all cells of one letter that the points go through.
+  std::size_t AddLetter(const FoundLetter& letter, const Box& in_band, std::size_t i) noexcept {
+    const Block& block = *letter.block;
+    // a hair within the letter's box and its band a point surely meets this letter
+    Box sure{block.box.min + kHair, block.box.max - kHair};
+    sure.min.y = std::max(sure.min.y, in_band.min.y - letter.origin.y);
+    sure.max.y = std::min(sure.max.y, in_band.max.y - letter.origin.y);
+    const glm::dvec2 size = 1.0 / block.cells_per_m;
+    do i = AddCell(letter, size, sure, i);
+    while (i < points_.size() && IsIn(sure, points_[i] - letter.origin));
+    return i;
+  }
+
+  std::size_t AddCell(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
+                      std::size_t i) noexcept {
+    const Block& block = *letter.block;
+    glm::dvec2 local = points_[i] - letter.origin;
+    const std::uint32_t number = CellOf(block, local);
+    const Cell& cell = layer_.cells[block.first_cell + number];
+    const std::uint32_t row = number / block.columns, column = number - row * block.columns;
+    const glm::dvec2 low = block.box.min + size * glm::dvec2(column, row);
+    const Box sure{
+        {std::max(low.x + kHair, of_letter.min.x), std::max(low.y + kHair, of_letter.min.y)},
+        {std::min(low.x + size.x - kHair, of_letter.max.x),
+         std::min(low.y + size.y - kHair, of_letter.max.y)}};
+    const std::size_t first = i;
+    if (cell.count == 0) {
+      do ++i;
+      while (i < points_.size() && IsIn(sure, points_[i] - letter.origin));
+      return i;
+    }
+    std::size_t count = 0;
+    do {
+      run_.x[count] = local.x;
+      run_.y[count] = local.y;
+      ++count;
+      if (++i == points_.size() || count == kMost) break;
+      local = points_[i] - letter.origin;
+    } while (IsIn(sure, local));
+    run_.count = count;
+    for (std::size_t k = count; k % kSide != 0; ++k) {
+      run_.x[k] = run_.x[count - 1];
+      run_.y[k] = run_.y[count - 1];
+    }
+    if (!block.plain || count == 1) {
+      for (std::size_t k = 0; k < count; ++k) {
+        Add(first + k, SampleBlockAt(layer_, block, {run_.x[k], run_.y[k]}));
+      }
+      return i;
+    }
+    RunPlain(&layer_.elements[block.first_element],
+             cell.count <= Cell::kInPlace ? cell.items.data() : &layer_.items[cell.list()],
+             cell.count, layer_.profiles[block.profile], run_);
+    for (std::size_t k = 0; k < count; ++k) {
+      Add(first + k, {run_.height[k], {run_.slope_x[k], run_.slope_y[k]}});
+    }
+    return i;
+  }
+
+  void Add(std::size_t i, const Magnitude& magnitude) noexcept {
+    samples_[i].displacement += layer_.sign * magnitude.height;
+    samples_[i].gradient += layer_.sign * magnitude.gradient;
+  }
+
+  const CompiledLayer& layer_;
+  std::span<const glm::dvec2> points_;
+  std::span<Sample> samples_;
+  double band_height_ = 1 / layer_.bands_per_m;  ///< [m]
+  Run run_;
+};
+
+}  // namespace
+
+void TextureField::SamplesAt(std::span<const glm::dvec2> points_P,
+                             std::span<Sample> samples) const noexcept {
+  std::fill_n(samples.begin(), points_P.size(), Sample{});
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const CompiledLayer& layer = layers_[i];
+    if (layer.rows.length > 0 && i == 0) {
+      RowLayer(layer, points_P, samples).Add();
+      continue;
+    }
+    for (std::size_t k = 0; k < points_P.size(); ++k) {
+      if (i > 0 && IsBare(layer, points_P[k])) continue;
+      const Magnitude magnitude = SampleLayerAt(layer, points_P[k]);
+      samples[k].displacement += layer.sign * magnitude.height;
+      samples[k].gradient += layer.sign * magnitude.gradient;
+    }
+  }
+  if (paper_.empty()) return;
+  for (std::size_t k = 0; k < points_P.size(); ++k) {
+    const Sample paper = paper_.SampleAt(points_P[k]);
+    samples[k] = {samples[k].displacement + paper.displacement,
+                  samples[k].gradient + paper.gradient};
+  }
+}
+
+}  // namespace moontrace
