@@ -130,6 +130,102 @@ bool IsFreeSlide(const mjModel& m, int j, int axis) {
          m.dof_damping[dof] == 0 && m.dof_frictionloss[dof] == 0;
 }
 
+/// Whether the body is `root` or hangs on it.
+bool IsOf(const mjModel& m, int root, int body) {
+  while (body > root) body = m.body_parentid[body];
+  return body == root;
+}
+
+bool IsOfJoint(const mjModel& m, int root, int joint) {
+  return joint >= 0 && IsOf(m, root, m.jnt_bodyid[joint]);
+}
+bool IsOfSite(const mjModel& m, int root, int site) {
+  return site >= 0 && IsOf(m, root, m.site_bodyid[site]);
+}
+
+bool TendonTouches(const mjModel& m, int root, int tendon) {
+  for (int i = 0; i < m.tendon_num[tendon]; ++i) {
+    const int wrap = m.tendon_adr[tendon] + i, object = m.wrap_objid[wrap];
+    if (m.wrap_type[wrap] == mjWRAP_JOINT && IsOfJoint(m, root, object)) return true;
+    if (m.wrap_type[wrap] == mjWRAP_SITE && IsOfSite(m, root, object)) return true;
+  }
+  return false;
+}
+
+bool ActuatorTouches(const mjModel& m, int root, int actuator) {
+  const int first = m.actuator_trnid[std::ptrdiff_t{2} * actuator];
+  const int second = m.actuator_trnid[std::ptrdiff_t{2} * actuator + 1];
+  switch (m.actuator_trntype[actuator]) {
+    case mjTRN_JOINT:
+    case mjTRN_JOINTINPARENT:
+      return IsOfJoint(m, root, first);
+    case mjTRN_TENDON:
+      return TendonTouches(m, root, first);
+    case mjTRN_SITE:
+    case mjTRN_SLIDERCRANK:
+      return IsOfSite(m, root, first) || IsOfSite(m, root, second);
+    case mjTRN_BODY:
+      return IsOf(m, root, first);
+    default:
+      return false;
+  }
+}
+
+bool EqualityTouches(const mjModel& m, int root, int equality) {
+  const int ends[] = {m.eq_obj1id[equality], m.eq_obj2id[equality]};
+  for (const int end : ends) {
+    if (end < 0) continue;
+    switch (m.eq_type[equality]) {
+      case mjEQ_CONNECT:
+      case mjEQ_WELD:
+        if (TiesSites(m, equality) ? IsOfSite(m, root, end) : IsOf(m, root, end)) return true;
+        break;
+      case mjEQ_JOINT:
+        if (IsOfJoint(m, root, end)) return true;
+        break;
+      case mjEQ_TENDON:
+        if (TendonTouches(m, root, end)) return true;
+        break;
+      default:
+        break;
+    }
+  }
+  return false;
+}
+
+/// What in the model could push the proxy besides coupling and page, and how to mend it; empty:
+/// nothing. What cannot be known before, such as forces that a program applies, a tick notices.
+std::string WhatHolds(const mjModel& m, int proxy) {
+  for (int joint = 0; joint < static_cast<int>(m.njnt); ++joint) {
+    if (m.jnt_bodyid[joint] == proxy || !IsOfJoint(m, proxy, joint)) continue;
+    return "a jointed body hangs on it; take that body away";
+  }
+  for (int geom = 0; geom < static_cast<int>(m.ngeom); ++geom) {
+    if (!IsOf(m, proxy, m.geom_bodyid[geom])) continue;
+    if ((m.geom_contype[geom] | m.geom_conaffinity[geom]) != 0) {
+      return "its geom would collide; set contype and conaffinity to 0";
+    }
+    for (int pair = 0; pair < static_cast<int>(m.npair); ++pair) {
+      if (m.pair_geom1[pair] != geom && m.pair_geom2[pair] != geom) continue;
+      return "a contact pair names its geom; take that <pair> away";
+    }
+  }
+  for (int equality = 0; equality < static_cast<int>(m.neq); ++equality) {
+    if (EqualityTouches(m, proxy, equality)) {
+      return "an equality holds it; take that out of <equality>";
+    }
+  }
+  for (int actuator = 0; actuator < static_cast<int>(m.nu); ++actuator) {
+    if (ActuatorTouches(m, proxy, actuator)) {
+      return "an actuator drives it; take that out of <actuator>";
+    }
+  }
+  for (int tendon = 0; tendon < static_cast<int>(m.ntendon); ++tendon) {
+    if (TendonTouches(m, proxy, tendon)) return "a tendon pulls it; take that out of <tendon>";
+  }
+  return "";
+}
+
 /// The force bound holds only for a proxy that nothing but coupling and page can hold back.
 ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
   const std::string place = name + ": moontrace_proxy: ";
@@ -144,17 +240,15 @@ ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
   if (!free) {
     throw InputError(place + "not free: give it, in the world, bare slide joints x, y, z");
   }
-  for (int i = 0; i < m.body_geomnum[b]; ++i) {
-    const int geom = m.body_geomadr[b] + i;
-    if ((m.geom_contype[geom] | m.geom_conaffinity[geom]) == 0) continue;
-    throw InputError(place + "its geom would collide; set contype and conaffinity to 0");
-  }
+  const std::string holder = WhatHolds(m, b);
+  if (!holder.empty()) throw InputError(place + holder);
   proxy.qpos = m.jnt_qposadr[joint];
   proxy.dof = m.jnt_dofadr[joint];
   proxy.mass = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     proxy.offset_W[i] = m.body_pos[3 * b + i] - m.qpos0[proxy.qpos + i];
-    proxy.mass = std::min(proxy.mass, static_cast<double>(m.dof_M0[proxy.dof + i]));
+    proxy.axis_mass[i] = m.dof_M0[proxy.dof + i];
+    proxy.mass = std::min(proxy.mass, proxy.axis_mass[i]);
   }
   proxy.weight_mass = m.body_subtreemass[b];
   const int handle = mj_name2id(&m, mjOBJ_BODY, "moontrace_handle");

@@ -14,12 +14,13 @@ namespace moontrace {
 /// Where MuJoCo keeps the proxy: body on three free slides x, y, z of the world.
 struct ProxyPlace {
   int body = -1;
-  int qpos = 0;                  ///< of its three in mjData::qpos
-  int dof = 0;                   ///< of its three in mjData::qvel
-  glm::dvec3 offset_W{0, 0, 0};  ///< proxy position less qpos [m]
-  double mass = 0;               ///< that the slides move [kg]
-  double weight_mass = 0;        ///< that gravity pulls on [kg]
-  int handle_mocap = -1;         ///< mocap number of moontrace_handle, -1 if there is none
+  int qpos = 0;                   ///< of its three in mjData::qpos
+  int dof = 0;                    ///< of its three in mjData::qvel
+  glm::dvec3 offset_W{0, 0, 0};   ///< proxy position less qpos [m]
+  double mass = 0;                ///< that the slides move, of the lightest axis [kg]
+  glm::dvec3 axis_mass{0, 0, 0};  ///< that each slide moves [kg]
+  double weight_mass = 0;         ///< that gravity pulls on [kg]
+  int handle_mocap = -1;          ///< mocap number of moontrace_handle, -1 if there is none
 };
 
 /// Where MuJoCo keeps the page: the geom of the first label.

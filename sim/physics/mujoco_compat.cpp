@@ -161,6 +161,14 @@ void SkipIdleStages(mjModel& m) noexcept {
 #endif
 }
 
+bool TiesSites([[maybe_unused]] const mjModel& m, [[maybe_unused]] int equality) noexcept {
+#if mjVERSION_HEADER >= 320
+  return m.eq_objtype[equality] == mjOBJ_SITE;
+#else
+  return false;
+#endif
+}
+
 int BadStateCount(const mjData& d) noexcept {
   return d.warning[mjWARN_BADQPOS].number + d.warning[mjWARN_BADQVEL].number +
          d.warning[mjWARN_BADQACC].number;

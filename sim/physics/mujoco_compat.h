@@ -45,6 +45,9 @@ bool KeepAwake(mjModel& m) noexcept;
 /// What the model asks for stays as it is.
 void SkipIdleStages(mjModel& m) noexcept;
 
+/// Whether a connect or weld ties sites, as MuJoCo 3.2 and later can, instead of bodies.
+bool TiesSites(const mjModel& m, int equality) noexcept;
+
 /// How often MuJoCo found a value in the state that is not finite or too great, and (by default)
 /// reset itself silently.
 int BadStateCount(const mjData& d) noexcept;

@@ -100,6 +100,38 @@ TEST_F(ModelLoader, RefusesAProxyThatSomethingElseCouldHoldBack) {
   }
 }
 
+TEST_F(ModelLoader, RefusesAnythingElseThatPullsOnTheProxy) {
+  const std::string more[] = {
+      "<equality><weld body1='moontrace_proxy' body2='world'/></equality>",
+      "<equality><joint joint1='px' joint2='other'/></equality>",
+      "<tendon><spatial stiffness='100'><site site='on_it'/><site "
+      "site='fixed'/></spatial></tendon>",
+      "<tendon><fixed stiffness='100'><joint joint='px' coef='1'/></fixed></tendon>",
+      "<actuator><position joint='px' kp='100'/></actuator>",
+      "<actuator><general site='on_it' gear='0 0 1 0 0 0'/></actuator>",
+      "<contact><pair geom1='ball' geom2='page'/></contact>"};
+  const std::string proxy =
+      "<site name='fixed'/><body><joint name='other' type='slide' axis='1 0 0'/>"
+      "<geom size='0.01' pos='1 0 0'/></body><body name='moontrace_proxy'>"
+      "<joint name='px' type='slide' axis='1 0 0'/><joint type='slide' axis='0 1 0'/>"
+      "<joint type='slide' axis='0 0 1'/><site name='on_it'/>"
+      "<geom name='ball' size='0.002' mass='0.05' contype='0' conaffinity='0'/>";
+  const auto model = [&](const std::string& hanging, const std::string& sections) {
+    std::string text = ModelWith("", proxy + hanging + "</body>");
+    return text.insert(text.rfind("</mujoco>"), sections);
+  };
+  EXPECT_NO_THROW(LoadText(model("", "")));
+  for (const std::string& sections : more) {
+    const std::string text = LoadError(model("", sections));
+    EXPECT_TRUE(IsOneLine(text)) << sections;
+    EXPECT_TRUE(Holds(text, "m.xml: moontrace_proxy")) << sections << text;
+  }
+  const std::string hanging =
+      "<body><joint type='hinge'/><geom size='0.002' contype='0' "
+      "conaffinity='0'/></body>";
+  EXPECT_TRUE(Holds(LoadError(model(hanging, "")), "a jointed body hangs on it"));
+}
+
 TEST_F(ModelLoader, KeyframesGrowWithTheProxy) {
   std::string xml = ModelWith("", "<body><joint type='slide'/><geom size='1'/></body>");
   xml.insert(xml.find("</mujoco>"), "<keyframe><key qpos='0.25' qvel='1'/></keyframe>");
