@@ -46,6 +46,11 @@ class PageScore {
     ++result_.ticks;
     result_.duration += tick;
     if (sample.fault) ++result_.faults;
+    if (sample.through && !through_) {
+      if (result_.through == 0) result_.first_through = result_.duration;
+      ++result_.through;
+    }
+    through_ = sample.through;
     energy_.Add(sample.energy_out, sample.in_contact);
     const PathPoint point{sample.tip_P, scored.phase, sample.in_contact};
     std::vector<PathPoint>& path = result_.path;
@@ -54,10 +59,11 @@ class PageScore {
     if (spacing_ > 0 && !same) path.push_back(point);
   }
 
-  TrialResult Finish(double force_bound) {
+  TrialResult Finish(const LoopSession& session) {
     result_.score = scorer_.Finish();
     result_.energy_out = energy_.value();
-    result_.force_bound = force_bound;
+    result_.force_bound = session.force_bound();
+    result_.carried_press = session.carried_press();
     result_.real_time_factor = 1;
     return std::move(result_);
   }
@@ -68,6 +74,7 @@ class PageScore {
   TraceScorer scorer_;
   double spacing_ = 0;
   TouchEnergy energy_;
+  bool through_ = false;
   TrialResult result_;
 };
 
@@ -138,7 +145,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   std::optional<PagePictures> pictures;
   if (!options.picture.empty()) pictures.emplace(options.picture, pages);
   for (std::size_t page = 0; page < pages; ++page) {
-    TrialResult result = scores[page].Finish(session.force_bound());
+    TrialResult result = scores[page].Finish(session);
     if (pictures) {
       pictures->Add(TracePicture(trace.text.set.pages[page], trace.text.script, style,
                                  options.blank, TextOf(trace.text, page), result));

@@ -96,6 +96,7 @@ Json LoopJson(const LoopSession& session, const LoopReport& report, const std::s
   json["mean_force_n"] = felt.Mean();
   json["peak_force_n"] = felt.peak_force;
   json["force_bound_n"] = session.force_bound();
+  json["carried_press_n"] = session.carried_press();
   json["energy_out_uj"] = 1e6 * felt.energy.value();
   json["samples_dropped"] = report.samples_dropped;
   json["events_dropped"] = report.events_dropped;

@@ -114,8 +114,25 @@ std::string Force(const TraceMetrics& total) {
 
 /// Rounded up: a bound must not be given lower than it is.
 std::string ForceBound(const TrialResult& all) {
-  return fmt::format("Force bound: {} N for an evenly moving hand.",
-                     Short(std::ceil(100 * all.force_bound) / 100, 2));
+  const auto up = [](double force) { return Short(std::ceil(100 * force) / 100, 2); };
+  std::string line =
+      fmt::format("Force bound: {} N for an evenly moving hand", up(all.force_bound));
+  if (all.force_per_acceleration > 0) {
+    line += fmt::format(", {} N more for each m/s2", up(all.force_per_acceleration));
+  }
+  return line + ".";
+}
+
+/// Rounded down: what is promised holds.
+std::string CarriedPress(double carried) {
+  return fmt::format("Carried press: {} N; pressed harder, the tip goes through the paper.",
+                     Short(std::floor(100 * carried) / 100, 2));
+}
+
+std::string Through(const TrialResult& all) {
+  return fmt::format("Through the paper: {}, first after {} s; it carries {} N.",
+                     Times(all.through), Short(all.first_through, 1),
+                     Short(std::floor(100 * all.carried_press) / 100, 2));
 }
 
 std::string Time(const TrialResult& all) {
@@ -154,6 +171,13 @@ std::string FrictionHampers(double friction) {
 }
 
 std::string Faults(const TrialResult& all) {
+  if (all.held > 0) {
+    return fmt::format(
+        "something in the model besides page and coupling pushed moontrace_proxy at {} of {} "
+        "ticks; "
+        "the force was zero there: take it out of the model",
+        all.held, all.ticks);
+  }
   return fmt::format(
       "MuJoCo reported a fault at {} of {} ticks; the force was zero there: try larger letters "
       "or the proxy",

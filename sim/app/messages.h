@@ -46,6 +46,8 @@ std::string WorstError(const TraceMetrics& total);
 std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style);
 std::string Force(const TraceMetrics& total);
 std::string ForceBound(const TrialResult& all);
+std::string CarriedPress(double carried);  ///< [N]
+std::string Through(const TrialResult& all);
 std::string Time(const TrialResult& all);
 std::string Energy(const TrialResult& all);
 std::string WeakestLetter(std::string_view text, std::size_t number, double coverage);

@@ -71,8 +71,10 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
   const TypeStyle& style = trace.text.set.style;
   if (NeverTouched(total)) {
     console.Result(say::NeverTouched(all.duration));
+    if (all.through > 0) console.Result(say::Through(all));
   } else {
     console.Result(say::TraceOutcome(all, CountSigns(trace.text.set), trace.blank));
+    if (all.through > 0) console.Result(say::Through(all));
     console.Result(say::MeanError(total, style));
     console.Result(say::WorstError(total));
     console.Result(say::LeftGroove(total, style));
@@ -91,6 +93,7 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
                                all.guidance_work));
   }
   if (std::isfinite(all.force_bound)) console.Result(say::ForceBound(all));
+  if (all.through == 0) console.Result(say::CarriedPress(all.carried_press));
   console.Result(say::Energy(all));
   console.Result(time);
   if (!trace.pictures.empty()) console.Result(say::PictureIn());

@@ -46,12 +46,13 @@ void DeviceRig::Step(glm::dvec3 hand_force, glm::dvec3 aim) {
                               ? state_
                               : Pressed(state_, scene_.X_WP(), ticks_ > 0 ? &felt_ : nullptr,
                                         press_, scene_.options(), field_);
-  felt_ = scene_.Tick(tip);
+  felt_ = scene_.Tick(tip, delivered_);
   input.force = felt_.force_W;
   input.device = state_;
   input.time = static_cast<double>(ticks_) * tick_;
   input.physics_fault = felt_.fault;
   safe_ = safety_.Advance(input);
+  delivered_ = IsWhole(safe_.force, input.force * glm::dvec3(limits_.pushes));
   device_.Advance(safe_.force, hand_force, aim);
   ++ticks_;
 }

@@ -45,6 +45,7 @@ class DeviceRig {
   DeviceState state_;
   TickResult felt_;
   SafetyResult safe_;
+  bool delivered_ = false;  ///< the last tick's force was commanded whole
   long ticks_ = 0;
 };
 

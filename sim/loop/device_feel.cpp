@@ -12,8 +12,8 @@ SceneOptions HeldBy(const DeviceLimits& limits, SceneOptions options, double pro
     options.coupling_damping *= std::sqrt(limits.stiffness / options.coupling_stiffness);
     options.coupling_stiffness = limits.stiffness;
   }
-  const double bound = ForceBound(options, proxy_mass, 0);
-  if (std::isfinite(bound) && bound > limits.peak_force && limits.peak_force > 0) {
+  const double bound = ForceBound(options, proxy_mass, {.pushes_height = limits.pushes.z});
+  if (std::isfinite(bound) && bound > 0 && limits.peak_force > 0) {
     options.surface.force_cap *= limits.peak_force / bound;
   }
   return options;

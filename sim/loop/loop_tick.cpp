@@ -64,6 +64,7 @@ void LoopTick::Run(double time, bool late) noexcept {
   input.time = time;
   const bool usable = device_ != nullptr && begun_ && AllFinite(state_);
   const TickResult felt = usable ? Feel() : TickResult{};
+  if (felt.through && !last_.through) Report(LoopEventKind::kThrough);
   last_ = felt;
   flowing_ = usable && !felt.fault;
   if (!usable) Restart();
@@ -78,6 +79,7 @@ void LoopTick::Run(double time, bool late) noexcept {
 
   const SafetyResult safe = safety_.Advance(input);
   Write(safe.force);
+  delivered_ = fade_ >= 1 && IsWhole(safe.force, wanted.force);
   if (flowing_) ReturnPage(felt);
   // a hand cannot jump: the proxy must not be dragged along
   if ((safe.events & (1U << static_cast<unsigned>(SafetyEvent::kJump))) != 0) Restart();
@@ -206,7 +208,7 @@ TickResult LoopTick::Feel() noexcept {
     world = Pressed(world, scene_.X_WP(), flowing_ ? &last_ : nullptr,
                     pressing_.PressOf(state_.p_D.z, limits_.stiffness), options, *field_);
   }
-  return scene_.Tick(world);
+  return scene_.Tick(world, delivered_);
 }
 
 void LoopTick::HandleButtons(double time, SafetyInput& input) noexcept {
@@ -340,6 +342,7 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe,
   sample.guidance_P = push_P;
   sample.energy_out = felt.energy_out;
   sample.in_contact = felt.depth > 0;
+  sample.through = felt.through;
   sample.fault = felt.fault;
   mail_.samples.Push(sample);
 }

@@ -112,11 +112,12 @@ class LoopTick {
 
   DeviceState state_;  ///< newest reading, frame D
   DeviceStatus written_ = DeviceStatus::kOk;
-  bool begun_ = false;    ///< the present device has been read
-  TipVelocity velocity_;  ///< where the device knows none
-  double elapsed_ = 0;    ///< since the last tick [s]
-  TickResult last_;       ///< of the scene
-  bool flowing_ = false;  ///< `last_` is of the tick before and of the same place
+  bool begun_ = false;      ///< the present device has been read
+  TipVelocity velocity_;    ///< where the device knows none
+  double elapsed_ = 0;      ///< since the last tick [s]
+  TickResult last_;         ///< of the scene
+  bool flowing_ = false;    ///< `last_` is of the tick before and of the same place
+  bool delivered_ = false;  ///< the last tick's force was commanded as it was wanted
   double time_ = 0;
   std::uint64_t ticks_ = 0;
   std::uint32_t page_ = 0;

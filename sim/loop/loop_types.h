@@ -50,6 +50,7 @@ enum class LoopEventKind : std::uint8_t {
   kSay,          ///< the button asked where the tip is
   kBookmark,     ///< the button asked to keep the place
   kPageChanged,  ///< another page is felt from now on
+  kThrough,      ///< the tip was pressed through the paper
   kPageBack,     ///< after a change under the hand: the page lies where it lay, the tip is lifted
 };
 struct LoopEvent {
@@ -72,7 +73,8 @@ struct LoopSample {
   glm::dvec3 guidance_P{0, 0, 0};
   double energy_out = 0;  ///< TickResult::energy_out [J]
   bool in_contact = false;
-  bool fault = false;  ///< MuJoCo's
+  bool through = false;  ///< TickResult::through
+  bool fault = false;    ///< MuJoCo's
 };
 
 /// The newest tick, for viewers and voices.

@@ -1,10 +1,13 @@
 #include "sim/loop/pressing.h"
 
+#include <algorithm>
+
 namespace moontrace {
 
 namespace {
-constexpr double kLifted = 0.005;  ///< above the paper [m]
-}
+constexpr double kLifted = 0.005;    ///< above the paper [m]
+constexpr double kLiftSpeed = 0.05;  ///< at which the tip goes there: no jerk on the proxy [m/s]
+}  // namespace
 
 DeviceState Pressed(const DeviceState& world, const Pose& X_WP, const TickResult* last,
                     double press, const SceneOptions& options, const TextureField& field) noexcept {
@@ -16,8 +19,11 @@ DeviceState Pressed(const DeviceState& world, const Pose& X_WP, const TickResult
     v_P = (tip_P - last->tip_P) / options.tick;
   }
   v_P.z = 0;
+  press = std::min(press, CarriedPress(options.surface, field));
   if (!(press > 0)) {
-    tip_P.z = kLifted;
+    const double from = last != nullptr ? last->tip_P.z : kLifted;
+    tip_P.z = std::min(kLifted, from + kLiftSpeed * options.tick);
+    v_P.z = (tip_P.z - from) / options.tick;
   } else if (options.rendering == Rendering::kProxy && options.coupling_stiffness > 0) {
     tip_P.z = (last != nullptr ? last->proxy_P.z : 0) - press / options.coupling_stiffness;
   } else {  // no proxy: the tip itself, as deep as the press takes it on level paper

@@ -23,9 +23,10 @@ struct Pressing {
   }
 };
 
-/// A tip whose height is not measured, at the height where it presses with `press` [N]; 0 lifts it.
-/// `world` is the reading in the world's frame; `last` is the tick before, nullptr if there was
-/// none or the tip has been elsewhere since. The velocity of the result is known.
+/// A tip whose height is not measured, at the height where it presses with `press` [N], at most
+/// what the page carries; 0 lifts it, at 50 mm/s. `world` is the reading in the world's frame;
+/// `last` is the tick before, nullptr if there was none or the tip has been elsewhere since. The
+/// velocity of the result is known.
 DeviceState Pressed(const DeviceState& world, const Pose& X_WP, const TickResult* last,
                     double press, const SceneOptions& options, const TextureField& field) noexcept;
 

@@ -25,14 +25,24 @@ double CouplingNorm(double stiffness, double damping, double mass, double step) 
   return std::numeric_limits<double>::infinity();
 }
 
-double ForceBound(const SceneOptions& options, double proxy_mass, double acceleration,
+double ForceBound(const SceneOptions& options, double proxy_mass, const Movement& movement,
                   int substeps) {
-  const double page =
-      options.surface.force_cap * std::sqrt(1 + options.friction * options.friction);
-  if (options.rendering == Rendering::kDirect) return page;
-  const double norm = CouplingNorm(options.coupling_stiffness, options.coupling_damping, proxy_mass,
-                                   options.tick / substeps);
-  return norm * (page + proxy_mass * acceleration);
+  const double cap = options.surface.force_cap, mu = options.friction;
+  const bool direct = options.rendering == Rendering::kDirect;
+  const double K = options.coupling_stiffness, B = options.coupling_damping;
+  const double n = direct ? 1 : CouplingNorm(K, B, proxy_mass, options.tick / substeps);
+  double bound = 0;
+  if (options.surface.law == ForceLaw::kPaper) {
+    bound = n * cap * std::sqrt(1 + mu * mu);
+  } else {
+    const double sideways = n * kSidewaysShare * cap;
+    const double upwards = movement.pushes_height ? 0.5 * (n + 1) * kNormalShare * cap : 0;
+    bound = std::hypot(sideways, upwards) + n * mu * cap;
+  }
+  if (direct) return bound;
+  const double q = movement.position_step;
+  return bound + n * proxy_mass * movement.acceleration +
+         std::sqrt(3.0) * (1 + n) * (0.5 * K * q + B * q / options.tick);
 }
 
 }  // namespace moontrace

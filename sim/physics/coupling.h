@@ -31,23 +31,40 @@ struct Coupling {
 /// integral of |h|, h the impulse response of (B s + K) / (m s^2 + B s + K).
 double CouplingNorm(double stiffness, double damping, double mass, double step);
 
-/// Upper bound of the force on the device [N], for every page, direction, speed and path.
+/// How a device moves, for the bound of its force.
+struct Movement {
+  double acceleration = 0;    ///< greatest [m/s^2]; 0: it moves evenly
+  double position_step = 0;   ///< of its readings, each axis [m]; 0: they are exact
+  bool pushes_height = true;  ///< false: a stick, which feels the force along the page only
+};
+
+/// Upper bound of the force on the device [N], for every page that rests, direction, speed and path
+/// within `movement`. A page that moves, or a proxy that something else holds, has none.
 ///
 /// Proxy rendering. Seen from a device that moves evenly, the proxy is a mass m on the coupling (K,
-/// B), driven by the page's force f alone. Both force laws keep f's normal part within F_cap, and
-/// friction, perpendicular to it, within mu F_cap, so |f| <= P = F_cap sqrt(1 + mu^2), whatever the
-/// page is. With e = tip - proxy and w its rate, a step of h is
+/// B), driven by the page's force f alone. With e = tip - proxy and w its rate, a step of h is
 ///
 ///   w' = w - (h/m) (K e + B w + f),  e' = e + h w',  force on the device F = -(K e + B w),
 ///
-/// linear and the same in every direction; hence |F| <= ||g||_1 P with g the response of F to a
-/// unit pulse of f (CouplingNorm). A device whose velocity changes by a h in a step adds h a to w',
-/// as a page force of -m a would: |F| <= ||g||_1 (P + m a) while its acceleration stays within
-/// `acceleration` [m/s^2]. Sub-steps split the pulse of a into one sub-step out of n; as the force
-/// handed out is their mean, the bound is the same with h the sub-step.
+/// linear and the same in every direction; so each part of F is at most that part of f times n =
+/// ||g||_1, g the response of F to a unit pulse of f (CouplingNorm). A part that never changes its
+/// sign reaches only n+ = (n + 1) / 2 times itself, since g adds up to one. The default law keeps f
+/// sideways within a = 0.55 F_cap and upwards, from zero, within b = 0.835 F_cap (surface.h):
 ///
-/// Direct rendering: P itself.
-double ForceBound(const SceneOptions& options, double proxy_mass, double acceleration,
+///   |F| <= sqrt((n a)^2 + (n+ b)^2) + n mu F_cap,
+///
+/// the last term friction, which is at most mu times the pressing force, at most mu F_cap. The
+/// paper's law, whose friction is perpendicular to f: |F| <= n F_cap sqrt(1 + mu^2).
+///
+/// A device whose velocity changes by A h in a step adds h A to w', as a page force of -m A would:
+/// n m A more. A reading that is off by at most q/2, and a velocity found from such readings that
+/// is off by at most q a tick, act as a force u = K q/2 + B q/tick between tip and proxy, of which
+/// the device feels u itself and the proxy's answer: sqrt(3) (1 + n) u more, the three axes
+/// together. Sub-steps split the pulse of A into one sub-step out of n; as the force handed out is
+/// their mean, the bound is the same with h the sub-step.
+///
+/// Direct rendering: the page's force itself.
+double ForceBound(const SceneOptions& options, double proxy_mass, const Movement& movement = {},
                   int substeps = 1);
 
 }  // namespace moontrace

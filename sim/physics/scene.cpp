@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "sim/physics/scene_impl.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr std::size_t kGreatestModel = std::size_t{64} << 20;  ///< [bytes]
 constexpr int kMostSubsteps = 16;
+constexpr int kMostOfMoving = 64;          ///< where the page moves and may be light
 constexpr double kGreatestFriction = 0.9;  ///< times the greatest slope
 
 /// Friction holds a tip on a flank of slope s when mu * s reaches one: it would stick in every
@@ -30,20 +33,71 @@ void CheckFriction(const SceneOptions& options, double slope) {
                                options.friction, slope, most));
 }
 
+/// A page that moves is stepped this finely, h^2 k / m: the integrator's energy then errs by less
+/// than a hundredth of what page and hand exchange.
+constexpr double kMovingPage = 0.04;
+
 /// Integration steps a tick so that h^2 k / m < 1 and h b / m < 1: well inside the semi-implicit
-/// integrator's stability, h^2 k / m + 2 h b / m < 4.
-int StepsFor(const SceneOptions& options, const TextureField& field, double mass) {
-  if (options.rendering == Rendering::kDirect) return 1;
-  const double stiffness = GreatestStiffness(options.surface, field, options.surface.force_cap) +
-                           options.coupling_stiffness +
-                           (options.friction > 0 ? options.presliding_stiffness : 0);
-  for (int steps = 1; steps <= kMostSubsteps; ++steps) {
+/// integrator's stability, h^2 k / m + 2 h b / m < 4. `page_compliance` [1/kg]: PageCompliance.
+int StepsFor(const SceneOptions& options, const TextureField& field, double mass,
+             double page_compliance) {
+  const bool direct = options.rendering == Rendering::kDirect;
+  if (direct && page_compliance == 0) return 1;
+  const double page = GreatestStiffness(options.surface, field, options.surface.force_cap) +
+                      (options.friction > 0 ? options.presliding_stiffness : 0);
+  const double own = direct ? 0 : 1 / mass;
+  const double rate = (page + (direct ? 0 : options.coupling_stiffness)) * own;  // [1/s^2]
+  const double both = page * (own + page_compliance);
+  const double damped = direct ? 0 : options.coupling_damping / mass;  // [1/s]
+  const int most = page_compliance > 0 ? kMostOfMoving : kMostSubsteps;
+  for (int steps = 1; steps <= most; ++steps) {
     const double h = options.tick / steps;
-    if (h * h * stiffness / mass < 1 && h * options.coupling_damping / mass < 1) return steps;
+    const bool page_holds = page_compliance == 0 || h * h * both < kMovingPage;
+    if (h * h * rate < 1 && h * damped < 1 && page_holds) return steps;
+  }
+  const double finest = options.tick / most;
+  if (finest * finest * rate < 1 && finest * damped < 1) {
+    throw InputError(fmt::format(
+        "the page's body is too light: {:.3g} g where it gives way most, under {:.0f} N/m; make it "
+        "heavier or round the letters more",
+        1000 / page_compliance, page));
   }
   throw InputError(fmt::format(
       "too stiff: {:.0f} N/m, {:.0f} N s/m on {:.0f} g, over {} steps in {:g} ms: round it more",
-      stiffness, options.coupling_damping, 1000 * mass, kMostSubsteps, 1000 * options.tick));
+      rate * mass, options.coupling_damping, 1000 * mass, most, 1000 * options.tick));
+}
+
+/// How readily the page's body gives way [1/kg]: the greatest velocity that a unit impulse on a
+/// corner of the page gives that corner, from J M^-1 J^T; at least its greatest eigenvalue, by its
+/// row sums. Zero for a page that rests. Constraints, which hold it back, do not count.
+double PageCompliance(const mjModel& m, mjData& d, const PagePlace& page) {
+  if (!page.moves) return 0;
+  const auto nv = static_cast<std::size_t>(m.nv);
+  std::vector<mjtNum> J(3 * nv), solved(3 * nv);
+  const mjtNum* half = m.geom_size + std::ptrdiff_t{3} * page.geom;
+  const mjtNum* p = d.geom_xpos + std::ptrdiff_t{3} * page.geom;
+  const mjtNum* R = d.geom_xmat + std::ptrdiff_t{9} * page.geom;
+  double greatest = 0;
+  for (const int corner : {0, 1, 2, 3}) {
+    const mjtNum corner_G[3] = {(corner & 1) != 0 ? half[0] : -half[0],
+                                (corner & 2) != 0 ? half[1] : -half[1], half[2]};
+    mjtNum corner_W[3];
+    mju_rotVecMat(corner_W, corner_G, R);
+    mju_addTo3(corner_W, p);
+    mj_jac(&m, &d, J.data(), nullptr, corner_W, page.body);
+    mj_solveM(&m, &d, solved.data(), J.data(), 3);
+    for (std::size_t row = 0; row < 3; ++row) {
+      double sum = 0;
+      for (std::size_t column = 0; column < 3; ++column) {
+        sum += std::abs(
+            std::inner_product(J.begin() + static_cast<std::ptrdiff_t>(row * nv),
+                               J.begin() + static_cast<std::ptrdiff_t>((row + 1) * nv),
+                               solved.begin() + static_cast<std::ptrdiff_t>(column * nv), 0.0));
+      }
+      greatest = std::max(greatest, sum);
+    }
+  }
+  return greatest;
 }
 
 /// Calls `visit(values, count)` for every array that a step starts from.
@@ -82,6 +136,8 @@ Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
     lift_W = -loaded.proxy.weight_mass *
              glm::dvec3(m.opt.gravity[0], m.opt.gravity[1], m.opt.gravity[2]);
   }
+  mj_forward(loaded.m.get(), d.get());
+  page_compliance = PageCompliance(m, *d, loaded.page);
   SetOptions(scene_options);
 }
 
@@ -98,12 +154,13 @@ void Scene::Impl::SetOptions(const SceneOptions& new_options) {
 int Scene::Impl::CheckField(const TextureField* new_field) const {
   const TextureField& next = new_field != nullptr ? *new_field : flat;
   CheckFriction(options, next.greatest_slope());
-  return StepsFor(options, next, loaded.proxy.mass);
+  return StepsFor(options, next, loaded.proxy.mass, page_compliance);
 }
 
 void Scene::Impl::SetField(const TextureField* new_field) {
   substeps = CheckField(new_field);
   field = new_field != nullptr ? new_field : &flat;
+  through_depth = ThroughDepth(options.surface, *field);
   loaded.m->opt.timestep = options.tick / substeps;
   memory.stored_jumped = 1;
   remarks = loaded.remarks;
@@ -156,7 +213,9 @@ void Scene::SwapField(const TextureField* field, int substeps) noexcept {
   impl_->SwapField(field, substeps);
 }
 void Scene::Restart() noexcept { impl_->Restart(); }
-TickResult Scene::Tick(const DeviceState& input) noexcept { return impl_->Tick(input); }
+TickResult Scene::Tick(const DeviceState& input, bool delivered) noexcept {
+  return impl_->Tick(input, delivered);
+}
 void Scene::Reset(glm::dvec3 tip_P) { impl_->Reset(tip_P); }
 
 const std::vector<Label>& Scene::labels() const { return impl_->loaded.labels; }
@@ -168,6 +227,11 @@ const std::string& Scene::model_xml() const { return impl_->loaded.xml; }
 const std::vector<std::string>& Scene::remarks() const { return impl_->remarks; }
 int Scene::substeps() const { return impl_->substeps; }
 double Scene::proxy_mass() const { return impl_->loaded.proxy.mass; }
+double Scene::force_bound(const Movement& movement) const {
+  if (page_moves()) return std::numeric_limits<double>::infinity();
+  return ForceBound(options(), proxy_mass(), movement, substeps());
+}
+double Scene::carried_press() const { return CarriedPress(impl_->options.surface, *impl_->field); }
 const mjModel_* Scene::model() const { return impl_->loaded.m.get(); }
 mjData_* Scene::data() { return impl_->d.get(); }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "devices/core/device.h"
+#include "sim/physics/coupling.h"
 #include "sim/physics/label.h"
 #include "sim/physics/pose.h"
 #include "sim/physics/scene_options.h"
@@ -22,8 +23,8 @@ class Scene {
   /// Loads an MJCF file; an empty path means the shipped `models/page.xml`. A model without a body
   /// named `moontrace_proxy` gets `models/proxy.xml` inserted. Throws InputError: the file does not
   /// load, a label names no geom or one that is not a plane, no label at all, a proxy that is not
-  /// three slides, a tilt of a page that can move, friction too high for `greatest_slope` (mu *
-  /// s_max >= 0.9), h^2 k_eff / m >= 1 even with 16 sub-steps.
+  /// three free slides that nothing else holds, a tilt of a page that can move, friction too high
+  /// for `greatest_slope` (mu * s_max >= 0.9), h^2 k_eff / m >= 1 even with 16 sub-steps.
   static Scene Load(const std::string& model_path, const SceneOptions& options);
   /// The same from MJCF text (a record's model.xml); `name` stands in messages.
   static Scene FromXml(const std::string& xml, const std::string& name,
@@ -49,9 +50,10 @@ class Scene {
   void Restart() noexcept;
 
   /// One tick: coupling and page force into qfrc_applied between mj_step1 and mj_step2, removed
-  /// again. The device's frame D is the world's. After a fault the force is zero. No allocation,
-  /// lock or exception.
-  TickResult Tick(const DeviceState& input) noexcept;
+  /// again. The device's frame D is the world's. After a fault the force is zero. `delivered`: the
+  /// last tick's force was given whole. While it is not, as it ramps in, a hand sinks without
+  /// pressing too hard, and is not taken to be through. No allocation, lock or exception.
+  TickResult Tick(const DeviceState& input, bool delivered = true) noexcept;
 
   /// Puts everything at rest with the proxy at the tip, friction and observer cleared.
   void Reset(glm::dvec3 tip_P);
@@ -69,7 +71,10 @@ class Scene {
   /// One-line remarks for the user (RK4 integrated by Euler, proxy inserted, sub-steps).
   const std::vector<std::string>& remarks() const;
   int substeps() const;
-  double proxy_mass() const;  ///< that the coupling moves [kg], see ForceBound
+  double proxy_mass() const;  ///< that the coupling moves [kg]
+  /// ForceBound (coupling.h) of this scene [N]; infinite where the page moves.
+  double force_bound(const Movement& movement = {}) const;
+  double carried_press() const;  ///< CarriedPress (surface.h) of the field that is felt [N]
 
   /// Everything a replay must start from: MuJoCo's integration state, coupling, friction, observer.
   std::vector<double> State() const;

@@ -21,6 +21,9 @@ struct TickMemory {
   glm::dvec3 page_force_W{0, 0, 0};    ///< the page's, on proxy or tip, mean of the last tick [N]
   glm::dvec3 touch_P{0, 0, 0};         ///< where the page was touched [m]
   glm::dvec3 touch_W{0, 0, 0};         ///< where that was in the world [m]
+  double through = 0;                  ///< 1 while the page is pressed through
+  double deep = 1;                     ///< 1 while below the depth at which that begins
+  double page_share = 1;               ///< of the page's force that is given; fades while through
   Friction friction;
   PassivityObserver observer;
 };
@@ -32,7 +35,8 @@ struct StepForces {
   glm::dvec3 point_W{0, 0, 0};     ///< the proxy, or the tip when direct [m]
   glm::dvec3 velocity_W{0, 0, 0};  ///< of the proxy [m/s]
   glm::dvec3 point_P{0, 0, 0};     ///< [m]
-  double depth = 0;                ///< [m]
+  double depth = 0;                ///< Contact::depth [m]
+  double displacement = 0;         ///< of the texture there [m]
   glm::dvec3 page_P{0, 0, 0};      ///< page's force, friction included [N]
   glm::dvec3 page_W{0, 0, 0};      ///< [N]
   glm::dvec3 pull_W{0, 0, 0};      ///< the coupling's on the proxy, zero when direct [N]
@@ -47,7 +51,7 @@ struct Scene::Impl {
   void SwapField(const TextureField* new_field, int new_substeps) noexcept;
   void Restart() noexcept;
   void Reset(glm::dvec3 tip_P);
-  TickResult Tick(const DeviceState& input) noexcept;
+  TickResult Tick(const DeviceState& input, bool delivered) noexcept;
 
   bool direct() const noexcept { return options.rendering == Rendering::kDirect; }
   glm::dvec3 ProxyPosition() const noexcept;
@@ -62,6 +66,8 @@ struct Scene::Impl {
   TextureField flat;
   const TextureField* field = &flat;
   int substeps = 1;
+  double through_depth = 0;    ///< ThroughDepth of the field [m]
+  double page_compliance = 0;  ///< greatest velocity per impulse of the page's body [1/kg]
   std::vector<std::string> remarks;
   std::vector<double> caller_qfrc;  ///< the caller's qfrc_applied while ours is added [nv]
   TickMemory memory;
@@ -70,6 +76,8 @@ struct Scene::Impl {
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
   void Observe(glm::dvec3 tip_W, const StepForces& step) noexcept;
   void Integrate(const StepForces& step) noexcept;
+  double ForeignForce(const StepForces& step, glm::dvec3 v_before_W) const noexcept;
+  void WatchThrough(const StepForces& step, bool delivered) noexcept;
   void Idle() noexcept;
   TickResult Fail(glm::dvec3 tip_W) noexcept;
 };

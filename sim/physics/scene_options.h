@@ -33,10 +33,16 @@ struct TickResult {
   glm::dvec3 force_W{0, 0, 0};  ///< the same in the world's frame, what Device::Write receives
   glm::dvec3 page_force_P{0, 0,
                           0};  ///< the page's on the proxy (tip when direct), friction included [N]
-  double depth = 0;            ///< of the proxy (tip) in the page [m], > 0 in contact
+  double depth = 0;  ///< of the proxy (tip) in the page [m], > 0 in contact; 0 while through
   double energy_out =
       0;               ///< energy created so far by sampling, as the passivity observer sees it [J]
   bool fault = false;  ///< MuJoCo warned or a value was not finite: the force is zero
+  /// Something besides page and coupling moves the proxy, so that no bound of the force holds: a
+  /// fault.
+  bool held = false;
+  /// Pressed through the paper: the force fades within 30 ms, and the page is felt again once the
+  /// proxy (tip when direct) is above it.
+  bool through = false;
 };
 
 }  // namespace moontrace

@@ -9,6 +9,10 @@ namespace moontrace {
 namespace {
 
 constexpr double kFarthest = 1000;  ///< a tip further off than this is a fault [m]
+constexpr double kFadeTime = 0.03;  ///< of the page's force when it is pressed through [s]
+/// A force on the proxy that is neither the coupling's nor the page's: above what MuJoCo's solvers
+/// leave of their own error [N].
+constexpr double kForeign = 0.02;
 
 bool IsSane(glm::dvec3 v, double greatest) noexcept {
   // comparisons with NaN are false
@@ -80,11 +84,12 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   step.point_P = FromWorld(step.X_WP, step.point_W);
   const Contact contact = Touch(options.surface, *field, step.point_P);
   step.depth = contact.depth;
-  step.page_P = contact.force_P;
+  step.displacement = contact.sample.displacement;
+  step.page_P = memory.page_share * contact.force_P;
   if (options.friction > 0) {
-    step.page_P +=
-        memory.friction.Advance(options.friction, options.presliding_stiffness, step.point_P,
-                                NormalOf(contact.sample.gradient), glm::length(contact.force_P));
+    const glm::dvec3 normal_P = NormalOf(contact.sample.gradient);
+    step.page_P += memory.friction.Advance(options.friction, options.presliding_stiffness,
+                                           step.point_P, normal_P, glm::dot(step.page_P, normal_P));
   }
   step.page_W = TurnToWorld(step.X_WP, step.page_P);
   if (!direct()) step.pull_W = coupling.Pull(tip_W - step.point_W, v_W - step.velocity_W);
@@ -92,8 +97,9 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
 }
 
 void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
-  double stored = Potential(options.surface, *field, step.depth) +
-                  memory.friction.Energy(options.presliding_stiffness);
+  double stored =
+      memory.page_share * Potential(options.surface, *field, step.displacement, step.point_P.z) +
+      memory.friction.Energy(options.presliding_stiffness);
   if (!direct()) {
     stored += coupling.Energy(tip_W - step.point_W) +
               0.5 * loaded.proxy.mass * glm::dot(step.velocity_W, step.velocity_W);
@@ -113,12 +119,16 @@ void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
 
 /// Adds our forces to the caller's qfrc_applied for one step, then restores its bits. The proxy's
 /// three slides are the world's axes: a force on it is its own generalized force, as mj_applyFT
-/// would find it.
+/// would find it. What the model's air and wind would do to the proxy, a thing that is not there,
+/// is taken back.
 void Scene::Impl::Integrate(const StepForces& step) noexcept {
   const mjModel& m = *loaded.m;
   std::copy_n(d->qfrc_applied, caller_qfrc.size(), caller_qfrc.begin());
   const glm::dvec3 on_proxy = direct() ? lift_W : lift_W + step.page_W + step.pull_W;
-  for (int i = 0; i < 3; ++i) d->qfrc_applied[loaded.proxy.dof + i] += on_proxy[i];
+  for (int i = 0; i < 3; ++i) {
+    const int dof = loaded.proxy.dof + i;
+    d->qfrc_applied[dof] += on_proxy[i] - d->qfrc_passive[dof];
+  }
   if (loaded.page.moves) {
     const mjtNum reaction[3] = {-step.page_W.x, -step.page_W.y, -step.page_W.z};
     const mjtNum point[3] = {step.point_W.x, step.point_W.y, step.point_W.z};
@@ -127,6 +137,29 @@ void Scene::Impl::Integrate(const StepForces& step) noexcept {
   }
   mj_step2(&m, d.get());
   std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
+}
+
+/// What moved the proxy in the step just taken besides coupling and page [N].
+double Scene::Impl::ForeignForce(const StepForces& step, glm::dvec3 v_before_W) const noexcept {
+  if (direct()) return 0;
+  const glm::dvec3 moved = loaded.proxy.axis_mass * (ProxyVelocity() - v_before_W);
+  const glm::dvec3 foreign = moved / loaded.m->opt.timestep - (step.page_W + step.pull_W);
+  return glm::length(foreign);
+}
+
+/// Pressed harder than the page carries, the proxy sinks: below a depth it is through, and the
+/// page's force fades, its stored energy with it, until the proxy is above the page again. A proxy
+/// that begins there, or that came there without the page's whole force, is pushed up as ever.
+void Scene::Impl::WatchThrough(const StepForces& step, bool delivered) noexcept {
+  const bool deep = -step.point_P.z > through_depth;
+  if (deep && memory.deep == 0 && delivered) memory.through = 1;
+  memory.deep = deep ? 1 : 0;
+  if (memory.through == 0) return;
+  memory.stored_jumped = 1;  // what was stored is dropped, not handed out
+  memory.page_share = std::max(0.0, memory.page_share - options.tick / kFadeTime);
+  if (step.depth > 0 || step.point_P.z < 0) return;
+  memory.through = 0;
+  memory.page_share = 1;
 }
 
 /// Steps the rest of the world while the device gives nothing usable.
@@ -142,6 +175,7 @@ void Scene::Impl::Idle() noexcept {
 
 void Scene::Impl::SwapField(const TextureField* new_field, int new_substeps) noexcept {
   field = new_field != nullptr ? new_field : &flat;
+  through_depth = ThroughDepth(options.surface, *field);
   substeps = new_substeps;
   loaded.m->opt.timestep = options.tick / substeps;
   Restart();
@@ -168,7 +202,7 @@ TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
   return result;
 }
 
-TickResult Scene::Impl::Tick(const DeviceState& input) noexcept {
+TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept {
   if (!IsSane(input)) {
     Idle();
     return Fail(memory.tip_W);
@@ -183,12 +217,15 @@ TickResult Scene::Impl::Tick(const DeviceState& input) noexcept {
   glm::dvec3 pull_W{0, 0, 0};
   glm::dvec3 page_W{0, 0, 0};
   StepForces step;
+  double foreign = 0;  ///< [N]
   for (int i = 1; i <= substeps; ++i) {
     const glm::dvec3 travel_W = tip_W - from_W;
     step =
         Compute(i == substeps ? tip_W : from_W + static_cast<double>(i) / substeps * travel_W, v_W);
     if (i == 1) Observe(tip_W, step);
+    const glm::dvec3 v_before_W = ProxyVelocity();
     Integrate(step);
+    foreign = std::max(foreign, ForeignForce(step, v_before_W));
     pull_W += step.pull_W;
     page_W += step.page_W;
   }
@@ -196,16 +233,24 @@ TickResult Scene::Impl::Tick(const DeviceState& input) noexcept {
   page_W *= 1.0 / substeps;
 
   TickResult result;
-  result.force_W = direct() ? page_W : -pull_W;
+  // through the paper not even the proxy's own weight is dragged along
+  result.force_W = direct() ? page_W : -memory.page_share * pull_W;
   if (watch.Sees() || !IsSane(result.force_W, 1e9) || !IsSane(ProxyPosition(), 2 * kFarthest)) {
     return Fail(tip_W);
   }
+  if (foreign > kForeign) {
+    TickResult held = Fail(tip_W);
+    held.held = true;
+    return held;
+  }
   if (direct()) PlaceProxy(tip_W, v_W);
+  WatchThrough(step, delivered);
   result.tip_P = FromWorld(step.X_WP, tip_W);
   result.proxy_P = FromWorld(step.X_WP, ProxyPosition());
   result.force_P = TurnFromWorld(step.X_WP, result.force_W);
   result.page_force_P = step.page_P;
-  result.depth = step.depth;
+  result.through = memory.through != 0;
+  result.depth = result.through ? 0 : step.depth;
   result.energy_out = memory.observer.energy_out();
   memory.started = 1;
   memory.tip_W = tip_W;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -58,6 +59,14 @@ static_assert(ForceTaken(static_cast<SafetyEvent>(kSafetyEvents - 1)).has_value(
               !ForceTaken(static_cast<SafetyEvent>(kSafetyEvents)).has_value());
 constexpr bool TakesForceAway(SafetyEvent event) noexcept {
   return ForceTaken(event).value_or(true);
+}
+
+/// Whether a force is commanded as it was wanted, to a hundredth on each axis [N].
+inline bool IsWhole(glm::dvec3 commanded, glm::dvec3 wanted) noexcept {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(commanded[axis]) >= 0.99 * std::abs(wanted[axis]))) return false;
+  }
+  return true;
 }
 
 /// Everything the stage needs to know of one tick.

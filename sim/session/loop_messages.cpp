@@ -100,6 +100,8 @@ std::string Event(const LoopEvent& event) {
       return "Going on: force comes slowly.";
     case LoopEventKind::kBookmark:
       return "Bookmark set.";
+    case LoopEventKind::kThrough:
+      return "Through the paper: no force. Lift the tip, then press less.";
     case LoopEventKind::kPageBack:
       return "The page lies in the middle of the reach again.";
     case LoopEventKind::kSay:

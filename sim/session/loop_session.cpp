@@ -71,7 +71,8 @@ Scene LoopSession::SetFirst(bool blank) {
   tilt_ = asked.tilt;
   X_WP_ = scene->X_WP();
   coupling_stiffness_ = held.coupling_stiffness;
-  force_bound_ = ForceBound(held, scene->proxy_mass(), 0, scene->substeps());
+  force_bound_ = scene->force_bound({.pushes_height = device_.limits().pushes.z});
+  carried_press_ = scene->carried_press();
   return std::move(*scene);
 }
 

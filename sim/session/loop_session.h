@@ -31,6 +31,7 @@ class LoopSession {
   const TextRequest& request() const { return request_; }
   double rate() const { return rate_; }                              ///< [Hz]
   double force_bound() const { return force_bound_; }                ///< see ForceBound [N]
+  double carried_press() const { return carried_press_; }            ///< of the first page [N]
   double coupling_stiffness() const { return coupling_stiffness_; }  ///< held by the device [N/m]
 
   /// The next or the last page, in the middle of the reach. False if there is none.
@@ -74,7 +75,7 @@ class LoopSession {
   PageForm form_;
   double tilt_ = 0;  ///< [rad]
   Pose X_WP_;
-  double force_bound_ = 0, coupling_stiffness_ = 0;
+  double force_bound_ = 0, carried_press_ = 0, coupling_stiffness_ = 0;
   double round_ = 0;
   std::unique_ptr<Loop> loop_;  ///< last: its threads use the rest
 };

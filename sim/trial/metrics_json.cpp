@@ -74,6 +74,9 @@ Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   json["smoothness_rate_hz"] = MovementMeter::kRate;
   json["smoothness_low_pass_hz"] = MovementMeter::kCutoff;
   json["force_bound_n"] = OrNull(result.force_bound);
+  json["force_bound_per_m_per_s2_n"] = result.force_per_acceleration;
+  json["carried_press_n"] = result.carried_press;
+  json["through"] = result.through;
   json["energy_out_uj"] = 1e6 * result.energy_out;
   json["faults"] = result.faults;
   json["mean_guidance_n"] = result.mean_guidance;

@@ -118,6 +118,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
   PhaseClock clock(plan.spans);
   const double duration = std::min(plan.duration, setup.longest);
   const auto ticks = static_cast<std::size_t>(std::ceil(duration / setup.scene.tick));
+  bool through = false;
   const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
   for (std::size_t n = 0; n < ticks; ++n) {
     if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
@@ -138,10 +139,16 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
     sample.stroke = span.stroke;
     scorer.Add(sample);
     links.Add(sample);
-    lifts.Add(span, sample.in_contact || output.tip_P.z < kLifted);
+    lifts.Add(span, sample.in_contact || (output.tip_P.z < kLifted && !output.through));
     Keep(result.path, {output.tip_P, span.phase, sample.in_contact}, setup.path_spacing);
     result.energy_out = std::max(result.energy_out, output.energy_out);
     if (output.fault) ++result.faults;
+    if (output.held) ++result.held;
+    if (output.through && !through) {
+      if (result.through == 0) result.first_through = input.time;
+      ++result.through;
+    }
+    through = output.through;
     if (recorder != nullptr) {
       const bool air = span.phase == TracePhase::kAir;
       recorder->Add({input, output, static_cast<double>(span.phase),
@@ -195,9 +202,11 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   for (const IntendedStroke& stroke : strokes) result.stroke_length += LengthOf(stroke);
   result.lines = setup.page->lines;
   result.remarks = scene.remarks();
-  result.force_bound = scene.page_moves()
-                           ? std::numeric_limits<double>::infinity()
-                           : ForceBound(scene.options(), scene.proxy_mass(), 0, scene.substeps());
+  result.force_bound = scene.force_bound();
+  if (!scene.page_moves()) {
+    result.force_per_acceleration = scene.force_bound({.acceleration = 1}) - result.force_bound;
+  }
+  result.carried_press = scene.carried_press();
   TraceScorer scorer(strokes, setup.page->glyphs.size());
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, *field, scene);
   const auto start = std::chrono::steady_clock::now();

@@ -34,6 +34,12 @@ TrialResult Merged(const std::vector<TrialResult>& pages) {
     all.guidance_work += page.guidance_work;
     all.energy_out = std::max(all.energy_out, page.energy_out);
     all.force_bound = std::max(all.force_bound, page.force_bound);
+    all.force_per_acceleration = std::max(all.force_per_acceleration, page.force_per_acceleration);
+    all.carried_press = &page == &pages.front() ? page.carried_press
+                                                : std::min(all.carried_press, page.carried_press);
+    if (all.through == 0) all.first_through = page.first_through;
+    all.through += page.through;
+    all.held += page.held;
     elapsed += page.duration / page.real_time_factor;
     letters += page.score.letters_per_second * page.score.total.duration;
   }

@@ -24,11 +24,16 @@ struct TrialResult {
   /// ForceBound (sim/physics/coupling.h) of a device that moves evenly; infinite on a page that can
   /// move [N].
   double force_bound = 0;
-  double duration = 0;          ///< simulated [s]
-  double real_time_factor = 0;  ///< simulated over elapsed time; the only value that varies
-  double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
+  double force_per_acceleration = 0;  ///< that the bound grows by [N / (m/s^2)]
+  double carried_press = 0;           ///< that the page carries, the least of the pages [N]
+  std::size_t through = 0;            ///< times that the tip was pressed through the paper
+  double first_through = 0;           ///< when, since the page's beginning; 0: never [s]
+  double duration = 0;                ///< simulated [s]
+  double real_time_factor = 0;        ///< simulated over elapsed time; the only value that varies
+  double stroke_length = 0;           ///< of all intended strokes, a dot counting one width [m]
   std::size_t ticks = 0;
   std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there
+  std::size_t held = 0;    ///< those at which something else in the model pushed the proxy
   /// Times that the tip left the page, more than 0.1 mm above it, and came back within a line of
   /// text.
   std::size_t lifts_within_lines = 0;

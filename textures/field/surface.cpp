@@ -7,9 +7,35 @@ namespace moontrace {
 
 namespace {
 
-/// Greatest derivative of the potential: with the greatest slope the force just reaches the cap.
-double SaturatedForce(const Surface& surface, const TextureField& field) noexcept {
-  return surface.force_cap * field.steepest_cosine();
+constexpr double kReserve = 0.94;  ///< share of F_n that a lasting press may take
+constexpr double kBeyond = 0.005;  ///< from full force to through: a landing that is not soft [m]
+
+/// F_n, G and a0 of the default law (Touch).
+struct Law {
+  double normal = 0;    ///< F_n [N]
+  double sideways = 0;  ///< G [N]
+  double support = 0;   ///< a0 [m]
+};
+
+Law LawOf(const Surface& surface, const TextureField& field) noexcept {
+  Law law;
+  law.normal = kNormalShare * surface.force_cap;
+  law.sideways =
+      std::min(law.normal, kSidewaysShare * surface.force_cap * field.inverse_slope_bound());
+  law.support = std::max(law.sideways / surface.stiffness, field.greatest_fall());
+  law.support = std::max(0.0, law.support - field.greatest_rise());
+  return law;
+}
+
+/// Integral of min(k x+, limit) [J].
+double SaturatingEnergy(double stiffness, double limit, double x) noexcept {
+  if (!(x > 0)) return 0;
+  const double knee = std::min(x, limit / stiffness);
+  return 0.5 * stiffness * knee * knee + limit * (x - knee);
+}
+
+double Saturating(double stiffness, double limit, double x) noexcept {
+  return std::clamp(stiffness * x, 0.0, limit);
 }
 
 }  // namespace
@@ -24,31 +50,56 @@ Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P)
   contact.sample = field.SampleAt({p_P.x, p_P.y});
   contact.depth = contact.sample.displacement - p_P.z;
   // infinitely deep is as broken as NaN; the sum is finite only if all three are
-  if (!(contact.depth > 0) || !std::isfinite(contact.depth + p_P.x + p_P.y)) {
-    return contact;
-  }
+  if (!std::isfinite(contact.depth + p_P.x + p_P.y)) return contact;
   if (surface.law == ForceLaw::kPaper) {
+    if (!(contact.depth > 0)) return contact;
     contact.force_P = std::min(surface.stiffness * contact.depth, surface.force_cap) *
                       NormalOf(contact.sample.gradient);
     return contact;
   }
-  const double slope = std::min(surface.stiffness * contact.depth, SaturatedForce(surface, field));
-  contact.force_P = slope * glm::dvec3(-contact.sample.gradient, 1.0);
+  const Law law = LawOf(surface, field);
+  const double supported = -p_P.z - law.support;  // a - a0
+  if (!(contact.depth > 0) && !(supported > 0)) return contact;
+  const double phi = Saturating(surface.stiffness, law.sideways, contact.depth);
+  const double psi = Saturating(surface.stiffness, law.normal - law.sideways, supported);
+  contact.force_P = phi * glm::dvec3(-contact.sample.gradient, 1.0);
+  contact.force_P.z += psi;
+  contact.depth = std::max(contact.depth, supported);
   return contact;
 }
 
-double Potential(const Surface& surface, const TextureField& field, double depth) noexcept {
-  if (!(depth > 0)) return 0;
-  const double saturated = SaturatedForce(surface, field);
-  const double knee = saturated / surface.stiffness;
-  if (depth <= knee) return 0.5 * surface.stiffness * depth * depth;
-  return 0.5 * surface.stiffness * knee * knee + saturated * (depth - knee);
+double Potential(const Surface& surface, const TextureField& field, double displacement,
+                 double z) noexcept {
+  const Law law = LawOf(surface, field);
+  return SaturatingEnergy(surface.stiffness, law.sideways, displacement - z) +
+         SaturatingEnergy(surface.stiffness, law.normal - law.sideways, -z - law.support);
+}
+
+double CarriedPress(const Surface& surface, const TextureField& field) noexcept {
+  if (surface.law == ForceLaw::kPotential) return kReserve * kNormalShare * surface.force_cap;
+  const double s = field.greatest_slope();
+  return kReserve * surface.force_cap / std::sqrt(1 + s * s);
+}
+
+double ThroughDepth(const Surface& surface, const TextureField& field) noexcept {
+  const double lowest = field.greatest_fall();
+  if (surface.law == ForceLaw::kPaper)
+    return lowest + surface.force_cap / surface.stiffness + kBeyond;
+  const Law law = LawOf(surface, field);
+  return std::max(lowest + law.sideways / surface.stiffness,
+                  law.support + (law.normal - law.sideways) / surface.stiffness) +
+         kBeyond;
 }
 
 double GreatestStiffness(const Surface& surface, const TextureField& field, double press) noexcept {
-  const double s = field.greatest_slope();
-  const double force = std::min(press, surface.force_cap);
-  return surface.stiffness * (1 + s * s) + force * field.greatest_curvature();
+  const double s2 = field.greatest_slope() * field.greatest_slope();
+  if (surface.law == ForceLaw::kPaper) {
+    return surface.stiffness * (1 + s2) +
+           std::min(press, surface.force_cap) * field.greatest_curvature();
+  }
+  const Law law = LawOf(surface, field);
+  const double both = law.sideways < law.normal ? 0.5 * (s2 + 2 + std::sqrt(s2 * s2 + 4)) : 1 + s2;
+  return surface.stiffness * both + std::min(press, law.sideways) * field.greatest_curvature();
 }
 
 }  // namespace moontrace

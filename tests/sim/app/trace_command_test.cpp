@@ -69,16 +69,20 @@ TEST_F(TraceCommand, TellsHowTheHandWent) {
 TEST_F(TraceCommand, TellsTheForceBound) {
   const nlohmann::json proxy = TraceJson({}, "L")["total"];
   // Integral of |h| of the coupling, 200 e^(-100 t) cos(100 t) for 1000 N/m, 10 N s/m and 50 g, is
-  // 1 + 2 e^(-pi/2) / (1 - e^-pi); times the cap of 3 N. The steps of 1 ms or less, a tenth of the
-  // coupling's time constant of 10 ms, change it by less than that tenth.
+  // n = 1 + 2 e^(-pi/2) / (1 - e^-pi); times 2.2 N sideways, (n + 1) / 2 times 3.34 N upwards. The
+  // steps of 1 ms or less, a tenth of the coupling's time constant of 10 ms, change it by less than
+  // that tenth.
   const double pi = std::acos(-1.0);
-  const double exact = 3 * (1 + 2 * std::exp(-pi / 2) / (1 - std::exp(-pi)));
+  const double n = 1 + 2 * std::exp(-pi / 2) / (1 - std::exp(-pi));
+  const double exact = std::hypot(n * 2.2, (n + 1) / 2 * 3.34);
   EXPECT_NEAR(proxy["force_bound_n"], exact, 0.1 * exact);
   EXPECT_LE(proxy["peak_force_n"], proxy["force_bound_n"]);
-  // Direct: the cap, with friction across it.
+  EXPECT_NEAR(proxy["force_bound_per_m_per_s2_n"], n * 0.05, 0.1 * n * 0.05);
+  EXPECT_NEAR(proxy["carried_press_n"], 0.94 * 3.34, 1e-12);
+  // Direct: the cap, and friction of at most as much.
   const nlohmann::json direct =
       TraceJson({"--render", "direct", "--friction", "0.2", "--quiet"}, "L")["total"];
-  EXPECT_NEAR(direct["force_bound_n"], 3 * std::sqrt(1.04), 1e-12);
+  EXPECT_NEAR(direct["force_bound_n"], std::hypot(2.2, 3.34) + 0.2 * 4, 1e-12);
 }
 
 TEST_F(TraceCommand, ScoresEachLetterApart) {

@@ -135,8 +135,8 @@ TEST(Loop, APageThatCannotBeRenderedChangesNothing) {
   DeviceLog log;
   const std::unique_ptr<Loop> loop = Start(log, HoldAt(kPressed));
   PageChange change;
-  // half a micrometre of rounding on a flank of slope 5: too stiff for any sub-steps
-  change.field = std::make_unique<TextureField>(GrooveAlongY({0.001, 0.0025, 5e-7}));
+  // a tenth of a micrometre of rounding on a flank of slope 5: too stiff for any sub-steps
+  change.field = std::make_unique<TextureField>(GrooveAlongY({0.001, 0.0025, 1e-7}));
   change.page = 7;
   EXPECT_THROW(loop->ChangePage(std::move(change)), InputError);
   const int reads = log.reads;

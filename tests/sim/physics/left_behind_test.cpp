@@ -54,7 +54,7 @@ TEST_P(SlowNeverLeftBehind, OverEveryGlyphDirectionAndSpeed) {
       const TextureField field(texture);
       Scene scene = Scene::Load("", options);
       scene.SetField(&field);
-      bound = ForceBound(options, scene.proxy_mass(), 0, scene.substeps());
+      bound = ForceBound(options, scene.proxy_mass(), {}, scene.substeps());
       for (int direction = 0; direction < 8; ++direction) {
         for (const double speed : {0.005, 0.020, 0.050, 0.100, 0.200}) {
           const double force =
