@@ -22,7 +22,10 @@ struct DeviceLimits {
   double peak_force = 3;    ///< on one axis, for a moment [N]
   double stiffness = 1000;  ///< greatest it renders stably [N/m]
   double damping = 3;       ///< of the device and the hand on it [N s/m]
-  int late_ticks = 1;       ///< whole ticks between a force and its effect
+  /// The coupling that the page is felt through: spring [N/m] and damper [N s/m], see CouplingOf.
+  double coupling_stiffness = 1000, coupling_damping = 10;
+  double position_step = 0;  ///< of the readings, on each axis [m]; 0: exact, or unknown
+  int late_ticks = 1;        ///< whole ticks between a force and its effect
 
   /// On one axis, continuously [N]; the motors' heat grows with force squared and is lost with the
   /// time constant `heat_time` [s]. Infinite and 0: it does not heat.

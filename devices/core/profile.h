@@ -93,10 +93,22 @@ DeviceProfile ParseProfile(std::string_view text, const std::string& name);
 /// unknown (0) do not count.
 double StableStiffness(const DeviceProfile& profile);
 
-/// The limits a loop needs, with `stiffness` the stable one and `late_ticks` the whole ticks of
-/// `tick` [s] by which the force's period and the delay outlast the tick it is computed in; at
-/// least one, since a force written in a tick is felt in the next. `still` is the time of silence,
-/// at least 0.25 s.
+/// The virtual coupling that a device gets.
+struct CouplingGains {
+  double stiffness = 0;  ///< [N/m]
+  double damping = 0;    ///< [N s/m]
+};
+/// Spring and damper through which the page is felt on a device: as stiff as StableStiffness, but
+/// no stiffer than 2000 N/m (1000 where nobody gave a figure), than a step of the readings allows
+/// without grit, and than leaves a CouplingMargin of 1.5; damped for a proxy of 50 g
+/// (models/proxy.xml), less where the readings are coarse or slow. Zeros for a stiffness of
+/// 0. Ours, by measurement (`bench --stability`); see the source.
+CouplingGains CouplingOf(const DeviceProfile& profile);
+
+/// The limits a loop needs, with `stiffness` the stable one, the coupling of CouplingOf, and
+/// `late_ticks` the whole ticks of `tick` [s] by which the force's period and the delay outlast the
+/// tick it is computed in; at least one, since a force written in a tick is felt in the next.
+/// `still` is the time of silence, at least 0.25 s.
 DeviceLimits LimitsOf(const DeviceProfile& profile, double tick);
 
 }  // namespace moontrace

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "devices/hand/tick_motion.h"
+#include "devices/core/tick_motion.h"
 #include "textures/base/finite.h"
 
 namespace moontrace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
-#include "devices/hand/tick_motion.h"
+#include "devices/core/tick_motion.h"
 #include "textures/base/random.h"
 
 namespace moontrace {

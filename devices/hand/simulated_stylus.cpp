@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "devices/core/tick_motion.h"
 #include "devices/hand/drift.h"
-#include "devices/hand/tick_motion.h"
 #include "devices/hand/tremor.h"
 #include "textures/base/finite.h"
 #include "textures/base/random.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -55,6 +56,11 @@ Json EntryJson(const DeviceEntry& entry) {
   json["peak_force_n"] = OrNull(limits.peak_force);
   json["continuous_force_n"] = OrNull(limits.continuous_force);
   json["stable_stiffness_n_per_m"] = OrNull(StableStiffness(profile));
+  const CouplingGains coupling = CouplingOf(profile);
+  json["coupling_stiffness_n_per_m"] = coupling.stiffness;
+  json["coupling_damping_ns_per_m"] = coupling.damping;
+  json["position_step_um"] =
+      profile.position_step > 0 ? Json(1e6 * profile.position_step) : Json(nullptr);
   json["smallest_letter_mm"] = OrNull(kMillimetres * SmallestLetter(profile));
   json["rate_hz"] = profile.rate;
   json["delay_ms"] = kMillimetres * profile.delay;
@@ -79,6 +85,7 @@ void SayFigures(const DeviceEntry& entry, Console& console) {
   console.Result(say::DevicePushes(profile));
   console.Result(say::DeviceMeasures(profile));
   console.Result(say::DeviceLetters(profile, SmallestLetter(profile)));
+  if (glm::any(profile.limits.pushes)) console.Result(say::DeviceCoupling(profile));
   console.Result(say::DeviceRate(profile));
   console.Result(say::DeviceLetsGo(profile));
 }

@@ -1,7 +1,5 @@
 #include "sim/bench/device_rig.h"
 
-#include <algorithm>
-
 #include "sim/loop/pressing.h"
 
 namespace moontrace {
@@ -19,7 +17,9 @@ SampledModel WithHand(const DeviceProfile& profile, const HandModel& hand,
 
 SceneOptions SceneFor(const DeviceProfile& profile) {
   SceneOptions options;
-  options.coupling_stiffness = std::min(options.coupling_stiffness, StableStiffness(profile));
+  const CouplingGains coupling = CouplingOf(profile);
+  options.coupling_stiffness = coupling.stiffness;
+  options.coupling_damping = coupling.damping;
   return options;
 }
 
@@ -31,7 +31,8 @@ DeviceRig::DeviceRig(const DeviceProfile& profile, const HandModel& hand, glm::d
       field_(field),
       scene_(Scene::Load("", options)),
       safety_(limits_, options.tick),
-      device_(WithHand(profile, hand, hand_stiffness, options.tick)) {
+      device_(WithHand(profile, hand, hand_stiffness, options.tick)),
+      tip_(limits_) {
   scene_.SetField(&field_);
 }
 
@@ -39,13 +40,15 @@ void DeviceRig::Step(glm::dvec3 hand_force, glm::dvec3 aim) {
   SafetyInput input;
   input.status = device_.Read(state_);
   if (!limits_.measures.z) state_.p_D.z = 0;
-  velocity_.Advance(tick_, input.status == DeviceStatus::kOk, state_.p_D);
-  state_.velocity_known = true;
-  state_.v_D = velocity_.v();
-  const DeviceState tip = limits_.measures.z
-                              ? state_
-                              : Pressed(state_, scene_.X_WP(), ticks_ > 0 ? &felt_ : nullptr,
-                                        press_, scene_.options(), field_);
+  tip_.Advance(tick_, input.status == DeviceStatus::kOk, state_.p_D);
+  DeviceState tip = state_;
+  tip.p_D = tip_.p();
+  tip.v_D = tip_.v();
+  tip.velocity_known = true;
+  if (!limits_.measures.z) {
+    tip = Pressed(tip, scene_.X_WP(), ticks_ > 0 ? &felt_ : nullptr, press_, scene_.options(),
+                  field_);
+  }
   felt_ = scene_.Tick(tip, delivered_);
   input.force = felt_.force_W;
   input.device = state_;

@@ -1,16 +1,16 @@
 #pragma once
 
 #include "devices/core/profile.h"
+#include "devices/core/tip_estimate.h"
 #include "devices/hand/hand.h"
 #include "sim/bench/sampled_device.h"
 #include "sim/physics/scene.h"
 #include "sim/safety/safety.h"
-#include "sim/safety/tip_velocity.h"
 
 namespace moontrace {
 
-/// Scene options for a device: the coupling is no stiffer than the device renders stably; the rest
-/// is the default.
+/// Scene options for a device: the coupling is the one it gets (CouplingOf); the rest is the
+/// default.
 SceneOptions SceneFor(const DeviceProfile& profile);
 
 /// A simulated device, the scene and the safety stage, joined as the loop joins them: the hand gets
@@ -41,7 +41,7 @@ class DeviceRig {
   Scene scene_;
   Safety safety_;
   SampledDevice device_;
-  TipVelocity velocity_;
+  TipEstimate tip_;
   DeviceState state_;
   TickResult felt_;
   SafetyResult safe_;

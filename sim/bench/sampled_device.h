@@ -6,7 +6,7 @@
 
 #include "devices/core/device.h"
 #include "devices/core/profile.h"
-#include "devices/hand/tick_motion.h"
+#include "devices/core/tick_motion.h"
 
 namespace moontrace {
 

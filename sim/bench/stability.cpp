@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <glm/glm.hpp>
 #include <random>
 
@@ -85,6 +84,42 @@ double GreatestStableWall(SampledModel model) {
   while (high / low > 1.0001) {
     const double middle = std::sqrt(low * high);
     (WallIsQuiet(model, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+namespace {
+
+bool CouplingIsQuiet(const SampledModel& model, const CouplingGains& coupling, double factor) {
+  SampledModel exact = model;
+  exact.position_step = 0;
+  SampledDevice device(exact);
+  TipEstimate tip(glm::dvec3(model.position_step));
+  const double off = 1e-9;  // of a step, or without steps of anything
+  DeviceState state;
+  const int ticks = 4000 * model.period;
+  std::array<double, 4> greatest{};
+  for (int n = 0; n < ticks; ++n) {
+    const bool fresh = device.Read(state) == DeviceStatus::kOk;
+    tip.Advance(model.tick, fresh, state.p_D);
+    if (n == 0) device.Place({off, 0, 0}, {0, 0, 0});
+    const double force = coupling.stiffness * tip.p().x + coupling.damping * tip.v().x;
+    device.Advance({-factor * force, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    const double size = std::abs(device.p().x);
+    if (!(size < 1e3 * off)) return false;
+    double& most = greatest[static_cast<std::size_t>(4 * n / ticks)];
+    most = std::max(most, size);
+  }
+  return greatest[3] < greatest[1];
+}
+
+}  // namespace
+
+double SimulatedCouplingMargin(const SampledModel& model, const CouplingGains& coupling) {
+  double low = 1e-2, high = 1e4;
+  while (high / low > 1.0001) {
+    const double middle = std::sqrt(low * high);
+    (CouplingIsQuiet(model, coupling, middle) ? low : high) = middle;
   }
   return low;
 }

@@ -17,6 +17,11 @@ double WallLimit(double damping, double period, double delay);
 /// taken without steps.
 double GreatestStableWall(SampledModel model);
 
+/// CouplingMargin (devices/core/coupling_margin.h) by simulation and bisection, to 0.01 percent: a
+/// tip that is put off its place, by so little that the tracker stays within its band, must come
+/// back. Readings are taken without steps, but tracked as if they had the model's.
+double SimulatedCouplingMargin(const SampledModel& model, const CouplingGains& coupling);
+
 /// How far the tip still moves [m] 2.7 s after it was put down in a groove of 12 mm letters at
 /// SceneFor(profile), pressed down by 1 N and leaning on a flank with the hand's spring.
 double StirInGroove(const DeviceProfile& profile, const HandModel& hand);

@@ -4,7 +4,9 @@
 #include <glm/glm.hpp>
 
 #include "devices/catalogue/catalogue.h"
+#include "devices/core/coupling_margin.h"
 #include "sim/bench/device_rig.h"
+#include "sim/bench/grit.h"
 #include "sim/bench/row.h"
 #include "sim/bench/stability.h"
 #include "sim/trial/trial.h"
@@ -42,6 +44,17 @@ void AddProfile(const DeviceProfile& profile, const HandModel& hand, BenchRows& 
     rows.push_back(Shown(name + ": 2 f_c / step",
                          2 * profile.coulomb_friction / profile.position_step, "N/m"));
   }
+  rows.push_back(Shown(name + ": coupling, spring", options.coupling_stiffness, "N/m"));
+  rows.push_back(Shown(name + ": coupling, damper", options.coupling_damping, "N s/m"));
+  const double margin = CouplingMargin(profile, CouplingOf(profile), hand.mass);
+  rows.push_back(AtLeast(name + ": coupling times", margin, "", kLeastCouplingMargin));
+  rows.push_back(AtLeast(
+      name + ": the same, simulated",
+      SimulatedCouplingMargin(ModelOf(profile, hand.mass, options.tick), CouplingOf(profile)), "",
+      kLeastCouplingMargin));
+  const Grit grit = WorstGrit(profile, hand, options);
+  rows.push_back(AtMost(name + ": grit of steps, rms", grit.rms, "N", kGreatestGrit.rms));
+  rows.push_back(AtMost(name + ": grit of steps, peak", grit.peak, "N", kGreatestGrit.peak));
   rows.push_back(Shown(name + ": the profile's figure", profile.limits.stiffness, "N/m"));
   rows.push_back(AtLeast(name + ": a wall held quiet",
                          GreatestStableWall(ModelOf(profile, hand.mass, options.tick)), "N/m",

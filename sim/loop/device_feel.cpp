@@ -8,6 +8,10 @@
 namespace moontrace {
 
 SceneOptions HeldBy(const DeviceLimits& limits, SceneOptions options, double proxy_mass) {
+  if (limits.coupling_stiffness > 0) {
+    options.coupling_stiffness = limits.coupling_stiffness;
+    options.coupling_damping = limits.coupling_damping;
+  }
   if (limits.stiffness < options.coupling_stiffness && limits.stiffness > 0) {
     options.coupling_damping *= std::sqrt(limits.stiffness / options.coupling_stiffness);
     options.coupling_stiffness = limits.stiffness;

@@ -44,7 +44,8 @@ LoopTick::LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Devic
       field_(&field),
       pressing_{options.press},
       safety_(limits_, scene_.options().tick),
-      tick_(scene_.options().tick) {
+      tick_(scene_.options().tick),
+      tip_(limits_) {
   scene_.SetField(field_);
   reported_at_.fill(-kReportEvery);
 }
@@ -175,6 +176,7 @@ void LoopTick::TakePage() noexcept {
     if (device_ != nullptr) device_->Write({0, 0, 0});
     std::swap(device_, posted.device);
     begun_ = false;
+    tip_.Restart();
   }
   fade_ = 1;
   felt_nothing_for_ = 0;
@@ -191,7 +193,7 @@ DeviceStatus LoopTick::Read() noexcept {
     back_ = false;
     Report(LoopEventKind::kDeviceBack);
   }
-  velocity_.Advance(elapsed_, status == DeviceStatus::kOk, state_.p_D);
+  tip_.Advance(elapsed_, status == DeviceStatus::kOk, state_.p_D);
   if (status == DeviceStatus::kLost) Lose();
   if (status != DeviceStatus::kLost && written_ == DeviceStatus::kNotReady) return written_;
   return status;
@@ -199,7 +201,8 @@ DeviceStatus LoopTick::Read() noexcept {
 
 TickResult LoopTick::Feel() noexcept {
   DeviceState read = state_;
-  if (!read.velocity_known) read.v_D = velocity_.v();
+  if (!read.velocity_known) read.v_D = tip_.v();
+  read.p_D = tip_.p();
   read.velocity_known = true;
   DeviceState world = ToWorld(place_, read);
   v_P_ = TurnFromWorld(scene_.X_WP(), world.v_D);
@@ -249,7 +252,7 @@ void LoopTick::Lose() noexcept {
 /// The next tick of the scene begins at the tip, whatever was before.
 void LoopTick::Restart() noexcept {
   scene_.Restart();
-  velocity_.Restart();
+  tip_.Restart();
   push_.Pause();
   flowing_ = false;
 }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "devices/core/device.h"
+#include "devices/core/tip_estimate.h"
 #include "lessons/guide/guidance.h"
 #include "sim/loop/button.h"
 #include "sim/loop/loop_mail.h"
@@ -14,7 +15,6 @@
 #include "sim/loop/pressing.h"
 #include "sim/physics/scene.h"
 #include "sim/safety/safety.h"
-#include "sim/safety/tip_velocity.h"
 
 namespace moontrace {
 
@@ -113,7 +113,7 @@ class LoopTick {
   DeviceState state_;  ///< newest reading, frame D
   DeviceStatus written_ = DeviceStatus::kOk;
   bool begun_ = false;      ///< the present device has been read
-  TipVelocity velocity_;    ///< where the device knows none
+  TipEstimate tip_;         ///< where it is by its readings, frame D
   double elapsed_ = 0;      ///< since the last tick [s]
   TickResult last_;         ///< of the scene
   bool flowing_ = false;    ///< `last_` is of the tick before and of the same place

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "devices/core/device.h"
+#include "devices/core/tip_estimate.h"
 #include "sim/safety/motor_heat.h"
 #include "sim/safety/still_tip.h"
-#include "sim/safety/tip_velocity.h"
 
 namespace moontrace {
 
@@ -107,7 +107,7 @@ inline constexpr double kWatchdogTime = 0.005;
 /// 3. On each axis by itself: the ceiling (peak, or what a warm motor may give), then the rate: a
 ///    rise by at most `force_rate` from the last command, from zero when the sign has changed.
 /// 4. Power: all axes times one factor, so that force times velocity is within `peak_power`. The
-///    velocity is the device's, else TipVelocity's.
+///    velocity is the device's, else TipEstimate's.
 ///
 /// So a fall towards zero is never delayed: each axis is at most what is wanted of it.
 class Safety {
@@ -139,7 +139,7 @@ class Safety {
   bool read_ = false;      ///< a report has come since the device was there
   double since_read_ = 0;  ///< time since then [s]
   glm::dvec3 p_{0, 0, 0};  ///< newest [m]
-  TipVelocity velocity_;
+  TipEstimate velocity_;
   glm::dvec3 v_{0, 0, 0};  ///< of the tip, known or found [m/s]
   bool silent_ = false;
   bool stopped_ = false;

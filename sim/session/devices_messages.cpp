@@ -109,6 +109,17 @@ std::string DeviceLetters(const DeviceProfile& profile, double smallest) {
                             Short(std::ceil(10 * kMillimetres * smallest - 1e-9) / 10, 1));
 }
 
+std::string DeviceCoupling(const DeviceProfile& profile) {
+  const CouplingGains coupling = CouplingOf(profile);
+  std::string line = fmt::format("The page is felt through a spring of {} N/m, damped by {} N s/m",
+                                 Short(coupling.stiffness, 0), Short(coupling.damping, 1));
+  if (profile.position_step > 0) {
+    line +=
+        fmt::format("; its readings come in steps of {} µm", Short(1e6 * profile.position_step, 0));
+  }
+  return line + ".";
+}
+
 std::string DeviceRate(const DeviceProfile& profile) {
   return fmt::format("It takes {} forces a second and answers {} later.", Short(profile.rate, 0),
                      Milliseconds(profile.delay));

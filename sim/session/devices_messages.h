@@ -26,6 +26,7 @@ std::string MendByPlugging();
 std::string DevicePushes(const DeviceProfile& profile);
 std::string DeviceMeasures(const DeviceProfile& profile);
 std::string DeviceLetters(const DeviceProfile& profile, double smallest);
+std::string DeviceCoupling(const DeviceProfile& profile);
 std::string DeviceRate(const DeviceProfile& profile);
 std::string DeviceLetsGo(const DeviceProfile& profile);
 std::string TryDevice(std::string_view name);

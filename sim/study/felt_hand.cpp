@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "devices/core/tip_estimate.h"
 #include "devices/hand/simulated_stylus.h"
-#include "sim/safety/tip_velocity.h"
 #include "textures/base/random.h"
 #include "textures/base/units.h"
 
@@ -20,7 +20,7 @@ void FeltHand::Do(const Work& work, const std::function<void(const HandTick&)>& 
   const double duration = work.path.points.back().time - work.path.points.front().time;
   const auto ticks = static_cast<std::size_t>(std::ceil(duration / tick_));
   GuidanceState state;
-  TipVelocity velocity;
+  TipEstimate velocity;
   for (std::size_t n = 0; n < ticks; ++n) {
     DeviceState input;
     stylus->Read(input);

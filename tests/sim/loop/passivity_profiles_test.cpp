@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "devices/catalogue/catalogue.h"
+#include "devices/core/coupling_margin.h"
 #include "sim/bench/device_rig.h"
 #include "sim/bench/stability.h"
 #include "tests/source_path.h"
@@ -76,6 +77,18 @@ TEST(Stability, ClosedFormLimitIsWithinWhatIsHeldAndNearIt) {
       EXPECT_GE(held, limit) << damping << ' ' << late;
       EXPECT_LE(held, 1.1 * limit) << damping << ' ' << late;
     }
+  }
+}
+
+// Two ways to one figure: one period's response in closed form, and a tip let go in simulation.
+TEST(Stability, ACouplingsMarginIsTheSameBySimulation) {
+  for (const DeviceProfile& profile : LoadProfiles(kProfiles)) {
+    if (!glm::any(profile.limits.pushes)) continue;
+    const CouplingGains coupling = CouplingOf(profile);
+    const double margin = CouplingMargin(profile, coupling, Hand().mass);
+    EXPECT_NEAR(SimulatedCouplingMargin(ModelOf(profile, Hand().mass, 0.001), coupling), margin,
+                0.005 * margin)
+        << profile.name;
   }
 }
 

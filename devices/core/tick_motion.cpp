@@ -1,4 +1,4 @@
-#include "devices/hand/tick_motion.h"
+#include "devices/core/tick_motion.h"
 
 #include <cmath>
 
