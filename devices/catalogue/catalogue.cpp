@@ -17,8 +17,10 @@
 #include "devices/hid/raw_device.h"
 #include "devices/hid/wooden_haptics_device.h"
 #include "devices/plugin/plugin_device.h"
+#include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {
@@ -189,6 +191,22 @@ std::vector<DeviceProfile> LoadProfiles(const std::string& folder) {
   profiles.reserve(paths.size());
   for (const std::string& path : paths) profiles.push_back(LoadProfile(path));
   return profiles;
+}
+
+DeviceProfile FindProfile(const std::string& name, const std::string& profiles) {
+  const bool is_file = fs::path(name).extension() == ".toml";
+  try {
+    if (is_file) return LoadProfile(name);
+    std::string names;
+    for (DeviceProfile& profile : LoadProfiles(profiles)) {
+      if (profile.name == name) return std::move(profile);
+      names += (names.empty() ? "" : ", ") + profile.name;
+    }
+    throw InputError(fmt::format("device profile '{}': there is none; name a file, or one of {}",
+                                 OneLine(name), names));
+  } catch (const DeviceError& error) {
+    throw InputError(error.what());
+  }
 }
 
 std::vector<DeviceEntry> ListDevices(const std::string& profiles) {

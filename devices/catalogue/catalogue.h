@@ -22,6 +22,10 @@ struct DeviceEntry {
 /// Every profile of a folder, by name. Throws DeviceError: no such folder, a broken profile.
 std::vector<DeviceProfile> LoadProfiles(const std::string& folder);
 
+/// One profile: of that name in the folder `profiles`, or of a file, where `name` ends in ".toml".
+/// Throws InputError: none of that name (the line lists them), a broken profile.
+DeviceProfile FindProfile(const std::string& name, const std::string& profiles);
+
 /// What is there: HID devices that a profile or their descriptor recognises. `profiles` is the
 /// folder that holds the profiles (devices/profiles of the program's data). Throws DeviceError
 /// where a profile is broken, never for a device's sake.

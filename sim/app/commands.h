@@ -68,6 +68,7 @@ struct TraceOptions {
   std::uint64_t seed = 1;
   bool seed_given = false;
   bool blank = false;
+  std::string device_profile;  ///< of the simulated hand; empty: none
   std::string record;
   bool csv = false;
   std::string picture;

@@ -80,9 +80,13 @@ class PageScore {
 
 void RefuseOthers(const TraceOptions& options) {
   const std::pair<bool, const char*> given[] = {
-      {options.speed.has_value(), "--speed-mm-s"}, {options.seed_given, "--seed"},
-      {options.guide.mode.has_value(), "--guide"}, {options.guide.help.has_value(), "--help-level"},
-      {!options.record.empty(), "--record"},       {options.csv, "--csv"}};
+      {options.speed.has_value(), "--speed-mm-s"},
+      {options.seed_given, "--seed"},
+      {options.guide.mode.has_value(), "--guide"},
+      {options.guide.help.has_value(), "--help-level"},
+      {!options.device_profile.empty(), "--device-profile"},
+      {!options.record.empty(), "--record"},
+      {options.csv, "--csv"}};
   for (const auto& option : given) {
     if (option.first) throw UsageError(say::NotWithDevice(option.second));
   }

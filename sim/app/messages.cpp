@@ -141,7 +141,17 @@ std::string Time(const TrialResult& all) {
 }
 
 std::string Energy(const TrialResult& all) {
+  if (all.true_energy_out) {
+    return fmt::format(
+        "Energy put out: {} microjoules by the hand's true way, {} by the device's readings of it.",
+        Short(1e6 * *all.true_energy_out, 2), Short(1e6 * all.energy_out, 2));
+  }
   return fmt::format("Energy put out: {} microjoules.", Short(1e6 * all.energy_out, 2));
+}
+
+std::string ProfilePushesNothing(std::string_view name) {
+  return fmt::format("device profile {}: it pushes nothing along the page; name one that does",
+                     Quoted(name));
 }
 
 std::string WeakestLetter(std::string_view text, std::size_t number, double coverage) {

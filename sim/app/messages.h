@@ -50,6 +50,7 @@ std::string CarriedPress(double carried);  ///< [N]
 std::string Through(const TrialResult& all);
 std::string Time(const TrialResult& all);
 std::string Energy(const TrialResult& all);
+std::string ProfilePushesNothing(std::string_view name);
 std::string WeakestLetter(std::string_view text, std::size_t number, double coverage);
 std::string DirectWillBuzz(const DirectBound& bound);
 std::string RidgesPushAside();

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "devices/catalogue/catalogue.h"
 #include "devices/hand/simulated_stylus.h"
 #include "lessons/guide/guidance.h"
 #include "sim/app/guide_messages.h"
@@ -25,6 +26,7 @@
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/record.h"
 #include "sim/trial/trial.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 
@@ -52,12 +54,22 @@ TrialGuidance GuidanceOf(const GuideOptions& options) {
   return GuidanceAt(mode, options.help.value_or(kUsualHelp));
 }
 
+/// A profile that a hand can feel a page on.
+DeviceProfile PushingProfile(const std::string& name) {
+  DeviceProfile profile = FindProfile(name, ProfilesFolder());
+  if (!profile.limits.pushes.x || !profile.limits.pushes.y) {
+    throw InputError(say::ProfilePushesNothing(name));
+  }
+  return profile;
+}
+
 TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t page,
                    Console& console) {
   TrialSetup setup = TrialOf(trace.text, page, options.feel, options.press, options.seed);
   setup.blank = options.blank;
   setup.plan.speed = options.speed.value_or(setup.plan.speed);
   setup.guidance = GuidanceOf(options.guide);
+  setup.device = trace.device;
   if (!options.picture.empty()) setup.path_spacing = trace.text.set.style.width / 20;
   setup.stop = console.stop();
   const auto pages = static_cast<double>(trace.text.set.pages.size());
@@ -148,6 +160,7 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
   AddNumber(app, "--speed-mm-s", options.speed, 0.1, 1000, 1e-3, say::help::kSpeed);
   AddOptions(app, options.guide);
   AddSeed(app, options.seed, &options.seed_given);
+  AddPath(app, "--device-profile", "NAME", options.device_profile, say::help::kDeviceProfile);
   AddFlag(app, "--blank", options.blank, say::help::kBlank);
   BeginGroup(app, help_group::kResults);
   AddPath(app, "--record", "DIR", options.record, say::help::kRecord);
@@ -186,6 +199,7 @@ int Run(const TraceOptions& options, Console& console) {
       SetUpText({options.text, options.style, options.layout, options.feel, "trace"}, console);
   trace.blank = options.blank;
   trace.guidance = guidance;
+  if (!options.device_profile.empty()) trace.device = PushingProfile(options.device_profile);
   SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
   CheckRecords(options, trace.text.set.pages.size());
   WarnOfDirect(options, trace, console);

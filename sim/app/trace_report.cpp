@@ -20,6 +20,7 @@ Json TraceJson(const Trace& trace, const SceneOptions& scene, const TrialResult&
   json["rendering"] = scene.rendering == Rendering::kProxy ? "proxy" : "direct";
   json["law"] = scene.surface.law == ForceLaw::kPotential ? "potential" : "paper";
   json["blank"] = trace.blank;
+  if (trace.device) json["device_profile"] = trace.device->name;
   json["guide"] = NameOf(trace.guidance.mode);
   json["help_level"] = trace.guidance.help;
   json["pages"] = trace.pages.size();

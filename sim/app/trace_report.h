@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Trace {
   std::vector<std::string> pictures, records;
   bool blank = false;
   TrialGuidance guidance;
+  std::optional<DeviceProfile> device;  ///< that the simulated hand is on
 };
 
 /// What `trace --json` gives, but for what only one kind of trace has.

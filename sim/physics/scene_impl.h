@@ -74,7 +74,7 @@ struct Scene::Impl {
 
  private:
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
-  void Observe(glm::dvec3 tip_W, const StepForces& step) noexcept;
+  double Observe(glm::dvec3 tip_W, const StepForces& step) noexcept;
   void Integrate(const StepForces& step) noexcept;
   double ForeignForce(const StepForces& step, glm::dvec3 v_before_W) const noexcept;
   void WatchThrough(const StepForces& step, bool delivered) noexcept;

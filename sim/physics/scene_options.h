@@ -36,6 +36,7 @@ struct TickResult {
   double depth = 0;  ///< of the proxy (tip) in the page [m], > 0 in contact; 0 while through
   double energy_out =
       0;               ///< energy created so far by sampling, as the passivity observer sees it [J]
+  double stored = 0;   ///< held by coupling, page, friction and the proxy's motion at its start [J]
   bool fault = false;  ///< MuJoCo warned or a value was not finite: the force is zero
   /// Something besides page and coupling moves the proxy, so that no bound of the force holds: a
   /// fault.

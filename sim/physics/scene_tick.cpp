@@ -96,7 +96,8 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   return step;
 }
 
-void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
+/// The energy stored now [J].
+double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
   double stored =
       memory.page_share * Potential(options.surface, *field, step.displacement, step.point_P.z) +
       memory.friction.Energy(options.presliding_stiffness);
@@ -115,6 +116,7 @@ void Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
   memory.stored_jumped = 0;
   memory.touch_P = step.point_P;
   memory.touch_W = step.point_W;
+  return stored;
 }
 
 /// Adds our forces to the caller's qfrc_applied for one step, then restores its bits. The proxy's
@@ -216,13 +218,14 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   const ResetWatch watch(*loaded.m, *d, substeps);
   glm::dvec3 pull_W{0, 0, 0};
   glm::dvec3 page_W{0, 0, 0};
+  double stored = 0;
   StepForces step;
   double foreign = 0;  ///< [N]
   for (int i = 1; i <= substeps; ++i) {
     const glm::dvec3 travel_W = tip_W - from_W;
     step =
         Compute(i == substeps ? tip_W : from_W + static_cast<double>(i) / substeps * travel_W, v_W);
-    if (i == 1) Observe(tip_W, step);
+    if (i == 1) stored = Observe(tip_W, step);
     const glm::dvec3 v_before_W = ProxyVelocity();
     Integrate(step);
     foreign = std::max(foreign, ForeignForce(step, v_before_W));
@@ -252,6 +255,7 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   result.through = memory.through != 0;
   result.depth = result.through ? 0 : step.depth;
   result.energy_out = memory.observer.energy_out();
+  result.stored = stored;
   memory.started = 1;
   memory.tip_W = tip_W;
   memory.device_force_W = result.force_W;

@@ -106,6 +106,10 @@ inline constexpr const char* kLetters = "small print below each sign of the pict
 inline constexpr const char* kRecord =
     "record the trace to this folder for replay; several pages to DIR-1, DIR-2 and so on.";
 inline constexpr const char* kCsv = "the record's samples as CSV too.";
+inline constexpr const char* kDeviceProfile =
+    "the simulated hand is on that device: a profile's name, such as woodenhaptics, or its file. "
+    "Its "
+    "readings, delay, coupling and peak force. Default: read exactly.";
 inline constexpr const char* kBlank = "the same movements on paper without grooves.";
 inline constexpr const char* kX = "mm along the line of text.";
 inline constexpr const char* kY = "mm up the page.";

@@ -193,6 +193,7 @@ std::string ParametersJson(const TrialParameters& parameters, const TrialSetup& 
                   {"ridge_press_n", setup.plan.ridge_press.value_or(setup.plan.press)},
                   {"settle_s", setup.plan.settle},
                   {"dot_rest_s", setup.plan.dot_rest}};
+  if (setup.device) json["device_profile"] = setup.device->name;
   json["hand"] = {{"mass_kg", setup.hand.mass},
                   {"stiffness_n_m", setup.hand.stiffness},
                   {"damping_n_s_m", setup.hand.damping},

@@ -5,8 +5,10 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
+#include "devices/core/profile.h"
 #include "devices/hand/hand.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/measure/felt_shape.h"
@@ -28,8 +30,10 @@ struct HandTick {
 /// The scene is loaded once. Same page, path, push and seed: same bytes, whatever came before.
 class FeltHand {
  public:
-  /// Throws as Scene::Load.
-  FeltHand(const HandModel& hand, const SceneOptions& options);
+  /// On a device of that profile (HandOnDevice, with its coupling and peak force); null: read
+  /// exactly. Throws as Scene::Load.
+  FeltHand(const HandModel& hand, const SceneOptions& options,
+           const DeviceProfile* device = nullptr);
 
   struct Work {
     const TextureField* field = nullptr;  ///< none: flat paper; must outlive the work
@@ -46,6 +50,7 @@ class FeltHand {
 
  private:
   HandModel hand_;
+  std::optional<DeviceProfile> device_;
   Scene scene_;
   double tick_ = 1e-3;
   double seconds_ = 0;

@@ -29,7 +29,8 @@ struct TracedItem {
 /// bytes.
 class SimulatedLearner {
  public:
-  SimulatedLearner(const LearnerModel& model, const HandModel& hand, std::uint64_t seed);
+  SimulatedLearner(const LearnerModel& model, const HandModel& hand, std::uint64_t seed,
+                   const DeviceProfile* device = nullptr);
 
   /// Follows the strokes of a named item once. `push`: none, or its plan. Nothing is learnt about
   /// the aim on blank paper, where no error can be felt.

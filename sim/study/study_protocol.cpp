@@ -178,6 +178,7 @@ StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
   if (root.Has("press_n")) {
     protocol.press = InRange(root, "press_n", root.Number("press_n"), 0.01, 5);
   }
+  protocol.device = root.String("device", "");
   protocol.learner = root.String("learner", "");
   ReadTrials(root.Table("trials"), protocol);
   if (root.Has("retention")) ReadRetention(root.Table("retention"), protocol);

@@ -36,7 +36,8 @@ struct StudyProtocol {
   double size = 0.012;  ///< [m]
   double groove_depth_share = 1;
   std::optional<double> press;  ///< [N]; none: the learner's own
-  std::string learner;          ///< path of the learner's file; empty: the shipped one
+  std::string device;   ///< profile that the hand is on, a name or a file; empty: read exactly
+  std::string learner;  ///< path of the learner's file; empty: the shipped one
   int pre_test = 0, training = 0, retention = 0, transfer = 0;  ///< trials
   std::vector<double> retention_days;
   std::vector<std::string> transfer_letters;

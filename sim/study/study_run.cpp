@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "devices/catalogue/catalogue.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
@@ -22,6 +24,11 @@ LearnerModel ModelOf(const StudyProtocol& protocol) {
   return model;
 }
 
+std::optional<DeviceProfile> DeviceOf(const StudyProtocol& protocol) {
+  if (protocol.device.empty()) return std::nullopt;
+  return FindProfile(protocol.device, ProfilesFolder());
+}
+
 class StudyLearner {
  public:
   StudyLearner(const StudyProtocol& protocol, const StudyPlace& place)
@@ -31,8 +38,9 @@ class StudyLearner {
         trials_(TrialsOf(protocol, condition_, place.seed)),
         script_(FindScript(protocol.script)),
         table_(GuidanceTable::Shipped()),
+        device_(DeviceOf(protocol)),
         // The seed alone: the same person in each condition.
-        learner_(ModelOf(protocol), ShippedHand(), place.seed) {}
+        learner_(ModelOf(protocol), ShippedHand(), place.seed, device_ ? &*device_ : nullptr) {}
 
   void Run(const std::vector<StudyRow>& rows, const std::function<void(const StudyRow&)>& each) {
     for (std::size_t i = 0; i < trials_.size(); ++i) {
@@ -118,6 +126,7 @@ class StudyLearner {
   std::vector<StudyTrial> trials_;
   Script script_;
   GuidanceTable table_;
+  std::optional<DeviceProfile> device_;
   SimulatedLearner learner_;
   std::map<std::pair<std::string, double>, std::unique_ptr<ItemPage>> pages_;
 };

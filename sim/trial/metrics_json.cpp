@@ -77,7 +77,8 @@ Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   json["force_bound_per_m_per_s2_n"] = result.force_per_acceleration;
   json["carried_press_n"] = result.carried_press;
   json["through"] = result.through;
-  json["energy_out_uj"] = 1e6 * result.energy_out;
+  json["energy_out_uj"] = 1e6 * result.true_energy_out.value_or(result.energy_out);
+  if (result.true_energy_out) json["energy_out_by_readings_uj"] = 1e6 * result.energy_out;
   json["faults"] = result.faults;
   json["mean_guidance_n"] = result.mean_guidance;
   json["guidance_work_mj"] = 1e3 * result.guidance_work;

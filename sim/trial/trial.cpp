@@ -7,11 +7,11 @@
 #include <memory>
 #include <optional>
 
-#include "devices/hand/simulated_stylus.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/measure/link_meter.h"
 #include "sim/physics/coupling.h"
 #include "sim/physics/scene.h"
+#include "sim/trial/hand_on_device.h"
 #include "sim/trial/metrics_json.h"
 #include "sim/trial/record.h"
 #include "textures/base/resources.h"
@@ -112,28 +112,29 @@ class TrialPush {
 };
 
 /// The loop: device, scene, push, device, score. Everything it needs exists before it starts.
-void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& stylus,
-              TraceScorer& scorer, LinkMeter& links, LiftCounter lifts, TrialPush push,
-              Recorder* recorder, TrialResult& result) {
+void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, const TextureField& field,
+              HandOnDevice& hand, TraceScorer& scorer, LinkMeter& links, LiftCounter lifts,
+              TrialPush push, Recorder* recorder, TrialResult& result) {
   PhaseClock clock(plan.spans);
   const double duration = std::min(plan.duration, setup.longest);
   const auto ticks = static_cast<std::size_t>(std::ceil(duration / setup.scene.tick));
   bool through = false;
   const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
+  TickResult output;
   for (std::size_t n = 0; n < ticks; ++n) {
     if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
-    DeviceState input;
-    stylus.Read(input);
-    TickResult output = scene.Tick(input);
+    const DeviceState input = hand.Read(scene, n > 0 ? &output : nullptr, field);
+    output = scene.Tick(input);
     const GuidanceResult pushed = push.Add(scene, output);
     if (setup.watch) setup.watch(input.time, output, pushed);
-    stylus.Write(output.force_W);
+    hand.Write(output.force_W, output.stored);
 
     const Plan::Span& span = clock.At(input.time);
     TraceSample sample;
     sample.time = input.time;
     sample.tip_P = output.tip_P;
-    sample.force_P = output.force_P;
+    sample.force_P =
+        setup.device ? TurnFromWorld(scene.X_WP(), hand.Given(output.force_W)) : output.force_P;
     sample.in_contact = output.depth > 0;
     sample.phase = span.phase;
     sample.stroke = span.stroke;
@@ -159,6 +160,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, Device& s
     }
   }
   push.Report(result);
+  if (setup.device && !setup.guidance.on()) result.true_energy_out = hand.energy_out();
   result.lifts_within_lines = lifts.lifts();
   result.ticks = ticks;
   result.duration = static_cast<double>(ticks) * setup.scene.tick;
@@ -186,14 +188,17 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
                              : std::make_shared<const TextureField>(
                                    PageField(*setup.page, *setup.script, setup.style, setup.blank));
   Scene scene = Scene::Load(setup.model_path, setup.scene);
+  if (setup.device) scene.SetOptions(HeldOn(*setup.device, setup.scene, scene.proxy_mass()));
   scene.SetField(field.get());
   const std::vector<IntendedStroke> strokes =
       IntendedStrokes(*setup.page, *setup.script, setup.style);
   const Pose X_WP = scene.X_WP();
   const auto links = LinksOf(*setup.page, *setup.script, setup.style);
   const Plan plan = MakePlan(strokes, WalksOf(strokes, *setup.page, *links), setup.plan, X_WP);
-  const std::unique_ptr<Device> stylus =
-      MakeSimulatedStylus(setup.hand, plan.path_W, setup.scene.tick, setup.seed);
+  HandOnDevice::Setup on_device{setup.hand, plan.path_W, setup.scene.tick, setup.seed};
+  if (setup.device) on_device.profile = &*setup.device;
+  on_device.press = setup.plan.press;
+  HandOnDevice hand(on_device, X_WP);
   if (!plan.path_W.points.empty()) {
     scene.Reset(FromWorld(X_WP, plan.path_W.points.front().p_D));
   }
@@ -211,7 +216,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, *field, scene);
   const auto start = std::chrono::steady_clock::now();
   LinkMeter link_meter(strokes, *links);
-  RunTicks(setup, plan, scene, *stylus, scorer, link_meter, LiftCounter(strokes, *setup.page),
+  RunTicks(setup, plan, scene, *field, hand, scorer, link_meter, LiftCounter(strokes, *setup.page),
            TrialPush(setup, strokes), recorder.get(), result);
   result.score = scorer.Finish();
   if (setup.style.links.reach != LinkReach::kNone) result.links_left = link_meter.left();

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/core/device.h"
+#include "devices/core/profile.h"
 #include "devices/hand/hand.h"
 #include "lessons/guide/guidance.h"
 #include "sim/console/console.h"
@@ -52,6 +52,9 @@ struct TrialSetup {
   std::string model_path;  ///< MJCF; empty = the shipped page
   SceneOptions scene;
   HandModel hand;
+  /// On what device the hand is: its readings, delay, coupling and peak force (HandOnDevice); none:
+  /// it is read exactly.
+  std::optional<DeviceProfile> device;
   PlanOptions plan;        ///< `plan.press` counts, not the hand's
   TrialGuidance guidance;  ///< along the page's strokes; off: none
   std::uint64_t seed = 1;

@@ -33,6 +33,9 @@ TrialResult Merged(const std::vector<TrialResult>& pages) {
     guidance += page.mean_guidance * page.duration;
     all.guidance_work += page.guidance_work;
     all.energy_out = std::max(all.energy_out, page.energy_out);
+    if (page.true_energy_out) {
+      all.true_energy_out = std::max(all.true_energy_out.value_or(0), *page.true_energy_out);
+    }
     all.force_bound = std::max(all.force_bound, page.force_bound);
     all.force_per_acceleration = std::max(all.force_per_acceleration, page.force_per_acceleration);
     all.carried_press = &page == &pages.front() ? page.carried_press

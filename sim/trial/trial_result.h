@@ -20,7 +20,9 @@ struct PathPoint {
 /// What a simulated trial gave.
 struct TrialResult {
   TraceScore score;
-  double energy_out = 0;  ///< put out by sampling, greatest seen [J]
+  double energy_out = 0;  ///< put out by sampling, greatest seen, by the readings [J]
+  /// The same by the hand's true way, where a device's readings are another; none with a push.
+  std::optional<double> true_energy_out;
   /// ForceBound (sim/physics/coupling.h) of a device that moves evenly; infinite on a page that can
   /// move [N].
   double force_bound = 0;

@@ -298,5 +298,37 @@ TEST_F(TraceCommand, StopsAtOnceAndLeavesNothing) {
   ExpectOnly({});
 }
 
+// Readings in steps, late forces, a softer coupling: the page is still felt, and told by whom.
+TEST_F(TraceCommand, PutsTheHandOnADevice) {
+  const nlohmann::json json = TraceJson({"--device-profile", "woodenhaptics"});
+  const nlohmann::json& total = json["total"];
+  EXPECT_EQ(json["device_profile"], "woodenhaptics");
+  EXPECT_GE(total["coverage"], 0.98);
+  EXPECT_LE(total["force_bound_n"], 3.8 + 1e-9);  // the profile's peak
+  EXPECT_LT(total["energy_out_uj"], 1000);
+  EXPECT_TRUE(total.contains("energy_out_by_readings_uj"));
+  EXPECT_FALSE(TraceJson({})["total"].contains("energy_out_by_readings_uj"));
+  const nlohmann::json again = TraceJson({"--device-profile", "woodenhaptics"});
+  EXPECT_EQ(Exact(json), Exact(again));
+  EXPECT_EQ(
+      Exact(json),
+      Exact(TraceJson({"--device-profile", SourcePath("devices/profiles/woodenhaptics.toml")})));
+  const Outcome told = RunLine({"trace", "LO", "--device-profile", "woodenhaptics"});
+  EXPECT_NE(told.out.find("by the hand's true way"), std::string::npos) << told.out;
+}
+
+TEST_F(TraceCommand, RefusesADeviceProfileThatDoesNotFit) {
+  const Outcome unknown = RunLine({"trace", "LO", "--device-profile", "wooden"});
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_NE(unknown.err.find("one of generic-pid, moontrace-raw"), std::string::npos)
+      << unknown.err;
+  const Outcome puck = RunLine({"trace", "LO", "--device-profile", "spacemouse"});
+  EXPECT_EQ(puck.code, 3);
+  EXPECT_NE(puck.err.find("pushes nothing"), std::string::npos) << puck.err;
+  EXPECT_EQ(RunLine({"trace", "LO", "--device-profile", "none.toml"}).code, 3);
+  EXPECT_EQ(RunLine({"trace", "LO", "--device", "spacemouse", "--device-profile", "polhem"}).code,
+            2);
+}
+
 }  // namespace
 }  // namespace moontrace

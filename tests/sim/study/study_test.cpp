@@ -70,6 +70,27 @@ class Study : public ::testing::Test {
   fs::path folder_;
 };
 
+TEST_F(Study, PutsTheHandsOnADevice) {
+  const std::string exact = Whole(1);
+  fs::remove(Path("whole-1.csv"));
+  std::ofstream(Path("small.toml")) << "device = \"woodenhaptics\"\n" << kProtocol;
+  const std::string stepped = Whole(1);
+  EXPECT_EQ(Whole(2), stepped);
+  // the digest of the protocol differs as well, so rows are told apart by what was felt
+  const auto without_digest = [](std::string rows) {
+    std::size_t begin = 0;
+    while (begin < rows.size()) {
+      rows.erase(begin, rows.find(',', begin) - begin);
+      begin = std::min(rows.find('\n', begin), rows.size() - 1) + 1;
+    }
+    return rows;
+  };
+  EXPECT_NE(without_digest(stepped), without_digest(exact));
+  fs::remove(Path("whole-1.csv"));
+  std::ofstream(Path("small.toml")) << "device = \"none\"\n" << kProtocol;
+  EXPECT_THROW(Whole(1), InputError);
+}
+
 TEST_F(Study, GivesTheSameBytesForAnyNumberOfThreads) {
   const std::string one = Whole(1);
   EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1 + 4 * 6);
