@@ -38,7 +38,7 @@ Groove GrooveOf(double size) {
 double SmallestLetter(const DeviceProfile& profile, double press) {
   const glm::bvec3 pushes = profile.limits.pushes;
   if (!pushes.x && !pushes.y) return 0;
-  const double stiffness = StableStiffness(profile);
+  const double stiffness = CouplingOf(profile).stiffness;
   const auto sizes = static_cast<int>(std::lround((kLast - kFirst) / kStride));
   // From the large ones down to the first that fails: not every small letter is worse than a larger
   // one, since small ones have flatter flanks.

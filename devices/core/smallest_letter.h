@@ -9,9 +9,9 @@ namespace moontrace {
 /// size.
 ///
 /// Assumptions: the tip is pressed on with `press` [N] and feels the page through a spring of the
-/// device's stable stiffness K (the virtual coupling, design section 5). A flank of slope s holds
-/// it sideways with at most F = min(press s, the device's peak force). With em = size, w the width
-/// of the groove, D its depth, r = 0.2 w its rounding and s = D / (w/2 - r):
+/// stiffness K, the coupling's that the device gets (CouplingOf, profile.h). A flank of slope s
+/// holds it sideways with at most F = min(press s, the device's peak force). With em = size, w the
+/// width of the groove, D its depth, r = 0.2 w its rounding and s = D / (w/2 - r):
 ///
 /// 1. It does not skip. When the flank gives way the hand is F/K beyond it, and there the tip
 ///    lands: at most 0.25 em on, half way to the nearest stroke. F/K <= 0.25 em.

@@ -46,15 +46,17 @@ void AddProfile(const DeviceProfile& profile, const HandModel& hand, BenchRows& 
   }
   rows.push_back(Shown(name + ": coupling, spring", options.coupling_stiffness, "N/m"));
   rows.push_back(Shown(name + ": coupling, damper", options.coupling_damping, "N s/m"));
-  const double margin = CouplingMargin(profile, CouplingOf(profile), hand.mass);
-  rows.push_back(AtLeast(name + ": coupling times", margin, "", kLeastCouplingMargin));
-  rows.push_back(AtLeast(
-      name + ": the same, simulated",
-      SimulatedCouplingMargin(ModelOf(profile, hand.mass, options.tick), CouplingOf(profile)), "",
-      kLeastCouplingMargin));
+  const CouplingGains coupling = CouplingOf(profile);
+  rows.push_back(AtLeast(name + ": coupling's margin", CouplingMargin(profile, coupling, hand.mass),
+                         "times", kLeastCouplingMargin));
+  const SampledModel model = ModelOf(profile, hand.mass, options.tick);
+  rows.push_back(AtLeast(name + ": the same by simulation",
+                         SimulatedCouplingMargin(model, coupling), "times", kLeastCouplingMargin));
   const Grit grit = WorstGrit(profile, hand, options);
-  rows.push_back(AtMost(name + ": grit of steps, rms", grit.rms, "N", kGreatestGrit.rms));
-  rows.push_back(AtMost(name + ": grit of steps, peak", grit.peak, "N", kGreatestGrit.peak));
+  rows.push_back(
+      AtMost(name + ": grit of steps, 1 to 50 mm/s, rms", grit.rms, "N", kGreatestGrit.rms));
+  rows.push_back(
+      AtMost(name + ": grit of steps, 1 to 50 mm/s, peak", grit.peak, "N", kGreatestGrit.peak));
   rows.push_back(Shown(name + ": the profile's figure", profile.limits.stiffness, "N/m"));
   rows.push_back(AtLeast(name + ": a wall held quiet",
                          GreatestStableWall(ModelOf(profile, hand.mass, options.tick)), "N/m",

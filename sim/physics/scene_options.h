@@ -28,6 +28,8 @@ void Check(const SceneOptions& options);
 /// What one tick gave. P: the page's frame.
 struct TickResult {
   glm::dvec3 tip_P{0, 0, 0};    ///< [m]
+  glm::dvec3 v_P{0, 0, 0};      ///< of the tip [m/s], where the input knew it
+  bool velocity_known = false;  ///< it did
   glm::dvec3 proxy_P{0, 0, 0};  ///< after the step [m]; the tip itself when direct
   glm::dvec3 force_P{0, 0, 0};  ///< to the device [N]
   glm::dvec3 force_W{0, 0, 0};  ///< the same in the world's frame, what Device::Write receives

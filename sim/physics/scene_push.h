@@ -16,7 +16,8 @@ using TickWatch =
     std::function<void(double time, const TickResult& felt, const GuidanceResult& push)>;
 
 /// A guiding push on top of what a scene's ticks answer: for simulated trials and their replay,
-/// which must be identical. The tip's velocity is its travel in one tick over the tick's time.
+/// which must be identical. The tip's velocity is the device's, else its travel in one tick over
+/// the tick's time.
 class ScenePush {
  public:
   ScenePush(GuidancePlan plan, double tick) : plan_(std::move(plan)), tick_(tick) {}
@@ -29,7 +30,8 @@ class ScenePush {
       state_.begun = false;
       return {};
     }
-    const glm::dvec3 v_P = begun_ ? (output.tip_P - tip_P_) / tick_ : glm::dvec3(0, 0, 0);
+    glm::dvec3 v_P = begun_ ? (output.tip_P - tip_P_) / tick_ : glm::dvec3(0, 0, 0);
+    if (output.velocity_known) v_P = output.v_P;
     tip_P_ = output.tip_P;
     begun_ = true;
     const GuidanceResult push = Guide(plan_, state_, output.tip_P, v_P, tick_);

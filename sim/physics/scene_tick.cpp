@@ -249,6 +249,8 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   if (direct()) PlaceProxy(tip_W, v_W);
   WatchThrough(step, delivered);
   result.tip_P = FromWorld(step.X_WP, tip_W);
+  result.velocity_known = input.velocity_known;
+  if (input.velocity_known) result.v_P = TurnFromWorld(step.X_WP, v_W);
   result.proxy_P = FromWorld(step.X_WP, ProxyPosition());
   result.force_P = TurnFromWorld(step.X_WP, result.force_W);
   result.page_force_P = step.page_P;

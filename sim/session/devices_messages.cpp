@@ -115,7 +115,7 @@ std::string DeviceCoupling(const DeviceProfile& profile) {
                                  Short(coupling.stiffness, 0), Short(coupling.damping, 1));
   if (profile.position_step > 0) {
     line +=
-        fmt::format("; its readings come in steps of {} µm", Short(1e6 * profile.position_step, 0));
+        fmt::format("; its readings come in steps of {} micrometres", Short(1e6 * profile.position_step, 0));
   }
   return line + ".";
 }

@@ -42,7 +42,8 @@ void FeltHand::Do(const Work& work, const std::function<void(const HandTick&)>& 
     now.in_contact = output.depth > 0;
     if (work.push != nullptr) {
       velocity.Advance(tick_, true, output.tip_P);
-      now.guidance_P = Guide(*work.push, state, output.tip_P, velocity.v(), tick_).force_P;
+      const glm::dvec3 v_P = output.velocity_known ? output.v_P : velocity.v();
+      now.guidance_P = Guide(*work.push, state, output.tip_P, v_P, tick_).force_P;
     }
     now.force_P = output.force_P + now.guidance_P;
     hand.Write(output.force_W + TurnToWorld(X_WP, now.guidance_P), output.stored);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <utility>
 
 #include "devices/hand/simulated_stylus.h"
 #include "sim/loop/device_feel.h"
@@ -31,11 +32,15 @@ std::size_t DelayOf(const DeviceProfile* profile, double tick) {
 }  // namespace
 
 HandOnDevice::HandOnDevice(const Setup& setup, const Pose& X_WP)
+    : HandOnDevice(MakeSimulatedStylus(WithoutDelay(setup.hand, setup.profile), setup.path,
+                                       setup.tick, setup.seed),
+                   setup, X_WP) {}
+
+HandOnDevice::HandOnDevice(std::unique_ptr<Device> hand, const Setup& setup, const Pose& X_WP)
     : tick_(setup.tick),
       rounded_(setup.profile != nullptr),
       late_(DelayOf(setup.profile, setup.tick) + 1, glm::dvec3(0, 0, 0)),
-      stylus_(MakeSimulatedStylus(WithoutDelay(setup.hand, setup.profile), setup.path, setup.tick,
-                                  setup.seed)),
+      stylus_(std::move(hand)),
       limits_(rounded_ ? LimitsOf(*setup.profile, setup.tick) : stylus_->Limits()),
       X_WP_(X_WP),
       press_(setup.press),

@@ -32,8 +32,11 @@ class HandOnDevice {
     /// Of a device without height: what presses while the hand is down [N].
     double press = 1;
   };
-  /// Throws std::invalid_argument as MakeSimulatedStylus.
-  explicit HandOnDevice(const Setup& setup, const Pose& X_WP);
+  /// The simulated stylus. Throws std::invalid_argument as MakeSimulatedStylus.
+  HandOnDevice(const Setup& setup, const Pose& X_WP);
+  /// Any hand, that reads its true place in every tick and, on a profile, feels without a delay of
+  /// its own. Of the setup hand, path and seed do not count.
+  HandOnDevice(std::unique_ptr<Device> hand, const Setup& setup, const Pose& X_WP);
 
   /// The next tick's input for the scene, which carries `field`; `last` is what its tick before
   /// gave, null at first.
