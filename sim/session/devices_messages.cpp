@@ -114,8 +114,8 @@ std::string DeviceCoupling(const DeviceProfile& profile) {
   std::string line = fmt::format("The page is felt through a spring of {} N/m, damped by {} N s/m",
                                  Short(coupling.stiffness, 0), Short(coupling.damping, 1));
   if (profile.position_step > 0) {
-    line +=
-        fmt::format("; its readings come in steps of {} micrometres", Short(1e6 * profile.position_step, 0));
+    line += fmt::format("; its readings come in steps of {} micrometres",
+                        Short(1e6 * profile.position_step, 0));
   }
   return line + ".";
 }
