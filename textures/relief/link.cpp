@@ -14,13 +14,12 @@ namespace {
 constexpr double kNoTurn = 1e-7;          // [rad]; what rounding leaves of a turn that is none
 constexpr double kTurns[] = {1, 2.5, 6};  // in least radii; the last one where all else fails
 constexpr double kRoughly = 1e-3;         // [rad]
-constexpr double kWidestEndTurn = 5.3;    // [rad]; farther it would have to cross itself
-constexpr double kWidestTurn = 4.2;       // [rad] on the way
 constexpr double kNoCorner = 0.8;         // cosine of the bend below which there is a corner
 constexpr double kStandsAt = 1.1;         // of the distance wanted, within which a wall is an end's
 constexpr double kHair = 1e-3;            // of the distance wanted, that circles keep in addition
 constexpr double kBesideCurve = 0.1;      // the same where a stroke bulges between corners
 constexpr double kTightness = 6;          // [radius^2], see CostOf
+constexpr double kAhead = 0.6;            // of the sharpest turn's radius, see IsShutIn
 constexpr int kDotRays = 8;
 // These bound the time of a hopeless task.
 constexpr std::size_t kMostTries = 1500, kMostNodes = 600;
@@ -47,8 +46,13 @@ Turn TurnFrom(const Ray& ray, double radius) {
 /// The straight way that leaves one circle and arrives at another.
 struct Tangent {
   bool exists = false;
-  glm::dvec2 way{0, 0};  // unit
-  double length = 0;
+  glm::dvec2 along{0, 0};  // its direction, `square` long
+  double square = 0;       // [m^2], of the distance between the centres
+  double length = 0;       // [m]
+  glm::dvec2 Way() const {
+    const glm::dvec2 way = along / square;
+    return way / glm::length(way);
+  }
 };
 
 Tangent TangentOf(const Turn& from, const Turn& to) {
@@ -58,9 +62,23 @@ Tangent TangentOf(const Turn& from, const Turn& to) {
   const double square = glm::dot(v, v), left = square - k * k;
   if (!(square > 0 && left >= 0)) return {};
   const double length = std::sqrt(left);
-  const glm::dvec2 way = (length * v - k * LeftOf(v)) / square;
-  return {true, way / glm::length(way), length};
+  return {true, length * v - k * LeftOf(v), square, length};
 }
+
+/// A turn, wide enough that it is not taken. Told without the angle, before what costs more.
+struct WideTurn {
+  double widest = 0;  ///< [rad], beyond half a turn
+  double cosine = 0;  ///< of what that lacks of a whole one, and a hair more
+
+  /// Whether the turn from a unit direction to another of this length is wider for certain.
+  bool IsBelow(glm::dvec2 from, glm::dvec2 to, double length, double radius) const {
+    const double aside = from.x * to.y - from.y * to.x;
+    return radius != 0 && (radius > 0 ? -aside : aside) > 2 * kRoughly * length &&
+           glm::dot(from, to) > cosine * length;
+  }
+};
+constexpr WideTurn kEndTurn{5.3, 0.56};   // farther it would have to cross itself
+constexpr WideTurn kWayTurn{4.2, -0.48};  // on the way
 
 /// The length of the turn of SweepBetween, to a thousandth of a radian (a polynomial of the arc
 /// tangent on [0, 1]): enough to tell which way is tried first.
@@ -93,8 +111,10 @@ void WriteTurn(const Turn& turn, glm::dvec2 from, double sweep, std::vector<Piec
   pieces.push_back(Arc{turn.center, std::abs(turn.radius), std::atan2(v.y, v.x), sweep});
 }
 
+/// Asked of every wall: without a branch for each side, which would be guessed wrong.
 bool AreNear(const Box& a, const Box& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+  return ((a.min.x <= b.max.x) & (b.min.x <= a.max.x) & (a.min.y <= b.max.y) &
+          (b.min.y <= a.max.y)) != 0;
 }
 
 /// A wall with what rules most of it out at once.
@@ -109,6 +129,7 @@ struct Obstacle {
 /// A circle that a link may turn on.
 struct Node {
   Turn turn;
+  double weight = 0;     ///< of its turn in the cost [m/rad]
   glm::dvec2 way{1, 0};  ///< in which it is entered at the start, or left at the goal
   bool is_last_resort = false;
   bool narrows = false;  ///< a point that is left or entered near `way` only
@@ -191,6 +212,7 @@ class LinkSearch {
   }
 
   std::vector<Piece> Run() {
+    if (IsShutIn(task_.from, 1) || IsShutIn(task_.to, -1)) return {};
     for (std::size_t i = 0; i < first_goal_; ++i) Expand(i, first_goal_, first_way_);
     std::vector<Piece> path;
     for (std::size_t tries = 0; tries < kMostTries; ++tries) {
@@ -208,6 +230,25 @@ class LinkSearch {
   }
 
  private:
+  /// Whether no way leads away from an open stroke's end (back from it, `sense` -1), since a wall
+  /// closes what lies ahead: a point of a way whose turns are no sharper than r is after a length l
+  /// at most l^2 / 2r away from the point that lies l straight ahead. What this rules out a search
+  /// would try long and in vain.
+  bool IsShutIn(const LinkEnd& end, double sense) const {
+    if (end.is_dot || end.is_ring) return false;
+    const Ray& ray = end.rays.front();
+    const double sharpest = std::min(task_.radius, task_.half + task_.gap);
+    const double ahead = kAhead * sharpest, aside = ahead * ahead / (2 * sharpest);
+    const std::vector<Ray>& others = (sense > 0 ? task_.to : task_.from).rays;
+    for (const Ray& other : others) {
+      if (glm::distance(other.point, ray.point) < ahead) return false;  // it may end before
+    }
+    const glm::dvec2 p = ray.point + sense * ahead * ray.direction;
+    return std::any_of(obstacles_.begin(), obstacles_.end(), [&](const Obstacle& wall) {
+      return !wall.at_from && !wall.at_to && DistanceTo(wall.curve, p) < wall.need - aside;
+    });
+  }
+
   void AddWall(const LinkWall& wall, const LinkEnd* from, const LinkEnd* to) {
     Obstacle obstacle{CurveOf(wall.piece), wall.half + task_.half + task_.gap, {}};
     obstacle.box = Grown(obstacle.curve.box, obstacle.need);
@@ -223,6 +264,10 @@ class LinkSearch {
     obstacles_.push_back(obstacle);
   }
 
+  void AddNode(const Turn& turn, glm::dvec2 way) {
+    nodes_.push_back({turn, WeightOf(turn.radius), way});
+  }
+
   void AddEnd(const LinkEnd& end) {
     for (const Ray& ray : end.rays) {
       if (end.is_dot) {
@@ -231,7 +276,7 @@ class LinkSearch {
       }
       for (const double turn : kTurns) {
         for (const double sense : {1.0, -1.0}) {
-          nodes_.push_back({TurnFrom(ray, sense * turn * task_.radius), ray.direction});
+          AddNode(TurnFrom(ray, sense * turn * task_.radius), ray.direction);
           nodes_.back().is_last_resort = !Fits(end, turn, sense);
         }
       }
@@ -250,13 +295,14 @@ class LinkSearch {
 
   /// Straight from a dot, and in a turn that begins in one of some directions.
   void AddDot(const Ray& ray, bool goes_on) {
-    nodes_.push_back({{ray.point, 0}, ray.direction, false, goes_on});
+    AddNode({ray.point, 0}, ray.direction);
+    nodes_.back().narrows = goes_on;
     for (int i = 0; i < kDotRays; ++i) {
       const Ray turned{ray.point, DirectionOf(kTurn * i / kDotRays)};
       if (goes_on && glm::dot(turned.direction, ray.direction) < kLeastGoingOn) continue;
       for (const double turn : {kTurns[0], kTurns[1]}) {
         for (const double sense : {1.0, -1.0}) {
-          nodes_.push_back({TurnFrom(turned, sense * turn * task_.radius), turned.direction});
+          AddNode(TurnFrom(turned, sense * turn * task_.radius), turned.direction);
           // no wall holds a tip in a dot: it leaves it on a sharp turn
           nodes_.back().is_last_resort = goes_on && turn == kTurns[0];
         }
@@ -273,8 +319,8 @@ class LinkSearch {
         return;
       }
     }
-    nodes_.push_back({{center, radius}});
-    nodes_.push_back({{center, -radius}});
+    AddNode({center, radius}, {1, 0});
+    AddNode({center, -radius}, {1, 0});
   }
 
   /// Circles round the ends of a wall, unless it goes on there without a corner, and round the
@@ -338,12 +384,13 @@ class LinkSearch {
     return node < first_goal_ ? nodes_[node].way : reached_[node].way;
   }
 
-  /// Of a turn: its length, and more the sharper it is: a tip that is drawn round a bend presses
-  /// against its outer wall. A half turn costs least at 2.4 of the least radii.
-  double CostOf(double sweep, double radius) const {
+  /// What a turn of a radian costs: its length, and more the sharper it is: a tip that is drawn
+  /// round a bend presses against its outer wall. A half turn costs least at 2.4 of the least
+  /// radii.
+  double WeightOf(double radius) const {
     if (radius == 0) return 0;
     const double square = kTightness * task_.radius * task_.radius;
-    return std::abs(sweep) * (std::abs(radius) + square / std::abs(radius));
+    return std::abs(radius) + square / std::abs(radius);
   }
 
   bool IsKeptBack(std::size_t node) const { return nodes_[node].is_last_resort && !looks_farther_; }
@@ -357,26 +404,30 @@ class LinkSearch {
 
   void Push(std::size_t from, std::size_t to) {
     const Node &a = nodes_[from], &b = nodes_[to];
-    const bool is_direct = from < first_goal_ && IsGoal(to);
+    const bool starts = from < first_goal_, ends = IsGoal(to), is_direct = starts && ends;
     const Tangent tangent = TangentOf(a.turn, b.turn);
     if (!tangent.exists) return;
-    if (a.narrows && glm::dot(a.way, tangent.way) < kLeastGoingOn) return;
-    if (b.narrows && glm::dot(b.way, tangent.way) < kLeastGoingOn) return;
-    const bool starts = from < first_goal_;
-    const double first = RoughSweep(WayInto(from), tangent.way, a.turn.radius);
-    if (first > (is_direct ? kWidestEndTurn : kWidestTurn)) return;
-    if (starts && first > a.blocked + kRoughly) return;
+    const WideTurn& wide = is_direct ? kEndTurn : kWayTurn;
+    const glm::dvec2 into = WayInto(from);
+    if (wide.IsBelow(into, tangent.along, tangent.square, a.turn.radius)) return;
+    // backwards, the last turn has the other sense
+    if (ends && wide.IsBelow(b.way, tangent.along, tangent.square, -b.turn.radius)) return;
+    const glm::dvec2 way = tangent.Way();
+    if (a.narrows && glm::dot(a.way, way) < kLeastGoingOn) return;
+    if (b.narrows && glm::dot(b.way, way) < kLeastGoingOn) return;
+    const double first = RoughSweep(into, way, a.turn.radius);
+    if (first > wide.widest || (starts && first > a.blocked + kRoughly)) return;
     Step step;
     step.from = from;
     step.to = to;
-    step.way = tangent.way;
-    step.cost = (starts ? 0 : reached_[from].cost) + CostOf(first, a.turn.radius) + tangent.length;
-    if (IsGoal(to)) {
-      const double last = RoughSweep(tangent.way, b.way, b.turn.radius);
-      if (last > (is_direct ? kWidestEndTurn : kWidestTurn) || last > b.blocked + kRoughly) return;
-      step.cost += CostOf(last, b.turn.radius);
+    step.way = way;
+    step.cost = (starts ? 0 : reached_[from].cost) + first * a.weight + tangent.length;
+    if (ends) {
+      const double last = RoughSweep(way, b.way, b.turn.radius);
+      if (last > wide.widest || last > b.blocked + kRoughly) return;
+      step.cost += last * b.weight;
     }
-    const double to_go = IsGoal(to) ? 0 : ToGo(b.turn.PointWhere(tangent.way));
+    const double to_go = ends ? 0 : ToGo(b.turn.PointWhere(way));
     queue_.push_back({step.cost + kToGo * to_go, steps_.size()});
     steps_.push_back(step);
     std::push_heap(queue_.begin(), queue_.end());
@@ -570,11 +621,12 @@ std::vector<Piece> ArcLineArc(const Ray& from, const Ray& to, double from_radius
   const Tangent tangent = TangentOf(first, last);
   std::vector<Piece> pieces;
   if (!tangent.exists) return pieces;
-  WriteTurn(first, from.point, SweepBetween(from.direction, tangent.way, from_radius), pieces);
+  const glm::dvec2 way = tangent.Way();
+  WriteTurn(first, from.point, SweepBetween(from.direction, way, from_radius), pieces);
   const double none = 1e-9 * (tangent.length + std::abs(from_radius) + std::abs(to_radius));
-  const glm::dvec2 end = last.PointWhere(tangent.way);
-  if (tangent.length > none) pieces.push_back(Line{first.PointWhere(tangent.way), end});
-  WriteTurn(last, end, SweepBetween(tangent.way, to.direction, to_radius), pieces);
+  const glm::dvec2 end = last.PointWhere(way);
+  if (tangent.length > none) pieces.push_back(Line{first.PointWhere(way), end});
+  WriteTurn(last, end, SweepBetween(way, to.direction, to_radius), pieces);
   return pieces;
 }
 

@@ -156,6 +156,26 @@ TEST(FindLink, GoesRoundTheEndOfAnotherLink) {
   EXPECT_LT(least, 1.01 * (2 * task.half + task.gap));
 }
 
+// A wall right ahead, wider than the room: the sharpest turn, of radius 1, leaves room enough at 1
+// more than the 1.25 m that two half widths and the gap need, and none at less.
+TEST(FindLink, TurnsBackBeforeAWallAheadIfItIsFarEnough) {
+  for (const double wall : {1.25 + 1.01, 1.25 + 0.95, 1.25 + 0.5, 1.25 + 0.05}) {
+    LinkTask away;
+    away.from.rays = {{{0, 0}, {1, 0}}};
+    away.to.rays = {{{-6, 2.5}, {-1, 0}}};
+    away.others = {{Line{{wall, -9}, {wall, 9}}, 0.5}};
+    away.half = 0.5;
+    away.gap = 0.25;
+    away.radius = 1;
+    away.room = {{-9, -5}, {5, 5}};
+    LinkTask back = away;  // the same way travelled the other way round
+    back.from.rays = {{{-6, 2.5}, {1, 0}}};
+    back.to.rays = {{{0, 0}, {-1, 0}}};
+    EXPECT_EQ(FindLink(away).empty(), wall < 1.25 + 1) << wall;
+    EXPECT_EQ(FindLink(back).empty(), wall < 1.25 + 1) << wall;
+  }
+}
+
 TEST(FindLink, TurnsNoSharperThanAllowed) {
   LinkTask task = Across(0.5);
   for (const Piece& piece : FindLink(task)) {
