@@ -41,8 +41,9 @@ double ForceBound(const SceneOptions& options, double proxy_mass, const Movement
   }
   if (direct) return bound;
   const double q = movement.position_step;
+  const double lag = q > 0 ? 2 * movement.acceleration * options.tick : 0;  // [m/s]
   return bound + n * proxy_mass * movement.acceleration +
-         std::sqrt(3.0) * (1 + n) * (0.5 * K * q + B * q / options.tick);
+         std::sqrt(3.0) * (1 + n) * (3.5 * K * q + B * (q / options.tick + lag));
 }
 
 }  // namespace moontrace

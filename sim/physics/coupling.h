@@ -57,11 +57,12 @@ struct Movement {
 /// paper's law, whose friction is perpendicular to f: |F| <= n F_cap sqrt(1 + mu^2).
 ///
 /// A device whose velocity changes by A h in a step adds h A to w', as a page force of -m A would:
-/// n m A more. A reading that is off by at most q/2, and a velocity found from such readings that
-/// is off by at most q a tick, act as a force u = K q/2 + B q/tick between tip and proxy, of which
-/// the device feels u itself and the proxy's answer: sqrt(3) (1 + n) u more, the three axes
-/// together. Sub-steps split the pulse of A into one sub-step out of n; as the force handed out is
-/// their mean, the bound is the same with h the sub-step.
+/// n m A more. Readings in steps of q leave the place that the coupling is given off by at most 3.5
+/// q (TipEstimate follows them within three steps), its velocity by at most q a tick and the 2 A
+/// tick that such a follower lags: a force u = 3.5 K q + B (q/tick + 2 A tick) between tip and
+/// proxy, of which the device feels u itself and the proxy's answer: sqrt(3) (1 + n) u more, the
+/// three axes together; nothing where q is zero. Sub-steps split the pulse of A into one sub-step
+/// out of n; as the force handed out is their mean, the bound is the same with h the sub-step.
 ///
 /// Direct rendering: the page's force itself.
 double ForceBound(const SceneOptions& options, double proxy_mass, const Movement& movement = {},
