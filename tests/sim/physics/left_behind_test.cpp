@@ -17,11 +17,11 @@
 namespace moontrace {
 namespace {
 
-/// Greatest force on a device that goes evenly across a glyph, held 2 mm below the paper.
+/// Greatest force on a device that goes evenly across a glyph, held 6 mm below the paper.
 double GreatestForce(Scene& scene, const Box& box, int direction, double speed) {
   const double angle = direction * std::numbers::pi / 4 + 0.1;
   const glm::dvec3 along(std::cos(angle), std::sin(angle), 0.0);
-  const glm::dvec3 middle(0.5 * (box.min + box.max), -2e-3);
+  const glm::dvec3 middle(0.5 * (box.min + box.max), -6e-3);
   const double reach = 0.6 * glm::length(box.max - box.min);
   scene.Reset(middle - reach * along);
   double greatest = 0;
