@@ -1,0 +1,200 @@
+#include "sim/reader/groove_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "textures/base/units.h"
+
+namespace moontrace {
+namespace {
+
+// Shares of a groove's width, unless said; ours, chosen on seeds 1 to 20.
+constexpr double kSpeedShare = 0.35;  ///< of the speed at which a wall just holds
+constexpr double kStopShare = 0.25;   ///< of the hold stops the aim
+constexpr double kPullShare = 0.30;   ///< of the hold, in a swing
+constexpr double kCalm = 0.020;       ///< of forces [s]
+constexpr double kYield = 0.25;       ///< in which the aim yields to a wall [s]
+constexpr double kSpacing = 0.12;     ///< of the path's points
+constexpr double kBase = 0.6;         ///< over which the direction of motion is taken
+constexpr double kStill = 0.08;       ///< less motion within kStopTime is a stop
+constexpr double kStopTime = 0.090;   ///< [s]
+constexpr double kMoved = 0.6;        ///< is motion out of a stop
+constexpr double kSwingAngle = 100 * kDegree;
+constexpr double kSwingRate = 9;     ///< [rad/s]
+constexpr double kLostDepth = 0.25;  ///< of the groove's depth
+constexpr double kLostTime = 0.030;  ///< [s]
+constexpr int kMostSwings = 12;
+
+glm::dvec2 Turned(glm::dvec2 v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+double Cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+}  // namespace
+
+GrooveFollower::GrooveFollower(const ReaderKnowledge& knowledge)
+    : width_(knowledge.width),
+      hold_(knowledge.Hold()),
+      stiffness_(knowledge.hand_stiffness),
+      wait_(knowledge.delay + knowledge.lag + 0.060),
+      speed_(kSpeedShare * hold_ / (stiffness_ * (knowledge.delay + 0.05))),
+      longest_(6 * knowledge.greatest_size) {}
+
+void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 direction) {
+  aim_ = aim;
+  wall_ = felt.wall;
+  path_.clear();
+  blocked_.clear();
+  length_ = 0;
+  swings_ = 0;
+  side_ = 1;
+  lost_for_ = 0;
+  has_moved_ = false;
+  last_time_ = felt.time;
+  direction_ = first_direction_ = direction;
+  path_.push_back(felt.place);
+  StartSwing(felt);
+}
+
+void GrooveFollower::Turn(glm::dvec2 direction, double time) {
+  const double bend = Cross(direction_, direction);
+  if (std::abs(bend) > 0.3) side_ = bend > 0 ? 1 : -1;
+  direction_ = direction;
+  if (!has_moved_) first_direction_ = direction;
+  has_moved_ = true;
+  since_ = time;
+  state_ = State::kMoving;
+}
+
+void GrooveFollower::StartSwing(const Felt& felt) {
+  state_ = State::kSwinging;
+  stop_ = felt.place;
+  anchor_ = aim_ + wall_ / stiffness_;  // where the hand would not push at all
+  since_ = felt.time;
+  angle_ = 0;
+  ++swings_;
+}
+
+void GrooveFollower::AddPoint(glm::dvec2 p) {
+  length_ += glm::distance(path_.back(), p);
+  path_.push_back(p);
+}
+
+/// Whether `p` lies on the path's earlier part: the tip runs back along the groove it came by.
+bool GrooveFollower::IsGoingBack(glm::dvec2 p) const {
+  double behind = 0;
+  for (std::size_t i = path_.size() - 1; i > 0; --i) {
+    behind += glm::distance(path_[i], path_[i - 1]);
+    if (behind > 3 * width_) return false;
+    if (behind > 0.3 * width_ && glm::distance(path_[i - 1], p) < 0.3 * width_) return true;
+  }
+  return false;
+}
+
+/// Whether the newest point is back on the path, in the same direction, with an area enclosed: a
+/// tip that bounces at an end encloses none.
+bool GrooveFollower::HasClosed() const {
+  const glm::dvec2 now = path_.back();
+  double length = 0, area = 0;
+  for (std::size_t i = path_.size() - 1; i > 0; --i) {
+    const glm::dvec2 a = path_[i - 1] - now, b = path_[i] - now;
+    area += 0.5 * Cross(a, b);
+    length += glm::distance(a, b);
+    if (length < 5 * width_ || glm::length(a) > 0.6 * width_) continue;
+    if (glm::dot(b - a, direction_) < 0.5 * glm::distance(a, b)) continue;
+    if (std::abs(area) > 3 * width_ * width_) return true;
+  }
+  return false;
+}
+
+void GrooveFollower::Move(const Felt& felt) {
+  if (glm::distance(felt.place, path_.back()) > kSpacing * width_) {
+    AddPoint(felt.place);
+    std::size_t i = path_.size() - 1;
+    double behind = 0;
+    while (i > 0 && behind < kBase * width_) {
+      behind += glm::distance(path_[i], path_[i - 1]);
+      --i;
+    }
+    const glm::dvec2 way = felt.place - path_[i];
+    if (glm::length(way) > 0.5 * kBase * width_) {
+      const glm::dvec2 direction = glm::normalize(way);
+      const double bend = Cross(direction_, direction);
+      if (std::abs(bend) > 0.1) side_ = bend > 0 ? 1 : -1;
+      direction_ = direction;
+    }
+    if (HasClosed()) state_ = State::kRing;
+    if (length_ > longest_) state_ = State::kEnded;
+  }
+  if (felt.time - mark_time_ < kStopTime) return;
+  const bool still = glm::distance(felt.place, mark_) < kStill * width_;
+  mark_ = felt.place;
+  mark_time_ = felt.time;
+  if (still && felt.time - since_ > wait_ && state_ == State::kMoving) StartSwing(felt);
+}
+
+void GrooveFollower::NoteBlocked() {
+  constexpr double kStep = 20 * kDegree;
+  for (int i = -5; i <= 5; ++i) {
+    blocked_.push_back({stop_ + 0.9 * width_ * Turned(direction_, i * kStep), 0.5});
+  }
+}
+
+void GrooveFollower::Swing(const Felt& felt) {
+  const glm::dvec2 way = felt.place - stop_;
+  if (glm::length(way) > kMoved * width_ && !IsGoingBack(felt.place)) {
+    AddPoint(felt.place);
+    mark_ = felt.place;
+    mark_time_ = felt.time;
+    Turn(glm::normalize(way), felt.time);
+    return;
+  }
+  // straight on at first where nothing has moved yet, then to one side, then to the other
+  const double ahead = has_moved_ ? 0 : wait_;
+  const double over = kSwingAngle / kSwingRate;
+  const double t = felt.time - since_ - ahead;
+  const double first = over + wait_;
+  if (t < 0) {
+    angle_ = 0;
+  } else if (t < first) {
+    angle_ = side_ * std::min(kSwingAngle, kSwingRate * t);
+  } else {
+    angle_ = side_ * std::max(-kSwingAngle, kSwingAngle - kSwingRate * (t - first));
+  }
+  if (t > first + 2 * over + wait_) {
+    NoteBlocked();
+    state_ = State::kEnded;
+  }
+  if (swings_ > kMostSwings) state_ = State::kEnded;
+}
+
+/// The aim goes ahead, the slower the more a wall opposes it, and yields sideways.
+void GrooveFollower::Steer(double dt) {
+  const double opposed = std::max(0.0, -glm::dot(wall_, direction_));
+  const double ahead = speed_ * std::max(0.0, 1 - opposed / (kStopShare * hold_));
+  const glm::dvec2 aside = wall_ - glm::dot(wall_, direction_) * direction_;
+  aim_ += dt * (ahead * direction_ + aside / (stiffness_ * kYield));
+}
+
+glm::dvec2 GrooveFollower::Step(const Felt& felt) {
+  const double dt = felt.time - last_time_;
+  last_time_ = felt.time;
+  wall_ += std::min(1.0, dt / kCalm) * (felt.wall - wall_);
+  lost_for_ = felt.depth < kLostDepth ? lost_for_ + dt : 0;
+  if (lost_for_ > kLostTime) state_ = State::kLost;
+  if (state_ == State::kMoving) {
+    Move(felt);
+  } else if (state_ == State::kSwinging) {
+    Swing(felt);
+  }
+  if (state_ == State::kMoving) Steer(dt);
+  if (state_ == State::kSwinging) {
+    aim_ = anchor_ + kPullShare * hold_ / stiffness_ * Turned(direction_, angle_);
+  }
+  return aim_;
+}
+
+}  // namespace moontrace

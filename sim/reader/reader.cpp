@@ -1,0 +1,260 @@
+#include "sim/reader/reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "textures/base/units.h"
+
+namespace moontrace {
+namespace {
+
+// Ours, chosen on seeds 1 to 20. In em unless said.
+constexpr double kLift = 0.004;        ///< above the level of pressing [m]
+constexpr double kAirSpeed = 0.35;     ///< [m/s]
+constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
+constexpr double kSearchShare = 0.6;   ///< of the speed at which a groove's wall just holds
+constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
+constexpr double kCaughtTime = 0.006;  ///< [s]
+constexpr double kFlatDepth = 0.12;
+constexpr double kSure = 0.99;
+constexpr int kMostCrossings = 5, kMostTries = 2;
+
+}  // namespace
+
+Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed)
+    : knowledge_(knowledge), random_(seed), sense_(knowledge, tick), follower_(knowledge) {
+  const double ratio = knowledge.greatest_size / knowledge.least_size;
+  const int count = std::max(0, static_cast<int>(std::lround(std::log(ratio) / 0.058)));
+  for (int i = 0; i <= count; ++i) {
+    sizes_.push_back(knowledge.least_size * (count > 0 ? std::pow(ratio, 1.0 * i / count) : 1));
+  }
+  size_ = std::sqrt(knowledge.least_size * knowledge.greatest_size);
+  evidence_.width = knowledge.width;
+}
+
+ReaderAction Reader::Step(const ReaderInput& input) {
+  now_ = input.time;
+  action_ = Act(sense_.Add(input));
+  return action_;
+}
+
+ReaderAction Reader::Act(const Felt& felt) {
+  switch (phase_) {
+    case Phase::kStart: {
+      fly_to_ = glm::dvec2(felt.tip);
+      FlyTo(fly_to_, Phase::kSweep);
+      const double a = knowledge_.least_size;
+      std::vector<glm::dvec2> way;
+      for (int i = 0; i < 60; ++i) {
+        way.push_back(fly_to_ + a * glm::dvec2(i % 2 == 0 ? -0.5 : 4.0, -0.2 * i));
+      }
+      SweepAlong(std::move(way), Errand::kFirstLine);
+      return Fly(felt);
+    }
+    case Phase::kFly:
+      return Fly(felt);
+    case Phase::kSweep:
+      return Sweep(felt);
+    case Phase::kSettle:
+      return Settle(felt);
+    case Phase::kFollow:
+      return Follow(felt);
+    case Phase::kDone:
+      break;
+  }
+  return {{felt.tip.x, felt.tip.y, sense_.level() + kLift}, 0};
+}
+
+void Reader::FlyTo(glm::dvec2 to, Phase then) {
+  phase_ = Phase::kFly;
+  then_ = then;
+  fly_from_ = glm::dvec2(sense_.felt().tip);
+  fly_to_ = to;
+  since_ = now_;
+  sense_.Lift();
+}
+
+/// Up, over, down, and a rest until the landing has been felt.
+ReaderAction Reader::Fly(const Felt& felt) {
+  const double t = now_ - since_;
+  const double there = kUp + glm::distance(fly_from_, fly_to_) / kAirSpeed + 0.10;
+  const double felt_there = there + knowledge_.delay + knowledge_.lag;
+  const double height = sense_.level_known() ? sense_.level() + kLift : felt.tip.z;
+  if (t < kUp) return {{fly_from_.x, fly_from_.y, height}, 0};
+  if (t < there) return {{fly_to_.x, fly_to_.y, height}, 0};
+  if (t >= felt_there && sense_.level_known() && sense_.resting_for() > 0.03) {
+    since_ = now_;
+    phase_ = then_;
+    caught_for_ = 0;
+    if (then_ == Phase::kFollow) {
+      if (felt.depth < 0.3) {
+        Think();
+      } else {
+        follower_.Begin(felt, fly_to_, -first_direction_);
+      }
+      return {{fly_to_.x, fly_to_.y, sense_.level()}, knowledge_.press};
+    }
+  }
+  return {{fly_to_.x, fly_to_.y, sense_.level()}, knowledge_.press};
+}
+
+/// Flies to the way's first point and sweeps along it.
+void Reader::SweepAlong(std::vector<glm::dvec2> way, Errand errand) {
+  crossing_ = false;
+  way_ = std::move(way);
+  errand_ = errand;
+  next_ = 1;
+  aim_ = way_.front();
+  last_flat_ = {INFINITY, INFINITY};
+  FlyTo(way_.front(), Phase::kSweep);
+}
+
+ReaderAction Reader::Sweep(const Felt& felt) {
+  if (felt.depth < kFlatDepth && felt.touching &&
+      !(glm::distance(last_flat_, felt.place) < 0.3 * knowledge_.width)) {
+    last_flat_ = felt.place;
+    evidence_.flats.push_back({felt.place, 1});
+  }
+  const double dt = now_ - since_;  // since the last tick here
+  since_ = now_;
+  caught_for_ = felt.depth > kCaughtDepth ? caught_for_ + dt : 0;
+  if (caught_for_ > kCaughtTime) {
+    Caught(felt);
+    return Settle(felt);
+  }
+  double step = dt * kSearchShare * knowledge_.Hold() /
+                (knowledge_.hand_stiffness * (knowledge_.delay + 0.05));
+  while (next_ < way_.size() && step > 0) {
+    const glm::dvec2 left = way_[next_] - aim_;
+    const double length = glm::length(left);
+    if (length > 1e-9) sweep_direction_ = left / length;
+    if (length > step) {
+      aim_ += step * sweep_direction_;
+      step = 0;
+    } else {
+      aim_ = way_[next_++];
+      step -= length;
+    }
+  }
+  // what is felt comes late: wait at the end
+  if (next_ >= way_.size()) {
+    deepest_ += dt;
+    if (deepest_ > knowledge_.delay + knowledge_.lag + 0.05) {
+      deepest_ = 0;
+      if (crossing_) {
+        Think();
+      } else {
+        Missed();
+      }
+    }
+  } else {
+    deepest_ = 0;
+  }
+  return {{aim_.x, aim_.y, sense_.level()}, knowledge_.press};
+}
+
+void Reader::Caught(const Felt& felt) {
+  phase_ = Phase::kSettle;
+  since_ = now_;
+  entry_ = felt.place;
+}
+
+ReaderAction Reader::Settle(const Felt& felt) {
+  const ReaderAction rest{{entry_.x, entry_.y, sense_.level()}, knowledge_.press};
+  if (now_ - since_ < knowledge_.delay + knowledge_.lag + 0.08) return rest;
+  since_ = now_;
+  if (felt.depth < 0.3) {  // slipped out: go on
+    phase_ = Phase::kSweep;
+    aim_ = felt.place;
+    caught_for_ = 0;
+    return rest;
+  }
+  phase_ = Phase::kFollow;
+  second_leg_ = false;
+  entry_ = felt.place;
+  follower_.Begin(felt, {rest.aim.x, rest.aim.y}, sweep_direction_);
+  return rest;
+}
+
+ReaderAction Reader::Follow(const Felt& felt) {
+  const glm::dvec2 aim = follower_.Step(felt);
+  if (follower_.done()) {
+    TakePath();
+    if (!second_leg_ && follower_.state() != GrooveFollower::State::kRing) {
+      second_leg_ = true;
+      first_direction_ = follower_.first_direction();
+      FlyTo(entry_, Phase::kFollow);
+    } else {
+      Think();
+    }
+  }
+  return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
+}
+
+void Reader::TakePath() {
+  const double weight = 0.12 * knowledge_.width / (0.1 * size_);
+  for (const glm::dvec2 p : follower_.path()) evidence_.grooves.push_back({p, weight});
+  for (const FeltPoint& point : follower_.blocked()) evidence_.flats.push_back(point);
+}
+
+void Reader::Think() {
+  belief_ = Believe(*knowledge_.shapes, evidence_, PriorNow());
+  if (belief_.empty()) return Missed();
+  const SignGuess& best = belief_.front();
+  if (best.sign != SignGuess::kUnknown && best.probability < kSure && crossings_ < kMostCrossings) {
+    for (std::size_t i = 1; i < belief_.size() && belief_[i].probability > 0.002; ++i) {
+      if (belief_[i].sign == SignGuess::kUnknown) continue;
+      if (CrossBetween(best, belief_[i]) || CrossBetween(belief_[i], best)) {
+        ++crossings_;
+        return;
+      }
+    }
+  }
+  if (best.sign == SignGuess::kUnknown && tries_ < kMostTries) {
+    ++tries_;
+    Box box;
+    for (const FeltPoint& groove : evidence_.grooves) Include(box, groove.p);
+    evidence_.grooves.clear();
+    evidence_.flats.clear();
+    crossings_ = 0;
+    const double y = box.min.y + (box.max.y - box.min.y) * (0.3 + 0.4 * random_.Uniform());
+    SweepAlong({{box.min.x - 0.4 * size_, y}, {box.max.x + 0.2 * size_, y}}, errand_);
+    return;
+  }
+  Accept();
+}
+
+/// Goes across a part of `other` that `best` does not have and that has not been felt.
+bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
+  constexpr double kReach = 0.2;
+  double most = 0.17;
+  glm::dvec2 from{0, 0}, to{0, 0};
+  for (const SignPoint& point : knowledge_.shapes->Points(other.sign)) {
+    const glm::dvec2 p = FromEm(other.place, point.p);
+    double room = knowledge_.shapes->Distance(best.sign, ToEm(best.place, p));
+    for (const FeltPoint& felt : evidence_.grooves) {
+      room = std::min(room, glm::distance(felt.p, p) / other.place.size);
+    }
+    for (const FeltPoint& felt : evidence_.flats) {
+      room = std::min(room, 2 * glm::distance(felt.p, p) / other.place.size);
+    }
+    if (room <= most) continue;
+    const glm::dvec2 normal(-point.tangent.y, point.tangent.x);
+    const glm::dvec2 a = FromEm(other.place, point.p + kReach * normal);
+    const glm::dvec2 b = FromEm(other.place, point.p - kReach * normal);
+    const double free_a = knowledge_.shapes->Distance(best.sign, ToEm(best.place, a));
+    const double free_b = knowledge_.shapes->Distance(best.sign, ToEm(best.place, b));
+    if (std::max(free_a, free_b) < 0.12) continue;
+    most = room;
+    from = free_a > free_b ? a : b;
+    to = free_a > free_b ? b : a;
+    if (std::min(free_a, free_b) < 0.12) to = p + 0.3 * (to - p);
+  }
+  if (most <= 0.17) return false;
+  SweepAlong({from, to}, errand_);
+  crossing_ = true;
+  return true;
+}
+
+}  // namespace moontrace

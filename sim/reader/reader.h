@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "sim/reader/groove_follower.h"
+#include "sim/reader/reader_knowledge.h"
+#include "sim/reader/sign_belief.h"
+#include "sim/reader/touch_sense.h"
+#include "textures/base/random.h"
+
+namespace moontrace {
+
+/// One thing read: a sign, a space or the end of a line.
+struct ReadToken {
+  enum class Kind { kSign, kUnknown, kSpace, kLineEnd } kind = Kind::kSign;
+  std::size_t glyph = 0;   ///< of a sign: index into the script's glyphs
+  double probability = 1;  ///< of that sign against all others
+  double time = 0;         ///< when it was decided [s]
+  SignPlace place;         ///< of a sign
+};
+
+/// Reads a page by touch alone. A value: the same knowledge, seed and inputs give the same actions
+/// and the same text. It looks for the first line from where its hand is put, finds that line's
+/// first sign, follows the grooves of each sign, feels again where two signs are still likely, goes
+/// on line by line, and ends by itself where no further line comes.
+class Reader {
+ public:
+  /// `tick` [s].
+  Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed);
+
+  /// What the hand is to do next. Most ticks take well below a microsecond; where it decides, some
+  /// milliseconds, as a mind does: not for the haptic thread.
+  ReaderAction Step(const ReaderInput& input);
+
+  bool done() const { return phase_ == Phase::kDone; }
+  /// What has been read, a line at a time.
+  const std::vector<ReadToken>& tokens() const { return tokens_; }
+  /// For pictures and tests: whether it looks for a groove, what it feels, how it follows, and what
+  /// it believed of the newest sign when it thought last.
+  bool is_searching() const { return phase_ == Phase::kSweep; }
+  bool is_following() const { return phase_ == Phase::kFollow; }
+  const Felt& felt() const { return sense_.felt(); }
+  const GrooveFollower& follower() const { return follower_; }
+  const std::vector<SignGuess>& belief() const { return belief_; }
+  double size() const { return size_; }  ///< of an em, as it believes [m]
+
+ private:
+  enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };
+  enum class Errand { kFirstLine, kLineStart, kNextSign, kNextLine };
+  struct SignRead {
+    SignGuess guess;
+    double time = 0;
+  };
+
+  ReaderAction Act(const Felt& felt);
+  void FlyTo(glm::dvec2 to, Phase then);
+  ReaderAction Fly(const Felt& felt);
+  void SweepAlong(std::vector<glm::dvec2> way, Errand errand);
+  ReaderAction Sweep(const Felt& felt);
+  void Caught(const Felt& felt);
+  void Missed();
+  ReaderAction Settle(const Felt& felt);
+  ReaderAction Follow(const Felt& felt);
+  void TakePath();
+  void Think();
+  bool CrossBetween(const SignGuess& best, const SignGuess& other);
+  void Accept();
+  void SearchNext();
+  void SearchLineStart();
+  void SearchNextLine();
+  void EndLine();
+  PlacePrior PriorNow() const;
+  void LearnFrame();
+  SignPlace Expected() const;
+  std::vector<glm::dvec2> Weave(double from, double to) const;
+
+  ReaderKnowledge knowledge_;
+  Random random_{0};
+  bool random_phase_ = false;  ///< of the next weave: begins high
+  TouchSense sense_;
+  GrooveFollower follower_;
+  ReaderAction action_;
+  Phase phase_ = Phase::kStart;
+  double now_ = 0, since_ = 0;
+
+  // flying
+  Phase then_ = Phase::kSweep;
+  glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
+  // sweeping
+  Errand errand_ = Errand::kFirstLine;
+  bool crossing_ = false;  ///< sweeps across a place that tells two signs apart
+  std::vector<glm::dvec2> way_;
+  std::size_t next_ = 0;
+  glm::dvec2 aim_{0, 0};
+  glm::dvec2 last_flat_{0, 0};
+  double caught_for_ = 0;
+  glm::dvec2 sweep_direction_{1, 0};
+  double deepest_ = 0;
+  // a sign
+  SignEvidence evidence_;
+  std::vector<SignGuess> belief_;
+  glm::dvec2 entry_{0, 0};
+  bool second_leg_ = false;
+  glm::dvec2 first_direction_{1, 0};
+  int crossings_ = 0, tries_ = 0;
+  // the page
+  std::vector<SignRead> line_;
+  double size_ = 0;
+  std::vector<double> sizes_;
+  double turn_ = 0;
+  double across_ = 0, along_ = 0;  ///< tangent sums for the turn [m^2]
+  double gap_bias_ = 0;            ///< of gaps between signs from the script's [em]
+  int gaps_ = 0;
+  std::size_t signs_ = 0;  ///< read so far
+  bool looks_below_ = false;
+  std::vector<SignPlace> line_starts_;
+  std::vector<ReadToken> tokens_;
+};
+
+}  // namespace moontrace

@@ -1,0 +1,195 @@
+// How a reader finds its way over a page: from sign to sign and from line to line.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "sim/reader/reader.h"
+
+namespace moontrace {
+namespace {
+
+// Ours, chosen on seeds 1 to 20; in em unless said.
+constexpr double kBandLow = 0.17, kBandHigh = 0.60;  ///< of the weave over a line
+constexpr double kWeave = 0.20;                      ///< half its period
+constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
+constexpr double kBeyond = 1.15;      ///< a sign begins at its left edge plus this at most
+constexpr double kLookBack = 2.4;     ///< left of a line's first sign another may lie so far off
+constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
+constexpr double kDeepest = 4.0;      ///< the next line lies no deeper
+
+double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
+
+}  // namespace
+
+/// Where the next sign of the line begins if no space comes before it.
+SignPlace Reader::Expected() const {
+  const SignGuess& last = line_.back().guess;
+  SignPlace place = last.place;
+  place.size = size_;
+  place.turn = turn_;
+  // the line's height by all its signs, so that their errors do not add up
+  double mean = 0;
+  for (const SignRead& read : line_) mean += Across(place, read.guess.place.origin);
+  mean /= static_cast<double>(line_.size());
+  const double advance = last.sign == SignGuess::kUnknown
+                             ? kBeyond
+                             : knowledge_.shapes->Advance(last.sign) + gap_bias_;
+  place.origin = FromEm(place, {advance, mean});
+  return place;
+}
+
+PlacePrior Reader::PriorNow() const {
+  PlacePrior prior;
+  prior.sizes = sizes_;
+  prior.turn = turn_;
+  if (!line_.empty() && errand_ == Errand::kNextSign) {
+    const SignPlace next = Expected();
+    prior.origins = {next.origin, FromEm(next, {knowledge_.space, 0})};
+    prior.along = signs_ < 4 ? 0.15 : 0.08;
+    prior.across = signs_ < 4 ? 0.10 : 0.05;
+  } else if (!line_.empty()) {
+    prior.origins = {line_.front().guess.place.origin};
+    prior.along = 2;
+    prior.across = 0.10;
+  } else if (line_starts_.size() > 1) {
+    const glm::dvec2 pitch = (line_starts_.back().origin - line_starts_.front().origin) /
+                             static_cast<double>(line_starts_.size() - 1);
+    prior.origins = {line_starts_.back().origin + pitch};
+    prior.along = 2;
+    prior.across = 1;
+  }
+  return prior;
+}
+
+/// What the newest sign says of size, turn and gaps.
+void Reader::LearnFrame() {
+  const SignGuess& read = line_.back().guess;
+  if (read.sign == SignGuess::kUnknown) return;
+  ++signs_;
+  if (sizes_.size() > 1 || signs_ > 1) {
+    const double gain = 1.0 / static_cast<double>(std::min<std::size_t>(signs_, 8));
+    size_ += gain * (read.place.size - size_);
+    const double spread = signs_ < 2 ? 0.04 : 0.02;
+    const bool exact = knowledge_.least_size == knowledge_.greatest_size;
+    sizes_ = exact ? std::vector<double>{knowledge_.least_size}
+                   : std::vector<double>{(1 - spread) * size_, size_, (1 + spread) * size_};
+    if (exact) size_ = knowledge_.least_size;
+  }
+  if (line_.size() < 2) return;
+  const SignGuess& before = line_[line_.size() - 2].guess;
+  const glm::dvec2 way = read.place.origin - before.place.origin;
+  across_ += way.x * way.y;
+  along_ += way.x * way.x;
+  // as sure of it before as a few signs would make it
+  const double spread = 0.03 * size_ / kTurnSpread;
+  turn_ = across_ / (along_ + spread * spread);
+  if (before.sign == SignGuess::kUnknown) return;
+  const double gap =
+      ToEm(before.place, read.place.origin).x - knowledge_.shapes->Advance(before.sign);
+  const double bias = gap > 0.7 * knowledge_.space ? gap - knowledge_.space : gap;
+  if (std::abs(bias) > 0.3) return;
+  ++gaps_;
+  gap_bias_ += (bias - gap_bias_) / std::min(gaps_ + 2, 12);
+}
+
+/// A way that crosses every sign of a line, between two distances from `place` [em].
+std::vector<glm::dvec2> Reader::Weave(double from, double to) const {
+  const SignPlace place = Expected();
+  std::vector<glm::dvec2> way;
+  bool high = random_phase_;
+  for (double x = from; x < to + kWeave; x += kWeave, high = !high) {
+    way.push_back(FromEm(place, {x, high ? kBandHigh : kBandLow}));
+  }
+  return way;
+}
+
+void Reader::Accept() {
+  SignRead read;
+  read.guess = belief_.front();
+  if (read.guess.sign == SignGuess::kUnknown) {
+    Box box;
+    for (const FeltPoint& groove : evidence_.grooves) Include(box, groove.p);
+    read.guess.place = {box.min, size_, turn_};
+    if (!line_.empty()) read.guess.place = Expected();
+  }
+  read.time = now_;
+  const bool at_start = errand_ == Errand::kLineStart;
+  if (at_start) {
+    line_.insert(line_.begin(), read);
+  } else {
+    line_.push_back(read);
+    LearnFrame();
+  }
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = tries_ = 0;
+  random_phase_ = random_.Uniform() < 0.5;
+  if (errand_ == Errand::kNextSign) {
+    SearchNext();
+  } else {
+    SearchLineStart();
+  }
+}
+
+void Reader::SearchNext() {
+  SweepAlong(Weave(-kBefore, knowledge_.space + kBeyond), Errand::kNextSign);
+}
+
+/// Whether signs stand left of the line's first.
+void Reader::SearchLineStart() {
+  const SignPlace first = line_.front().guess.place;
+  const double to_first = ToEm(Expected(), first.origin).x;
+  SweepAlong(Weave(to_first - kLookBack, to_first - kBefore - kWeave), Errand::kLineStart);
+}
+
+void Reader::SearchNextLine() {
+  const SignPlace above = line_starts_.back();
+  std::vector<glm::dvec2> way;
+  bool right = false;
+  for (double y = -0.45; y > -kDeepest; y -= 0.2, right = !right) {
+    way.push_back(FromEm(above, {right ? 1.3 : -0.2, y}));
+  }
+  SweepAlong(std::move(way), Errand::kNextLine);
+}
+
+void Reader::Missed() {
+  switch (errand_) {
+    case Errand::kFirstLine:
+    case Errand::kNextLine:
+      phase_ = Phase::kDone;
+      return;
+    case Errand::kLineStart:
+      evidence_.flats.clear();
+      SearchNext();
+      return;
+    case Errand::kNextSign:
+      EndLine();
+      SearchNextLine();
+      return;
+  }
+}
+
+void Reader::EndLine() {
+  std::optional<double> expected;
+  for (const SignRead& read : line_) {
+    const SignPlace here{line_.front().guess.place.origin, size_, turn_};
+    const double x = ToEm(here, read.guess.place.origin).x;
+    if (expected && x - *expected > 0.6 * knowledge_.space) {
+      tokens_.push_back({ReadToken::Kind::kSpace, 0, 1, read.time, read.guess.place});
+    }
+    const bool known = read.guess.sign != SignGuess::kUnknown;
+    tokens_.push_back({known ? ReadToken::Kind::kSign : ReadToken::Kind::kUnknown,
+                       known ? knowledge_.shapes->GlyphOf(read.guess.sign) : 0,
+                       read.guess.probability, read.time, read.guess.place});
+    expected = x + (known ? knowledge_.shapes->Advance(read.guess.sign) + gap_bias_ : kBeyond);
+  }
+  tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
+  line_starts_.push_back(line_.front().guess.place);
+  line_starts_.back().size = size_;
+  line_starts_.back().turn = turn_;
+  line_.clear();
+  evidence_.flats.clear();
+}
+
+}  // namespace moontrace

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "sim/reader/sign_shapes.h"
+
+namespace moontrace {
+
+/// Where a sign's em box lies on the paper, in the frame in which the hand feels.
+struct SignPlace {
+  glm::dvec2 origin{0, 0};  ///< left edge on the base line [m]
+  double size = 0;          ///< of an em [m]
+  double turn = 0;          ///< of the line, counter-clockwise [rad]
+};
+glm::dvec2 ToEm(const SignPlace& place, glm::dvec2 p) noexcept;
+glm::dvec2 FromEm(const SignPlace& place, glm::dvec2 p_em) noexcept;
+
+/// What was felt at a point, and how much it says: 1 for a point that stands by itself.
+struct FeltPoint {
+  glm::dvec2 p{0, 0};  ///< [m]
+  double weight = 1;
+};
+
+/// All that was felt of one sign.
+struct SignEvidence {
+  std::vector<FeltPoint> grooves;  ///< the tip was in a groove
+  std::vector<FeltPoint> flats;    ///< flat paper, or a wall that the tip did not pass
+  double width = 0;                ///< of a groove [m]
+};
+
+/// Where the next sign can stand, and how large it can be.
+struct PlacePrior {
+  /// Expected left edges on the base line [m]; none: anywhere.
+  std::vector<glm::dvec2> origins;
+  double along = 0, across = 0;  ///< standard deviations from those [em]
+  std::vector<double> sizes;     ///< of an em, equally likely [m]
+  double turn = 0;               ///< [rad]
+};
+
+/// One answer to what was felt.
+struct SignGuess {
+  static constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
+  std::size_t sign = kUnknown;  ///< index into SignShapes
+  double log_likelihood = 0;    ///< at its best place
+  double probability = 0;
+  SignPlace place;
+};
+
+/// Probabilities of all signs, each at its best place, and of something unknown, best first. A
+/// groove point costs the squared distance from the sign's lines over twice the variance, up to a
+/// bound; a flat point costs where the sign has its groove. Signs are equally likely before.
+std::vector<SignGuess> Believe(const SignShapes& shapes, const SignEvidence& evidence,
+                               const PlacePrior& prior);
+
+}  // namespace moontrace

@@ -1,0 +1,86 @@
+#include "sim/reader/sign_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "textures/field/fill.h"
+
+namespace moontrace {
+namespace {
+
+/// To a stroke's centre line; within a fill 0.
+double DistanceToStroke(const Stroke& stroke, glm::dvec2 p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Piece& piece : stroke.pieces) nearest = std::min(nearest, DistanceTo(piece, p));
+  if (stroke.kind != StrokeKind::kStroke && IsInside(stroke.pieces, p)) nearest = 0;
+  return nearest;
+}
+
+}  // namespace
+
+SignShapes::SignShapes(const Script& script, const std::vector<std::size_t>& which) {
+  for (const std::size_t index : which) {
+    if (!script.glyphs[index].strokes.empty()) signs_.push_back(Make(script.glyphs[index], index));
+  }
+}
+
+SignShapes::Sign SignShapes::Make(const Glyph& glyph, std::size_t index) {
+  constexpr double kSpacing = 0.05;  // [em]
+  Sign sign;
+  sign.glyph = index;
+  sign.advance = glyph.advance;
+  for (const Stroke& stroke : glyph.strokes) {
+    for (const Piece& piece : stroke.pieces) {
+      Include(sign.bounds, BoundsOf(piece));
+      const double length = Length(piece);
+      const int count = std::max(1, static_cast<int>(std::lround(length / kSpacing)));
+      for (int i = 0; i <= count; ++i) {
+        const double s = length * i / count;
+        sign.points.push_back({PointAt(piece, s), TangentAt(piece, s)});
+      }
+    }
+  }
+  FillTable(glyph, sign);
+  return sign;
+}
+
+void SignShapes::FillTable(const Glyph& glyph, Sign& sign) {
+  const Box box = Grown(sign.bounds, kFarthest);
+  sign.corner = box.min;
+  sign.columns = static_cast<int>(std::ceil((box.max.x - box.min.x) * kPerEm));
+  sign.rows = static_cast<int>(std::ceil((box.max.y - box.min.y) * kPerEm));
+  sign.table.reserve(static_cast<std::size_t>(sign.columns) * static_cast<std::size_t>(sign.rows));
+  for (int j = 0; j < sign.rows; ++j) {
+    for (int i = 0; i < sign.columns; ++i) {
+      const glm::dvec2 p = box.min + glm::dvec2(i + 0.5, j + 0.5) / kPerEm;
+      double nearest = kFarthest;
+      for (const Stroke& stroke : glyph.strokes) {
+        nearest = std::min(nearest, DistanceToStroke(stroke, p));
+      }
+      sign.table.push_back(static_cast<float>(nearest));
+    }
+  }
+}
+
+std::vector<std::size_t> WrittenGlyphs(const Script& script) {
+  std::set<std::string> names;
+  for (const auto& [character, name] : script.signs) names.insert(name);
+  for (const auto& [digit, name] : script.digits) names.insert(name);
+  for (const Contraction& contraction : script.contractions) {
+    names.insert(contraction.signs.begin(), contraction.signs.end());
+  }
+  if (!script.numeral_sign.empty()) names.insert(script.numeral_sign);
+  for (const auto& [name, forms] : script.forms) {
+    if (names.count(name) == 0) continue;
+    for (const auto& [form, glyph] : forms) names.insert(glyph);
+  }
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < script.glyphs.size(); ++i) {
+    if (names.count(script.glyphs[i].name) != 0) which.push_back(i);
+  }
+  return which;
+}
+
+}  // namespace moontrace

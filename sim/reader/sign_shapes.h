@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "textures/field/piece.h"
+#include "textures/fonts/script.h"
+
+namespace moontrace {
+
+/// A point of a sign's centre lines. All in em, as Glyph.
+struct SignPoint {
+  glm::dvec2 p{0, 0};
+  glm::dvec2 tangent{1, 0};  ///< unit
+};
+
+/// The signs that a reader knows, made ready for asking how far a felt point lies from each.
+class SignShapes {
+ public:
+  /// A coordinate beyond a sign's own box by more than this is as far as it gets [em].
+  static constexpr double kFarthest = 0.4;
+
+  SignShapes() = default;
+  /// `which`: indices into the script's glyphs. Glyphs without strokes are left out.
+  SignShapes(const Script& script, const std::vector<std::size_t>& which);
+
+  std::size_t size() const { return signs_.size(); }
+  /// Index into the script's glyphs.
+  std::size_t GlyphOf(std::size_t sign) const { return signs_[sign].glyph; }
+  double Advance(std::size_t sign) const { return signs_[sign].advance; }    ///< [em]
+  const Box& Bounds(std::size_t sign) const { return signs_[sign].bounds; }  ///< of centre lines
+  /// Along its strokes, 0.05 em apart; of fills the outline.
+  const std::vector<SignPoint>& Points(std::size_t sign) const { return signs_[sign].points; }
+  /// To the nearest centre line, 0 within a fill; at most kFarthest [em]. From a table of 0.02 em.
+  double Distance(std::size_t sign, glm::dvec2 p) const noexcept {
+    const Sign& s = signs_[sign];
+    const int i = static_cast<int>((p.x - s.corner.x) * kPerEm);
+    const int j = static_cast<int>((p.y - s.corner.y) * kPerEm);
+    if (p.x < s.corner.x || p.y < s.corner.y || i >= s.columns || j >= s.rows) return kFarthest;
+    return s.table[static_cast<std::size_t>(j) * static_cast<std::size_t>(s.columns) +
+                   static_cast<std::size_t>(i)];
+  }
+
+ private:
+  static constexpr double kPerEm = 50;  ///< cells of the table
+  struct Sign {
+    std::size_t glyph = 0;
+    double advance = 0;
+    Box bounds;
+    std::vector<SignPoint> points;
+    glm::dvec2 corner{0, 0};  ///< of the table, lower left
+    int columns = 0, rows = 0;
+    std::vector<float> table;  ///< row by row from below, at the middles of cells
+  };
+  static Sign Make(const Glyph& glyph, std::size_t index);
+  static void FillTable(const Glyph& glyph, Sign& sign);
+
+  std::vector<Sign> signs_;
+};
+
+/// Every glyph of a script that some text can become: bound to a character, a digit, a group of
+/// letters, the numeral sign, and the other forms of those.
+std::vector<std::size_t> WrittenGlyphs(const Script& script);
+
+}  // namespace moontrace

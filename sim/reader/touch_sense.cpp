@@ -1,0 +1,58 @@
+#include "sim/reader/touch_sense.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moontrace {
+namespace {
+
+constexpr double kSmooth = 0.008;   ///< of the vertical speed [s]
+constexpr double kRest = 0.040;     ///< the level is taken after so long a rest [s]
+constexpr double kResting = 0.003;  ///< slower up and down is at rest [m/s]
+
+}  // namespace
+
+TouchSense::TouchSense(const ReaderKnowledge& knowledge, double tick)
+    : tick_(tick),
+      press_(knowledge.press),
+      depth_(knowledge.depth),
+      give_(1 / knowledge.device_stiffness) {}
+
+void TouchSense::Lift() noexcept { resting_for_ = 0; }
+
+/// The level of flat paper is where the tip comes to rest under its press, and no groove is higher.
+void TouchSense::FindLevel() noexcept {
+  resting_for_ = felt_.touching && std::abs(sink_) < kResting ? resting_for_ + tick_ : 0;
+  if (resting_for_ < kRest) return;
+  const double z = felt_.tip.z;
+  if (!level_known_) {
+    level_ = z;
+    level_known_ = true;
+  }
+  const double above = z - level_;
+  if (std::abs(above) < 0.15 * depth_) level_ += tick_ / 0.5 * above;
+  above_for_ = above > 0.15 * depth_ ? above_for_ + tick_ : 0;
+  if (above_for_ > 0.03) {
+    level_ = z;
+    above_for_ = 0;
+  }
+}
+
+const Felt& TouchSense::Add(const ReaderInput& input) noexcept {
+  if (!begun_) last_height_ = input.tip.z;
+  begun_ = true;
+  sink_ += std::min(1.0, tick_ / kSmooth) * ((input.tip.z - last_height_) / tick_ - sink_);
+  last_height_ = input.tip.z;
+  felt_.time = input.time;
+  felt_.tip = input.tip;
+  felt_.wall = glm::dvec2(input.force);
+  felt_.place = glm::dvec2(input.tip) + give_ * felt_.wall;
+  felt_.touching = input.force.z > 0.3 * press_;
+  FindLevel();
+  // what the press does not carry yet, the device's give has not yet taken up
+  const double height = input.tip.z - level_ + give_ * (input.force.z - press_);
+  felt_.depth = level_known_ && felt_.touching ? -height / depth_ : 0;
+  return felt_;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "sim/reader/reader_knowledge.h"
+
+namespace moontrace {
+
+/// What the hand feels, made out from the readings of a device; as late as those.
+struct Felt {
+  double time = 0;          ///< now [s]
+  glm::dvec3 tip{0, 0, 0};  ///< [m]
+  glm::dvec2 place{0, 0};   ///< where the tip is on the paper, the device's give allowed for [m]
+  glm::dvec2 wall{0, 0};    ///< sideways force on the tip [N]
+  double depth = 0;         ///< below the flat, as a share of a groove's depth
+  bool touching = false;    ///< the paper carries the press
+};
+
+/// Keeps the level of flat paper.
+class TouchSense {
+ public:
+  TouchSense() = default;
+  explicit TouchSense(const ReaderKnowledge& knowledge, double tick);
+
+  /// One tick's reading.
+  const Felt& Add(const ReaderInput& input) noexcept;
+  /// The hand is lifted.
+  void Lift() noexcept;
+
+  const Felt& felt() const { return felt_; }
+  double resting_for() const { return resting_for_; }  ///< on the paper, neither up nor down [s]
+  double level() const { return level_; }  ///< of the tip that presses on flat paper [m]
+  bool level_known() const { return level_known_; }
+
+ private:
+  void FindLevel() noexcept;
+
+  double tick_ = 1e-3;
+  double press_ = 1, depth_ = 1, give_ = 0;
+  Felt felt_;
+  double level_ = 0;
+  bool level_known_ = false, begun_ = false;
+  double resting_for_ = 0, above_for_ = 0;  ///< [s]
+  double last_height_ = 0;                  ///< [m]
+  double sink_ = 0;                         ///< smoothed vertical speed [m/s]
+};
+
+}  // namespace moontrace

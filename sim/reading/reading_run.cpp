@@ -1,0 +1,183 @@
+#include "sim/reading/reading_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <string>
+
+#include "sim/console/console.h"
+#include "sim/physics/scene.h"
+#include "textures/base/resources.h"
+
+namespace moontrace {
+namespace {
+
+/// The sheet lies turned under the hand, whose frame begins where the hand was put.
+class Sheet {
+ public:
+  Sheet(const Pose& X_WP, glm::dvec2 start_P, double turn)
+      : X_WP_(X_WP), start_P_(start_P), c_(std::cos(turn)), s_(std::sin(turn)) {}
+  glm::dvec3 ToWorldFrame(glm::dvec3 p) const noexcept {
+    return ToWorld(X_WP_,
+                   {start_P_.x + c_ * p.x + s_ * p.y, start_P_.y - s_ * p.x + c_ * p.y, p.z});
+  }
+  glm::dvec3 ToHandFrame(glm::dvec3 f_P) const noexcept {
+    return {c_ * f_P.x - s_ * f_P.y, s_ * f_P.x + c_ * f_P.y, f_P.z};
+  }
+
+ private:
+  Pose X_WP_;
+  glm::dvec2 start_P_;
+  double c_, s_;
+};
+
+/// What was felt some time ago.
+class LateSenses {
+ public:
+  LateSenses(double delay, double tick, const ReaderInput& before)
+      : kept_(static_cast<std::size_t>(std::lround(delay / tick)) + 1, before) {}
+  ReaderInput Pass(const ReaderInput& now) noexcept {
+    kept_[slot_] = now;
+    slot_ = slot_ + 1 == kept_.size() ? 0 : slot_ + 1;
+    ReaderInput late = kept_[slot_];
+    late.time = now.time;
+    return late;
+  }
+
+ private:
+  std::vector<ReaderInput> kept_;
+  std::size_t slot_ = 0;
+};
+
+void Keep(std::vector<PathPoint>& path, const TickResult& felt, bool searching, double spacing) {
+  if (spacing <= 0) return;
+  PathPoint point;
+  point.tip_P = felt.proxy_P;
+  point.in_contact = felt.depth > 0;
+  point.phase = searching ? TracePhase::kTravel : TracePhase::kStroke;
+  if (!path.empty() && path.back().in_contact == point.in_contact &&
+      path.back().phase == point.phase && glm::distance(path.back().tip_P, point.tip_P) < spacing) {
+    return;
+  }
+  path.push_back(point);
+}
+
+constexpr double kApproach = 0.005;  ///< the hand is put so far above the paper [m]
+
+}  // namespace
+
+ReadingResult RunReading(const ReadingSetup& setup) {
+  Scene scene = Scene::Load("", setup.scene);
+  scene.SetField(setup.field);
+  const Sheet sheet(scene.X_WP(), setup.start_P, setup.page_turn);
+  const double tick = setup.scene.tick;
+  const glm::dvec3 start{0, 0, kApproach};
+  LedStylus stylus(setup.hand, setup.muscle, start, tick, setup.hand_seed);
+  scene.Reset({setup.start_P.x, setup.start_P.y, kApproach});
+  Reader reader(setup.knowledge, tick, setup.reader_seed);
+  LateSenses senses(setup.senses.delay, tick, {0, start, {0, 0, 0}});
+
+  ReadingResult result;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto most = static_cast<std::size_t>(setup.longest / tick);
+  std::size_t n = 0;
+  for (; n < most && !reader.done(); ++n) {
+    if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
+    if (setup.alive && n % 1000 == 0) setup.alive();
+    DeviceState state;
+    stylus.Read(state);
+    ReaderInput now{state.time, state.p_D, {0, 0, 0}};
+    DeviceState input = state;
+    input.p_D = sheet.ToWorldFrame(state.p_D);
+    const TickResult felt = scene.Tick(input);
+    now.force = sheet.ToHandFrame(felt.force_P);
+    stylus.Write(now.force);
+    const ReaderInput late = senses.Pass(now);
+    const ReaderAction action = reader.Step(late);
+    if (setup.watch) setup.watch(late, reader);
+    stylus.Lead({action.aim, action.press});
+    Keep(result.path, felt, reader.is_searching(), setup.path_spacing);
+  }
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  result.tokens = reader.tokens();
+  result.ended = reader.done();
+  result.duration = static_cast<double>(n) * tick;
+  result.real_time_factor = result.duration / std::max(elapsed.count(), 1e-9);
+  return result;
+}
+
+namespace {
+
+/// Forms of a sign count as that sign: of each glyph its own number or that of its plain form.
+std::vector<int> PlainForms(const Script& script) {
+  std::vector<int> plain(script.glyphs.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) plain[i] = static_cast<int>(i);
+  for (const auto& [name, forms] : script.forms) {
+    const std::size_t whole = script.Find(name);
+    if (whole == Script::npos) continue;
+    for (const auto& [form, glyph] : forms) {
+      const std::size_t index = script.Find(glyph);
+      if (index != Script::npos) plain[index] = static_cast<int>(whole);
+    }
+  }
+  return plain;
+}
+
+}  // namespace
+
+std::vector<int> MarksOf(const TextPage& page, const Script& script) {
+  const std::vector<int> plain = PlainForms(script);
+  std::vector<int> marks;
+  for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
+    const PlacedGlyph& glyph = page.glyphs[i];
+    if (i > 0) {
+      if (glyph.line != page.glyphs[i - 1].line) {
+        marks.push_back(kLineEndMark);
+      } else if (glyph.word != page.glyphs[i - 1].word) {
+        marks.push_back(kSpaceMark);
+      }
+    }
+    marks.push_back(plain[glyph.glyph]);
+  }
+  if (!marks.empty()) marks.push_back(kLineEndMark);
+  return marks;
+}
+
+std::vector<int> MarksOf(const std::vector<ReadToken>& tokens, const Script& script) {
+  const std::vector<int> plain = PlainForms(script);
+  std::vector<int> marks;
+  for (const ReadToken& token : tokens) {
+    switch (token.kind) {
+      case ReadToken::Kind::kSign:
+        marks.push_back(plain[token.glyph]);
+        break;
+      case ReadToken::Kind::kUnknown:
+        marks.push_back(kUnknownMark);
+        break;
+      case ReadToken::Kind::kSpace:
+        marks.push_back(kSpaceMark);
+        break;
+      case ReadToken::Kind::kLineEnd:
+        marks.push_back(kLineEndMark);
+        break;
+    }
+  }
+  return marks;
+}
+
+ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Script& script,
+                            const HandModel& hand, const Muscle& muscle, const Senses& senses) {
+  ReaderKnowledge knowledge;
+  knowledge.shapes = std::move(shapes);
+  knowledge.space = script.space_advance;
+  knowledge.press = hand.press;
+  knowledge.hand_stiffness = hand.stiffness;
+  knowledge.hand_damping = hand.damping;
+  knowledge.delay = senses.delay;
+  knowledge.lag = muscle.lag;
+  return knowledge;
+}
+
+}  // namespace moontrace

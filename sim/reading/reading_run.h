@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <vector>
+
+#include "devices/hand/hand.h"
+#include "devices/hand/led_stylus.h"
+#include "sim/physics/scene_options.h"
+#include "sim/reader/reader.h"
+#include "sim/reading/reading_score.h"
+#include "sim/trial/trial_result.h"
+#include "textures/field/field.h"
+#include "textures/fonts/script.h"
+#include "textures/typeset/text_page.h"
+
+namespace moontrace {
+
+/// The senses of a hand.
+struct Senses {
+  double delay = 0.120;  ///< by which force and place are felt late [s]
+};
+
+/// Everything that decides one reading of one page.
+struct ReadingSetup {
+  const TextPage* page = nullptr;       ///< must outlive the run; the reader never sees it
+  const TextureField* field = nullptr;  ///< of that page, or of another paper; must outlive the run
+  SceneOptions scene;
+  HandModel hand;
+  Muscle muscle;
+  Senses senses;
+  ReaderKnowledge knowledge;
+  double page_turn = 0;           ///< of the sheet under the hand, counter-clockwise [rad]
+  glm::dvec2 start_P{0, 0};       ///< where the hand is put [m]
+  std::uint64_t hand_seed = 1;    ///< of tremor and drift
+  std::uint64_t reader_seed = 1;  ///< of what the reader does by chance
+  double path_spacing = 0;        ///< of the path kept for a picture [m]; 0: none
+  double longest = 36000;         ///< a reader that has not ended by then is stopped [s]
+  const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
+  /// Called in each tick, after the reader: what it was given, and itself. None: costs nothing.
+  std::function<void(const ReaderInput& input, const Reader& reader)> watch;
+  std::function<void()> alive;  ///< called each simulated second
+};
+
+struct ReadingResult {
+  std::vector<ReadToken> tokens;
+  bool ended = false;           ///< by itself
+  double duration = 0;          ///< simulated [s]
+  double real_time_factor = 0;  ///< the only value that varies
+  std::vector<PathPoint> path;
+};
+
+/// Reader, hand and scene, tick by tick: the hand's place goes to the scene, the scene's force one
+/// tick late to the hand, both late to the reader, whose will moves the hand. Throws InputError as
+/// Scene::Load, Interrupted.
+ReadingResult RunReading(const ReadingSetup& setup);
+
+/// What the page holds, as it should be read: signs by their number among the script's glyphs, a
+/// form of a sign as that sign itself.
+std::vector<int> MarksOf(const TextPage& page, const Script& script);
+/// The same of what was read.
+std::vector<int> MarksOf(const std::vector<ReadToken>& tokens, const Script& script);
+
+/// What a reader of a script is told: every sign that some text can become, the groove, a range of
+/// sizes [m], the hand.
+ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Script& script,
+                            const HandModel& hand, const Muscle& muscle, const Senses& senses);
+
+}  // namespace moontrace
