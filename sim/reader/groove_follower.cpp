@@ -16,9 +16,12 @@ constexpr double kPullShare = 0.30;   ///< of the hold, in a swing
 constexpr double kCalm = 0.020;       ///< of forces [s]
 constexpr double kYield = 0.25;       ///< in which the aim yields to a wall [s]
 constexpr double kSpacing = 0.12;     ///< of the path's points
-constexpr double kBase = 0.6;         ///< over which the direction of motion is taken
+constexpr double kBase = 1.6;         ///< of the path, from which its direction is taken
+constexpr double kForesight = 0.8;    ///< of the way that is not yet felt
+constexpr double kMostBend = 1.2;     ///< that is foreseen [rad]
 constexpr double kStill = 0.08;       ///< less motion within kStopTime is a stop
 constexpr double kStopTime = 0.090;   ///< [s]
+constexpr double kBackTime = 0.25;    ///< [s]
 constexpr double kMoved = 0.6;        ///< is motion out of a stop
 constexpr double kSwingAngle = 100 * kDegree;
 constexpr double kSwingRate = 9;     ///< [rad/s]
@@ -39,8 +42,10 @@ GrooveFollower::GrooveFollower(const ReaderKnowledge& knowledge)
     : width_(knowledge.width),
       hold_(knowledge.Hold()),
       stiffness_(knowledge.hand_stiffness),
+      late_(knowledge.delay + knowledge.lag),
       wait_(knowledge.delay + knowledge.lag + 0.060),
       speed_(kSpeedShare * hold_ / (stiffness_ * (knowledge.delay + 0.05))),
+      gentle_(kTurn * std::sqrt(knowledge.hand_mass / knowledge.hand_stiffness)),
       longest_(6 * knowledge.greatest_size) {}
 
 void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 direction) {
@@ -50,6 +55,7 @@ void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 directio
   blocked_.clear();
   length_ = 0;
   swings_ = 0;
+  leg_ = 0;
   side_ = 1;
   lost_for_ = 0;
   has_moved_ = false;
@@ -66,6 +72,8 @@ void GrooveFollower::Turn(glm::dvec2 direction, double time) {
   if (!has_moved_) first_direction_ = direction;
   has_moved_ = true;
   since_ = time;
+  leg_ = path_.size() - 1;
+  back_since_ = time;
   state_ = State::kMoving;
 }
 
@@ -74,6 +82,7 @@ void GrooveFollower::StartSwing(const Felt& felt) {
   stop_ = felt.place;
   anchor_ = aim_ + wall_ / stiffness_;  // where the hand would not push at all
   since_ = felt.time;
+  from_ = aim_;
   angle_ = 0;
   ++swings_;
 }
@@ -110,18 +119,51 @@ bool GrooveFollower::HasClosed() const {
   return false;
 }
 
+/// The direction that the groove will have where the tip is by now: a parabola through the newest
+/// part of the path, led on by the way that is not yet felt.
+glm::dvec2 GrooveFollower::Foreseen() const {
+  glm::dvec2 sy{0, 0}, ty{0, 0};
+  double s2 = 0, s3 = 0, s4 = 0, s = 0;
+  int count = 0;
+  const glm::dvec2 last = path_.back();
+  // p(s) = last + a s + b s^2, s < 0 behind
+  for (std::size_t i = path_.size() - 1; i > leg_; --i) {
+    s -= glm::distance(path_[i], path_[i - 1]);
+    if (s < -kBase * width_) break;
+    const glm::dvec2 p = path_[i - 1] - last;
+    s2 += s * s;
+    s3 += s * s * s;
+    s4 += s * s * s * s;
+    ++count;
+    sy += s * p;
+    ty += s * s * p;
+  }
+  if (count < 1) return direction_;
+  const double det = s2 * s4 - s3 * s3;
+  const glm::dvec2 straight = sy / s2;
+  glm::dvec2 heading = straight;
+  if (count >= 4 && det > 1e-12 * s2 * s4) {
+    const glm::dvec2 a = (s4 * sy - s3 * ty) / det, b = (s2 * ty - s3 * sy) / det;
+    heading = a + 2.0 * kForesight * ahead_ * late_ * b;
+    const double bend = std::atan2(Cross(straight, heading), glm::dot(straight, heading));
+    heading = Turned(straight, std::clamp(bend, -kMostBend, kMostBend));
+  }
+  const double length = glm::length(heading);
+  return length > 0 ? heading / length : direction_;
+}
+
+/// A hand on its spring swings to and fro a little; one that goes on going back has turned round.
+void GrooveFollower::GoBack(const Felt& felt) {
+  if (felt.time - back_since_ > kBackTime) StartSwing(felt);
+}
+
 void GrooveFollower::Move(const Felt& felt) {
   if (glm::distance(felt.place, path_.back()) > kSpacing * width_) {
+    if (IsGoingBack(felt.place)) return GoBack(felt);
+    back_since_ = felt.time;
     AddPoint(felt.place);
-    std::size_t i = path_.size() - 1;
-    double behind = 0;
-    while (i > 0 && behind < kBase * width_) {
-      behind += glm::distance(path_[i], path_[i - 1]);
-      --i;
-    }
-    const glm::dvec2 way = felt.place - path_[i];
-    if (glm::length(way) > 0.5 * kBase * width_) {
-      const glm::dvec2 direction = glm::normalize(way);
+    if (glm::distance(felt.place, path_[leg_]) > 0.3 * width_) {
+      const glm::dvec2 direction = Foreseen();
       const double bend = Cross(direction_, direction);
       if (std::abs(bend) > 0.1) side_ = bend > 0 ? 1 : -1;
       direction_ = direction;
@@ -174,9 +216,9 @@ void GrooveFollower::Swing(const Felt& felt) {
 /// The aim goes ahead, the slower the more a wall opposes it, and yields sideways.
 void GrooveFollower::Steer(double dt) {
   const double opposed = std::max(0.0, -glm::dot(wall_, direction_));
-  const double ahead = speed_ * std::max(0.0, 1 - opposed / (kStopShare * hold_));
+  ahead_ = speed_ * std::max(0.0, 1 - opposed / (kStopShare * hold_));
   const glm::dvec2 aside = wall_ - glm::dot(wall_, direction_) * direction_;
-  aim_ += dt * (ahead * direction_ + aside / (stiffness_ * kYield));
+  aim_ += dt * (ahead_ * direction_ + aside / (stiffness_ * kYield));
 }
 
 glm::dvec2 GrooveFollower::Step(const Felt& felt) {
@@ -192,7 +234,8 @@ glm::dvec2 GrooveFollower::Step(const Felt& felt) {
   }
   if (state_ == State::kMoving) Steer(dt);
   if (state_ == State::kSwinging) {
-    aim_ = anchor_ + kPullShare * hold_ / stiffness_ * Turned(direction_, angle_);
+    const glm::dvec2 aim = anchor_ + kPullShare * hold_ / stiffness_ * Turned(direction_, angle_);
+    aim_ = from_ + std::min(1.0, (felt.time - since_) / gentle_) * (aim - from_);
   }
   return aim_;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -39,14 +40,17 @@ class GrooveFollower {
   void Move(const Felt& felt);
   void Swing(const Felt& felt);
   void Steer(double dt);
+  void GoBack(const Felt& felt);
   void StartSwing(const Felt& felt);
   void AddPoint(glm::dvec2 p);
   bool IsGoingBack(glm::dvec2 p) const;
   bool HasClosed() const;
+  glm::dvec2 Foreseen() const;
   void Turn(glm::dvec2 direction, double time);
   void NoteBlocked();
 
-  double width_ = 0, hold_ = 0, stiffness_ = 1, wait_ = 0, speed_ = 0, longest_ = 0;
+  double width_ = 0, hold_ = 0, stiffness_ = 1, late_ = 0, wait_ = 0, speed_ = 0, gentle_ = 0,
+         longest_ = 0;
   State state_ = State::kLost;
   glm::dvec2 direction_{1, 0}, first_direction_{1, 0};
   bool has_moved_ = false;
@@ -55,12 +59,14 @@ class GrooveFollower {
   glm::dvec2 wall_{0, 0};  ///< force of the walls, without the hand's trembling [N]
   double since_ = 0;       ///< the pull has this direction [s]
   double lost_for_ = 0, last_time_ = 0;
-  double mark_time_ = 0;
+  double mark_time_ = 0, back_since_ = 0;
   glm::dvec2 mark_{0, 0};  ///< where the tip was at `mark_time_`
-  glm::dvec2 stop_{0, 0}, anchor_{0, 0};
+  glm::dvec2 stop_{0, 0}, anchor_{0, 0}, from_{0, 0};
   double angle_ = 0;  ///< of the swing [rad]
   int swings_ = 0;
-  double length_ = 0;  ///< of the path [m]
+  double ahead_ = 0;     ///< speed of the aim [m/s]
+  std::size_t leg_ = 0;  ///< of the path's points: where the last corner was
+  double length_ = 0;    ///< of the path [m]
   std::vector<glm::dvec2> path_;
   std::vector<FeltPoint> blocked_;
 };

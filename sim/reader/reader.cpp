@@ -12,6 +12,7 @@ namespace {
 // Ours, chosen on seeds 1 to 20. In em unless said.
 constexpr double kLift = 0.004;        ///< above the level of pressing [m]
 constexpr double kAirSpeed = 0.35;     ///< [m/s]
+constexpr double kSteady = 0.18;       ///< for the hand to come to rest above where it lands [s]
 constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
 constexpr double kSearchShare = 0.6;   ///< of the speed at which a groove's wall just holds
 constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
@@ -78,7 +79,7 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
 /// Up, over, down, and a rest until the landing has been felt.
 ReaderAction Reader::Fly(const Felt& felt) {
   const double t = now_ - since_;
-  const double there = kUp + glm::distance(fly_from_, fly_to_) / kAirSpeed + 0.10;
+  const double there = kUp + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
   const double felt_there = there + knowledge_.delay + knowledge_.lag;
   const double height = sense_.level_known() ? sense_.level() + kLift : felt.tip.z;
   if (t < kUp) return {{fly_from_.x, fly_from_.y, height}, 0};
@@ -121,7 +122,7 @@ ReaderAction Reader::Sweep(const Felt& felt) {
   caught_for_ = felt.depth > kCaughtDepth ? caught_for_ + dt : 0;
   if (caught_for_ > kCaughtTime) {
     Caught(felt);
-    return Settle(felt);
+    return action_;
   }
   double step = dt * kSearchShare * knowledge_.Hold() /
                 (knowledge_.hand_stiffness * (knowledge_.delay + 0.05));
@@ -158,6 +159,10 @@ void Reader::Caught(const Felt& felt) {
   phase_ = Phase::kSettle;
   since_ = now_;
   entry_ = felt.place;
+  if (crossing_) {
+    evidence_.grooves.push_back({felt.place, 2});
+    Think();
+  }
 }
 
 ReaderAction Reader::Settle(const Felt& felt) {
@@ -198,13 +203,29 @@ void Reader::TakePath() {
   for (const FeltPoint& point : follower_.blocked()) evidence_.flats.push_back(point);
 }
 
+/// How sure the best answer is, other forms of the same sign counted with it.
+double Reader::Sureness() const {
+  const SignGuess& best = belief_.front();
+  if (best.sign == SignGuess::kUnknown) return best.probability;
+  double sum = 0;
+  for (const SignGuess& guess : belief_) {
+    if (MeanTheSame(guess, best)) sum += guess.probability;
+  }
+  return sum;
+}
+
+bool Reader::MeanTheSame(const SignGuess& a, const SignGuess& b) const {
+  if (a.sign == SignGuess::kUnknown || b.sign == SignGuess::kUnknown) return a.sign == b.sign;
+  return knowledge_.shapes->MeaningOf(a.sign) == knowledge_.shapes->MeaningOf(b.sign);
+}
+
 void Reader::Think() {
   belief_ = Believe(*knowledge_.shapes, evidence_, PriorNow());
   if (belief_.empty()) return Missed();
   const SignGuess& best = belief_.front();
-  if (best.sign != SignGuess::kUnknown && best.probability < kSure && crossings_ < kMostCrossings) {
+  if (best.sign != SignGuess::kUnknown && Sureness() < kSure && crossings_ < kMostCrossings) {
     for (std::size_t i = 1; i < belief_.size() && belief_[i].probability > 0.002; ++i) {
-      if (belief_[i].sign == SignGuess::kUnknown) continue;
+      if (belief_[i].sign == SignGuess::kUnknown || MeanTheSame(belief_[i], best)) continue;
       if (CrossBetween(best, belief_[i]) || CrossBetween(belief_[i], best)) {
         ++crossings_;
         return;
@@ -228,7 +249,7 @@ void Reader::Think() {
 /// Goes across a part of `other` that `best` does not have and that has not been felt.
 bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
   constexpr double kReach = 0.2;
-  double most = 0.17;
+  double most = -INFINITY;
   glm::dvec2 from{0, 0}, to{0, 0};
   for (const SignPoint& point : knowledge_.shapes->Points(other.sign)) {
     const glm::dvec2 p = FromEm(other.place, point.p);
@@ -239,19 +260,21 @@ bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
     for (const FeltPoint& felt : evidence_.flats) {
       room = std::min(room, 2 * glm::distance(felt.p, p) / other.place.size);
     }
-    if (room <= most) continue;
+    // signs that follow lie to the right
+    const double score = std::min(room, 0.3) - 0.1 * point.p.x;
+    if (room < 0.17 || score <= most) continue;
     const glm::dvec2 normal(-point.tangent.y, point.tangent.x);
     const glm::dvec2 a = FromEm(other.place, point.p + kReach * normal);
     const glm::dvec2 b = FromEm(other.place, point.p - kReach * normal);
     const double free_a = knowledge_.shapes->Distance(best.sign, ToEm(best.place, a));
     const double free_b = knowledge_.shapes->Distance(best.sign, ToEm(best.place, b));
     if (std::max(free_a, free_b) < 0.12) continue;
-    most = room;
+    most = score;
     from = free_a > free_b ? a : b;
     to = free_a > free_b ? b : a;
     if (std::min(free_a, free_b) < 0.12) to = p + 0.3 * (to - p);
   }
-  if (most <= 0.17) return false;
+  if (!std::isfinite(most)) return false;
   SweepAlong({from, to}, errand_);
   crossing_ = true;
   return true;

@@ -42,6 +42,7 @@ class Reader {
   /// For pictures and tests: whether it looks for a groove, what it feels, how it follows, and what
   /// it believed of the newest sign when it thought last.
   bool is_searching() const { return phase_ == Phase::kSweep; }
+  bool is_crossing() const { return crossing_; }
   bool is_following() const { return phase_ == Phase::kFollow; }
   const Felt& felt() const { return sense_.felt(); }
   const GrooveFollower& follower() const { return follower_; }
@@ -67,6 +68,8 @@ class Reader {
   ReaderAction Follow(const Felt& felt);
   void TakePath();
   void Think();
+  double Sureness() const;
+  bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
   bool CrossBetween(const SignGuess& best, const SignGuess& other);
   void Accept();
   void SearchNext();

@@ -19,6 +19,7 @@ struct ReaderKnowledge {
   double space = 0;          ///< advance of a space in the script [em]
 
   double press = 0;             ///< of its hand [N]
+  double hand_mass = 0;         ///< [kg]
   double hand_stiffness = 0;    ///< [N/m]
   double hand_damping = 0;      ///< [N s/m]
   double delay = 0;             ///< by which it feels late [s]

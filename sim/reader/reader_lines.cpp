@@ -13,10 +13,13 @@ namespace {
 constexpr double kBandLow = 0.17, kBandHigh = 0.60;  ///< of the weave over a line
 constexpr double kWeave = 0.20;                      ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
-constexpr double kBeyond = 1.15;      ///< a sign begins at its left edge plus this at most
-constexpr double kLookBack = 2.4;     ///< left of a line's first sign another may lie so far off
-constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
-constexpr double kDeepest = 4.0;      ///< the next line lies no deeper
+constexpr double kBeyond = 1.15;       ///< a sign begins at its left edge plus this at most
+constexpr double kLookBack = 2.4;      ///< left of a line's first sign another may lie so far off
+constexpr double kTurnSpread = 0.03;   ///< of lines, before they are felt [rad]
+constexpr double kTopOfNext = 0.45;    ///< below a base line, the next line's signs begin there
+constexpr double kMiddle = 0.5;        ///< of a sign, where every sign but an upright has a groove
+constexpr double kUprightStep = 0.45;  ///< an upright is longer
+constexpr double kDeepest = 4.0;       ///< the next line lies no deeper
 
 double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
 
@@ -28,10 +31,16 @@ SignPlace Reader::Expected() const {
   SignPlace place = last.place;
   place.size = size_;
   place.turn = turn_;
-  // the line's height by all its signs, so that their errors do not add up
-  double mean = 0;
-  for (const SignRead& read : line_) mean += Across(place, read.guess.place.origin);
-  mean /= static_cast<double>(line_.size());
+  // the line's height by its newest signs, so that their errors do not add up
+  double mean = 0, weight = 0;
+  for (std::size_t i = 0; i < line_.size() && i < 6; ++i) {
+    const SignGuess& read = line_[line_.size() - 1 - i].guess;
+    if (read.sign == SignGuess::kUnknown) continue;
+    const double share = std::pow(0.7, i);
+    mean += share * Across(place, read.place.origin);
+    weight += share;
+  }
+  if (weight > 0) mean /= weight;
   const double advance = last.sign == SignGuess::kUnknown
                              ? kBeyond
                              : knowledge_.shapes->Advance(last.sign) + gap_bias_;
@@ -47,7 +56,7 @@ PlacePrior Reader::PriorNow() const {
     const SignPlace next = Expected();
     prior.origins = {next.origin, FromEm(next, {knowledge_.space, 0})};
     prior.along = signs_ < 4 ? 0.15 : 0.08;
-    prior.across = signs_ < 4 ? 0.10 : 0.05;
+    prior.across = signs_ < 4 ? 0.10 : 0.04;
   } else if (!line_.empty()) {
     prior.origins = {line_.front().guess.place.origin};
     prior.along = 2;
@@ -145,10 +154,17 @@ void Reader::SearchLineStart() {
 
 void Reader::SearchNextLine() {
   const SignPlace above = line_starts_.back();
+  double from = -kTopOfNext;
+  if (line_starts_.size() > 1) {
+    const SignPlace& before = line_starts_[line_starts_.size() - 2];
+    from = std::min(from, ToEm(before, above.origin).y + 1.3);
+  }
+  // down through the middle of its first sign, and aside for an upright at its left edge
   std::vector<glm::dvec2> way;
-  bool right = false;
-  for (double y = -0.45; y > -kDeepest; y -= 0.2, right = !right) {
-    way.push_back(FromEm(above, {right ? 1.3 : -0.2, y}));
+  for (double y = from; y > from - kDeepest; y -= kUprightStep) {
+    way.push_back(FromEm(above, {kMiddle, y}));
+    way.push_back(FromEm(above, {-0.2, y}));
+    way.push_back(FromEm(above, {kMiddle, y}));
   }
   SweepAlong(std::move(way), Errand::kNextLine);
 }

@@ -8,10 +8,10 @@ namespace moontrace {
 namespace {
 
 // In em and nats; ours, chosen on seeds 1 to 20.
-constexpr double kSpread = 0.05;      ///< of felt points from the centre line
+constexpr double kSpread = 0.03;      ///< of felt points from the centre line
 constexpr double kMostAGroove = 8;    ///< cost of a groove where the sign has none
 constexpr double kMostAFlat = 4;      ///< cost of flat paper in the middle of a groove
-constexpr double kUnknownCost = 1.2;  ///< of each groove point, for what is no sign
+constexpr double kUnknownCost = 1.5;  ///< of each groove point, for what is no sign
 constexpr double kUnknownPrior = 5;   ///< before anything was felt
 constexpr double kCoarse = 0.06, kFine = 0.02;
 constexpr double kSlack = 0.12;  ///< felt points may lie so far beyond a sign's box

@@ -24,12 +24,20 @@ SignShapes::SignShapes(const Script& script, const std::vector<std::size_t>& whi
   for (const std::size_t index : which) {
     if (!script.glyphs[index].strokes.empty()) signs_.push_back(Make(script.glyphs[index], index));
   }
+  for (Sign& sign : signs_) {
+    for (const auto& [name, forms] : script.forms) {
+      const std::size_t plain = script.Find(name);
+      for (const auto& [form, glyph] : forms) {
+        if (plain != Script::npos && script.Find(glyph) == sign.glyph) sign.meaning = plain;
+      }
+    }
+  }
 }
 
 SignShapes::Sign SignShapes::Make(const Glyph& glyph, std::size_t index) {
   constexpr double kSpacing = 0.05;  // [em]
   Sign sign;
-  sign.glyph = index;
+  sign.glyph = sign.meaning = index;
   sign.advance = glyph.advance;
   for (const Stroke& stroke : glyph.strokes) {
     for (const Piece& piece : stroke.pieces) {

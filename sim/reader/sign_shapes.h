@@ -29,6 +29,8 @@ class SignShapes {
   std::size_t size() const { return signs_.size(); }
   /// Index into the script's glyphs.
   std::size_t GlyphOf(std::size_t sign) const { return signs_[sign].glyph; }
+  /// The glyph that means the same in its plain form: of other forms of a sign that sign's.
+  std::size_t MeaningOf(std::size_t sign) const { return signs_[sign].meaning; }
   double Advance(std::size_t sign) const { return signs_[sign].advance; }    ///< [em]
   const Box& Bounds(std::size_t sign) const { return signs_[sign].bounds; }  ///< of centre lines
   /// Along its strokes, 0.05 em apart; of fills the outline.
@@ -46,7 +48,7 @@ class SignShapes {
  private:
   static constexpr double kPerEm = 50;  ///< cells of the table
   struct Sign {
-    std::size_t glyph = 0;
+    std::size_t glyph = 0, meaning = 0;
     double advance = 0;
     Box bounds;
     std::vector<SignPoint> points;

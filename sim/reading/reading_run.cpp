@@ -173,6 +173,7 @@ ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Scri
   knowledge.shapes = std::move(shapes);
   knowledge.space = script.space_advance;
   knowledge.press = hand.press;
+  knowledge.hand_mass = hand.mass;
   knowledge.hand_stiffness = hand.stiffness;
   knowledge.hand_damping = hand.damping;
   knowledge.delay = senses.delay;
