@@ -60,16 +60,23 @@ void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 directio
   lost_for_ = 0;
   has_moved_ = false;
   last_time_ = felt.time;
-  direction_ = first_direction_ = direction;
+  direction_ = direction;
   path_.push_back(felt.place);
   StartSwing(felt);
+}
+
+glm::dvec2 GrooveFollower::Departure() const {
+  std::size_t last = path_.size();
+  while (last > 1 && glm::distance(path_[last - 1], path_.front()) > width_) --last;
+  const glm::dvec2 way = path_[std::min(last, path_.size() - 1)] - path_.front();
+  const double length = glm::length(way);
+  return length > 0 ? way / length : direction_;
 }
 
 void GrooveFollower::Turn(glm::dvec2 direction, double time) {
   const double bend = Cross(direction_, direction);
   if (std::abs(bend) > 0.3) side_ = bend > 0 ? 1 : -1;
   direction_ = direction;
-  if (!has_moved_) first_direction_ = direction;
   has_moved_ = true;
   since_ = time;
   leg_ = path_.size() - 1;
@@ -87,9 +94,15 @@ void GrooveFollower::StartSwing(const Felt& felt) {
   ++swings_;
 }
 
+/// The tip went there in the groove, however far it is.
 void GrooveFollower::AddPoint(glm::dvec2 p) {
-  length_ += glm::distance(path_.back(), p);
-  path_.push_back(p);
+  const glm::dvec2 from = path_.back();
+  const double way = glm::distance(from, p);
+  const int parts = std::max(1, static_cast<int>(std::lround(way / (kSpacing * width_))));
+  for (int i = 1; i <= parts; ++i) {
+    path_.push_back(from + static_cast<double>(i) / parts * (p - from));
+  }
+  length_ += way;
 }
 
 /// Whether `p` lies on the path's earlier part: the tip runs back along the groove it came by.

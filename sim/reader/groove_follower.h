@@ -33,8 +33,9 @@ class GrooveFollower {
   const std::vector<glm::dvec2>& path() const { return path_; }
   /// Points beyond walls that it could not pass.
   const std::vector<FeltPoint>& blocked() const { return blocked_; }
-  /// In which it first went, unit; where it never did, the direction that was tried.
-  glm::dvec2 first_direction() const { return first_direction_; }
+  /// In which it left the place where it began, unit; where it never did, the direction that was
+  /// tried.
+  glm::dvec2 Departure() const;
 
  private:
   void Move(const Felt& felt);
@@ -52,7 +53,7 @@ class GrooveFollower {
   double width_ = 0, hold_ = 0, stiffness_ = 1, late_ = 0, wait_ = 0, speed_ = 0, gentle_ = 0,
          longest_ = 0;
   State state_ = State::kLost;
-  glm::dvec2 direction_{1, 0}, first_direction_{1, 0};
+  glm::dvec2 direction_{1, 0};
   bool has_moved_ = false;
   double side_ = 1;        ///< first tried at a stop: 1 left, -1 right
   glm::dvec2 aim_{0, 0};   ///< [m]

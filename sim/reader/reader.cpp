@@ -176,7 +176,7 @@ ReaderAction Reader::Settle(const Felt& felt) {
     return rest;
   }
   phase_ = Phase::kFollow;
-  second_leg_ = false;
+  legs_ = 0;
   entry_ = felt.place;
   follower_.Begin(felt, {rest.aim.x, rest.aim.y}, sweep_direction_);
   return rest;
@@ -184,17 +184,25 @@ ReaderAction Reader::Settle(const Felt& felt) {
 
 ReaderAction Reader::Follow(const Felt& felt) {
   const glm::dvec2 aim = follower_.Step(felt);
-  if (follower_.done()) {
-    TakePath();
-    if (!second_leg_ && follower_.state() != GrooveFollower::State::kRing) {
-      second_leg_ = true;
-      first_direction_ = follower_.first_direction();
-      FlyTo(entry_, Phase::kFollow);
-    } else {
-      Think();
-    }
-  }
+  if (follower_.done()) EndLeg();
   return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
+}
+
+/// From where a groove was met it is followed one way and then the other. A leg that ended where
+/// the one before did has gone the same way.
+void Reader::EndLeg() {
+  TakePath();
+  const glm::dvec2 end = follower_.path().back();
+  const bool same = legs_ > 0 && glm::distance(end, leg_end_) < 1.5 * knowledge_.width;
+  leg_end_ = end;
+  ++legs_;
+  const bool ring = follower_.state() == GrooveFollower::State::kRing;
+  if (!ring && (legs_ == 1 || (legs_ == 2 && same))) {
+    first_direction_ = follower_.Departure();
+    FlyTo(entry_, Phase::kFollow);
+  } else {
+    Think();
+  }
 }
 
 void Reader::TakePath() {

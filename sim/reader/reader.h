@@ -66,6 +66,7 @@ class Reader {
   void Missed();
   ReaderAction Settle(const Felt& felt);
   ReaderAction Follow(const Felt& felt);
+  void EndLeg();
   void TakePath();
   void Think();
   double Sureness() const;
@@ -107,8 +108,9 @@ class Reader {
   SignEvidence evidence_;
   std::vector<SignGuess> belief_;
   glm::dvec2 entry_{0, 0};
-  bool second_leg_ = false;
-  glm::dvec2 first_direction_{1, 0};
+  int legs_ = 0;                      ///< followed from `entry_`
+  glm::dvec2 leg_end_{0, 0};          ///< of the newest leg
+  glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
   int crossings_ = 0, tries_ = 0;
   // the page
   std::vector<SignRead> line_;
