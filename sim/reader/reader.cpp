@@ -205,9 +205,17 @@ void Reader::EndLeg() {
   }
 }
 
+/// What was felt twice says no more than once.
 void Reader::TakePath() {
-  const double weight = 0.12 * knowledge_.width / (0.1 * size_);
-  for (const glm::dvec2 p : follower_.path()) evidence_.grooves.push_back({p, weight});
+  constexpr double kApart = 0.4, kOnItsOwn = 0.8;  // shares of the groove's width
+  for (const glm::dvec2 p : follower_.path()) {
+    const auto near = [&](const FeltPoint& felt) {
+      return glm::distance(felt.p, p) < kApart * knowledge_.width;
+    };
+    if (std::none_of(evidence_.grooves.begin(), evidence_.grooves.end(), near)) {
+      evidence_.grooves.push_back({p, kApart / kOnItsOwn});
+    }
+  }
   for (const FeltPoint& point : follower_.blocked()) evidence_.flats.push_back(point);
 }
 

@@ -51,7 +51,11 @@ SignPlace Reader::Expected() const {
 PlacePrior Reader::PriorNow() const {
   PlacePrior prior;
   prior.sizes = sizes_;
-  prior.turn = turn_;
+  prior.turns = {turn_};
+  if (signs_ < 4) {
+    const double spread = signs_ == 0 ? 1.3 * kTurnSpread : 0.7 * kTurnSpread;
+    prior.turns = {turn_ - spread, turn_, turn_ + spread};
+  }
   if (!line_.empty() && errand_ == Errand::kNextSign) {
     const SignPlace next = Expected();
     prior.origins = {next.origin, FromEm(next, {knowledge_.space, 0})};

@@ -134,15 +134,19 @@ glm::dvec2 FromEm(const SignPlace& place, glm::dvec2 p_em) noexcept {
 std::vector<SignGuess> Believe(const SignShapes& shapes, const SignEvidence& evidence,
                                const PlacePrior& prior) {
   std::vector<SignGuess> guesses;
-  if (evidence.grooves.empty() || prior.sizes.empty()) return guesses;
+  if (evidence.grooves.empty() || prior.sizes.empty() || prior.turns.empty()) return guesses;
   double weight = 0;
   for (const FeltPoint& groove : evidence.grooves) weight += groove.weight;
   guesses.push_back({SignGuess::kUnknown, -kUnknownPrior - kUnknownCost * weight, 0, {}});
-  std::vector<ScaledEvidence> scaled;
-  std::vector<std::vector<glm::dvec2>> origins(prior.sizes.size());
   std::vector<SignPlace> frames;
-  for (std::size_t i = 0; i < prior.sizes.size(); ++i) {
-    frames.push_back({evidence.grooves.front().p, prior.sizes[i], prior.turn});
+  for (const double size : prior.sizes) {
+    for (const double turn : prior.turns) {
+      frames.push_back({evidence.grooves.front().p, size, turn});
+    }
+  }
+  std::vector<ScaledEvidence> scaled;
+  std::vector<std::vector<glm::dvec2>> origins(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
     scaled.push_back(Scaled(evidence, frames[i]));
     for (const glm::dvec2 origin : prior.origins) origins[i].push_back(ToEm(frames[i], origin));
   }

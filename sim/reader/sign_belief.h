@@ -36,7 +36,7 @@ struct PlacePrior {
   std::vector<glm::dvec2> origins;
   double along = 0, across = 0;  ///< standard deviations from those [em]
   std::vector<double> sizes;     ///< of an em, equally likely [m]
-  double turn = 0;               ///< [rad]
+  std::vector<double> turns;     ///< of the line, equally likely [rad]
 };
 
 /// One answer to what was felt.

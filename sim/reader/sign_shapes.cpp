@@ -10,11 +10,14 @@
 namespace moontrace {
 namespace {
 
+constexpr double kWithinFill = 0.03;  // [em]
+
 /// To a stroke's centre line; within a fill 0.
 double DistanceToStroke(const Stroke& stroke, glm::dvec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Piece& piece : stroke.pieces) nearest = std::min(nearest, DistanceTo(piece, p));
-  if (stroke.kind != StrokeKind::kStroke && IsInside(stroke.pieces, p)) nearest = 0;
+  // a tip within a fill may be anywhere in it, which says less than one on a line
+  if (stroke.kind != StrokeKind::kStroke && IsInside(stroke.pieces, p)) nearest = kWithinFill;
   return nearest;
 }
 
