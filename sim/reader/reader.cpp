@@ -19,17 +19,24 @@ constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
 constexpr double kCaughtTime = 0.006;  ///< [s]
 constexpr double kFlatDepth = 0.12;
 constexpr double kSure = 0.99;
+constexpr double kDoubtful = 0.9;  ///< less sure signs are felt anew
 constexpr int kMostCrossings = 5, kMostTries = 2;
 
 }  // namespace
 
-Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed)
-    : knowledge_(knowledge), random_(seed), sense_(knowledge, tick), follower_(knowledge) {
+std::vector<double> Reader::AllSizes(const ReaderKnowledge& knowledge) {
   const double ratio = knowledge.greatest_size / knowledge.least_size;
   const int count = std::max(0, static_cast<int>(std::lround(std::log(ratio) / 0.058)));
+  std::vector<double> sizes;
   for (int i = 0; i <= count; ++i) {
-    sizes_.push_back(knowledge.least_size * (count > 0 ? std::pow(ratio, 1.0 * i / count) : 1));
+    sizes.push_back(knowledge.least_size * (count > 0 ? std::pow(ratio, 1.0 * i / count) : 1));
   }
+  return sizes;
+}
+
+Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed)
+    : knowledge_(knowledge), random_(seed), sense_(knowledge, tick), follower_(knowledge) {
+  sizes_ = AllSizes(knowledge);
   size_ = std::sqrt(knowledge.least_size * knowledge.greatest_size);
   evidence_.width = knowledge.width;
 }
@@ -42,17 +49,10 @@ ReaderAction Reader::Step(const ReaderInput& input) {
 
 ReaderAction Reader::Act(const Felt& felt) {
   switch (phase_) {
-    case Phase::kStart: {
-      fly_to_ = glm::dvec2(felt.tip);
-      FlyTo(fly_to_, Phase::kSweep);
-      const double a = knowledge_.least_size;
-      std::vector<glm::dvec2> way;
-      for (int i = 0; i < 60; ++i) {
-        way.push_back(fly_to_ + a * glm::dvec2(i % 2 == 0 ? -0.5 : 4.0, -0.2 * i));
-      }
-      SweepAlong(std::move(way), Errand::kFirstLine);
+    case Phase::kStart:
+      start_ = glm::dvec2(felt.tip);
+      SearchFirstLine();
       return Fly(felt);
-    }
     case Phase::kFly:
       return Fly(felt);
     case Phase::kSweep:
@@ -248,7 +248,8 @@ void Reader::Think() {
       }
     }
   }
-  if (best.sign == SignGuess::kUnknown && tries_ < kMostTries) {
+  const bool doubtful = best.sign == SignGuess::kUnknown || Sureness() < kDoubtful;
+  if (doubtful && tries_ < kMostTries) {
     ++tries_;
     Box box;
     for (const FeltPoint& groove : evidence_.grooves) Include(box, groove.p);

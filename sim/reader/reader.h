@@ -57,6 +57,9 @@ class Reader {
     double time = 0;
   };
 
+  /// Within what it was told, some 6 percent apart [m].
+  static std::vector<double> AllSizes(const ReaderKnowledge& knowledge);
+  bool StartAnew();
   ReaderAction Act(const Felt& felt);
   void FlyTo(glm::dvec2 to, Phase then);
   ReaderAction Fly(const Felt& felt);
@@ -73,6 +76,7 @@ class Reader {
   bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
   bool CrossBetween(const SignGuess& best, const SignGuess& other);
   void Accept();
+  void SearchFirstLine();
   void SearchNext();
   void SearchLineStart();
   void SearchNextLine();
@@ -113,6 +117,9 @@ class Reader {
   glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
   int crossings_ = 0, tries_ = 0;
   // the page
+  glm::dvec2 start_{0, 0};  ///< where the hand was put [m]
+  int restarts_ = 0;
+  std::size_t unknowns_ = 0;  ///< signs in a row
   std::vector<SignRead> line_;
   double size_ = 0;
   std::vector<double> sizes_;

@@ -13,8 +13,9 @@ namespace {
 constexpr double kBandLow = 0.17, kBandHigh = 0.60;  ///< of the weave over a line
 constexpr double kWeave = 0.20;                      ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
-constexpr double kBeyond = 1.15;       ///< a sign begins at its left edge plus this at most
-constexpr double kLookBack = 2.4;      ///< left of a line's first sign another may lie so far off
+constexpr double kBeyond = 1.15;   ///< a sign begins at its left edge plus this at most
+constexpr double kLookBack = 2.4;  ///< left of a line's first sign another may lie so far off
+constexpr int kMostRestarts = 3;
 constexpr double kTurnSpread = 0.03;   ///< of lines, before they are felt [rad]
 constexpr double kTopOfNext = 0.45;    ///< below a base line, the next line's signs begin there
 constexpr double kMiddle = 0.5;        ///< of a sign, where every sign but an upright has a groove
@@ -61,6 +62,10 @@ PlacePrior Reader::PriorNow() const {
     prior.origins = {next.origin, FromEm(next, {knowledge_.space, 0})};
     prior.along = signs_ < 4 ? 0.15 : 0.08;
     prior.across = signs_ < 4 ? 0.10 : 0.04;
+    if (unknowns_ > 0) {  // it may have lost its place
+      prior.along = 0.5;
+      prior.across = 0.15;
+    }
   } else if (!line_.empty()) {
     prior.origins = {line_.front().guess.place.origin};
     prior.along = 2;
@@ -138,11 +143,40 @@ void Reader::Accept() {
   evidence_.flats.clear();
   crossings_ = tries_ = 0;
   random_phase_ = random_.Uniform() < 0.5;
+  unknowns_ = read.guess.sign == SignGuess::kUnknown ? unknowns_ + 1 : 0;
+  if (StartAnew()) return;
   if (errand_ == Errand::kNextSign) {
     SearchNext();
   } else {
     SearchLineStart();
   }
+}
+
+/// From where the hand was put to and fro, a line's width and downwards.
+void Reader::SearchFirstLine() {
+  const double a = knowledge_.least_size;
+  std::vector<glm::dvec2> way;
+  for (int i = 0; i < 60; ++i) {
+    way.push_back(start_ + a * glm::dvec2(i % 2 == 0 ? -0.5 : 4.0, -0.2 * i));
+  }
+  SweepAlong(std::move(way), Errand::kFirstLine);
+}
+
+/// What it took for signs leads nowhere: it begins the page again, a little lower.
+bool Reader::StartAnew() {
+  if (unknowns_ < 2 || signs_ > 3 || !line_starts_.empty() || restarts_ >= kMostRestarts) {
+    return false;
+  }
+  ++restarts_;
+  start_.y -= (0.1 + 0.2 * random_.Uniform()) * knowledge_.least_size;
+  line_.clear();
+  signs_ = unknowns_ = 0;
+  gaps_ = 0;
+  gap_bias_ = turn_ = across_ = along_ = 0;
+  sizes_ = AllSizes(knowledge_);
+  size_ = std::sqrt(knowledge_.least_size * knowledge_.greatest_size);
+  SearchFirstLine();
+  return true;
 }
 
 void Reader::SearchNext() {
