@@ -14,6 +14,7 @@
 #include "sim/app/course_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/program_help.h"
+#include "sim/app/recognise_messages.h"
 #include "sim/app/script_messages.h"
 #include "sim/app/study_messages.h"
 #include "sim/audio/sound_messages.h"
@@ -160,6 +161,10 @@ constexpr Command kCommands[] = {
                       "TEXT --file --size-mm --script --device --press-n --blank --picture "
                       "--record --view --seed --json",
                       "simulate score follow"}),
+    Of<RecogniseOptions>(
+        {"recognise", help::kRecognise, Audience::kResearcher,
+         "TEXT --file --size-mm --script --press-n --blank --picture --seed --json",
+         "recognize reader read feel"}),
     Of<ReplayOptions>({"replay", help::kReplay, Audience::kResearcher, "", "play repeat"}),
     Of<StudyOptions>(
         {"study", help::kStudyCommand, Audience::kResearcher, "", "studies experiment merge"}),

@@ -83,6 +83,21 @@ int Run(const TraceOptions& options, Console& console);
 /// that belong to the simulated stylus, DeviceError.
 int TraceWithDevice(const TraceOptions& options, Console& console);
 
+/// `recognise`: a simulated reader that only feels reads the text's pages, and is scored.
+struct RecogniseOptions {
+  OutputOptions output;
+  TextOptions text;
+  StyleOptions style;
+  LayoutOptions layout;
+  FeelOptions feel;
+  std::optional<double> press;  ///< [N]
+  std::uint64_t seed = 1;
+  bool blank = false;
+  std::string picture;
+};
+void AddOptions(CLI::App& app, RecogniseOptions& options);
+int Run(const RecogniseOptions& options, Console& console);
+
 /// `learn`: lessons.
 void AddOptions(CLI::App& app, LearnOptions& options);
 int Run(const LearnOptions& options, Console& console);

@@ -19,6 +19,8 @@ constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
 constexpr double kCaughtTime = 0.006;  ///< [s]
 constexpr double kFlatDepth = 0.12;
 constexpr double kSure = 0.99;
+constexpr double kPoorFit = 0.5;  ///< cost a groove point by itself
+constexpr int kMostSkips = 5;
 constexpr double kDoubtful = 0.9;  ///< less sure signs are felt anew
 constexpr int kMostCrossings = 5, kMostTries = 2;
 
@@ -232,6 +234,8 @@ double Reader::Sureness() const {
 
 bool Reader::MeanTheSame(const SignGuess& a, const SignGuess& b) const {
   if (a.sign == SignGuess::kUnknown || b.sign == SignGuess::kUnknown) return a.sign == b.sign;
+  // before it knows the size, the same sign at another size is another answer
+  if (signs_ == 0 && std::abs(std::log(a.place.size / b.place.size)) > 0.13) return false;
   return knowledge_.shapes->MeaningOf(a.sign) == knowledge_.shapes->MeaningOf(b.sign);
 }
 
@@ -239,6 +243,7 @@ void Reader::Think() {
   belief_ = Believe(*knowledge_.shapes, evidence_, PriorNow());
   if (belief_.empty()) return Missed();
   const SignGuess& best = belief_.front();
+  if (signs_ == 0 && SkipFirst()) return;
   if (best.sign != SignGuess::kUnknown && Sureness() < kSure && crossings_ < kMostCrossings) {
     for (std::size_t i = 1; i < belief_.size() && belief_[i].probability > 0.002; ++i) {
       if (belief_[i].sign == SignGuess::kUnknown || MeanTheSame(belief_[i], best)) continue;
@@ -261,6 +266,33 @@ void Reader::Think() {
     return;
   }
   Accept();
+}
+
+/// A page's first sign tells the size of all others. One that could be several at several sizes (an
+/// upright is part of many) is left for later: it goes on to the right.
+bool Reader::SkipFirst() {
+  if (errand_ != Errand::kFirstLine || skips_ >= kMostSkips) return false;
+  double weight = 0;
+  Box box;
+  for (const FeltPoint& groove : evidence_.grooves) {
+    weight += groove.weight;
+    Include(box, groove.p);
+  }
+  const SignGuess& best = belief_.front();
+  const bool clear = best.sign != SignGuess::kUnknown && Sureness() >= kSure &&
+                     best.log_likelihood > -kPoorFit * weight;
+  if (clear) return false;
+  ++skips_;
+  const double a = knowledge_.least_size;
+  const double y = 0.5 * (box.min.y + box.max.y);
+  std::vector<glm::dvec2> way;
+  for (int i = 0; i < 24; ++i) {
+    way.emplace_back(box.max.x + a * (0.2 + 0.15 * i), y + (i % 2 == 0 ? -0.25 : 0.25) * a);
+  }
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  SweepAlong(std::move(way), Errand::kFirstLine);
+  return true;
 }
 
 /// Goes across a part of `other` that `best` does not have and that has not been felt.

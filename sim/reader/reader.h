@@ -74,11 +74,13 @@ class Reader {
   void Think();
   double Sureness() const;
   bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
+  bool SkipFirst();
   bool CrossBetween(const SignGuess& best, const SignGuess& other);
   void Accept();
   void SearchFirstLine();
   void SearchNext();
   void SearchLineStart();
+  void BeginLine();
   void SearchNextLine();
   void EndLine();
   PlacePrior PriorNow() const;
@@ -118,7 +120,7 @@ class Reader {
   int crossings_ = 0, tries_ = 0;
   // the page
   glm::dvec2 start_{0, 0};  ///< where the hand was put [m]
-  int restarts_ = 0;
+  int restarts_ = 0, skips_ = 0;
   std::size_t unknowns_ = 0;  ///< signs in a row
   std::vector<SignRead> line_;
   double size_ = 0;

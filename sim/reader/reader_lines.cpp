@@ -15,7 +15,9 @@ constexpr double kWeave = 0.20;                      ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
 constexpr double kBeyond = 1.15;   ///< a sign begins at its left edge plus this at most
 constexpr double kLookBack = 2.4;  ///< left of a line's first sign another may lie so far off
+constexpr double kSameSign = 0.4;  ///< nearer signs are one
 constexpr int kMostRestarts = 3;
+constexpr int kNoMoreSkips = 1000;
 constexpr double kTurnSpread = 0.03;   ///< of lines, before they are felt [rad]
 constexpr double kTopOfNext = 0.45;    ///< below a base line, the next line's signs begin there
 constexpr double kMiddle = 0.5;        ///< of a sign, where every sign but an upright has a groove
@@ -125,6 +127,7 @@ std::vector<glm::dvec2> Reader::Weave(double from, double to) const {
 void Reader::Accept() {
   SignRead read;
   read.guess = belief_.front();
+  read.guess.probability = Sureness();
   if (read.guess.sign == SignGuess::kUnknown) {
     Box box;
     for (const FeltPoint& groove : evidence_.grooves) Include(box, groove.p);
@@ -132,9 +135,11 @@ void Reader::Accept() {
     if (!line_.empty()) read.guess.place = Expected();
   }
   read.time = now_;
-  const bool at_start = errand_ == Errand::kLineStart;
-  if (at_start) {
-    line_.insert(line_.begin(), read);
+  bool again = false;
+  if (errand_ == Errand::kLineStart) {
+    const SignPlace& first = line_.front().guess.place;
+    again = ToEm(first, read.guess.place.origin).x > -kSameSign;
+    if (!again) line_.insert(line_.begin(), read);
   } else {
     line_.push_back(read);
     LearnFrame();
@@ -147,9 +152,18 @@ void Reader::Accept() {
   if (StartAnew()) return;
   if (errand_ == Errand::kNextSign) {
     SearchNext();
+  } else if (again) {
+    BeginLine();
   } else {
     SearchLineStart();
   }
+}
+
+/// From the line's first sign on; what it met further right before may have gaps.
+void Reader::BeginLine() {
+  line_.erase(line_.begin() + 1, line_.end());
+  evidence_.flats.clear();
+  SearchNext();
 }
 
 /// From where the hand was put to and fro, a line's width and downwards.
@@ -171,6 +185,7 @@ bool Reader::StartAnew() {
   start_.y -= (0.1 + 0.2 * random_.Uniform()) * knowledge_.least_size;
   line_.clear();
   signs_ = unknowns_ = 0;
+  skips_ = 0;
   gaps_ = 0;
   gap_bias_ = turn_ = across_ = along_ = 0;
   sizes_ = AllSizes(knowledge_);
@@ -210,12 +225,18 @@ void Reader::SearchNextLine() {
 void Reader::Missed() {
   switch (errand_) {
     case Errand::kFirstLine:
+      if (skips_ > 0 && skips_ < kNoMoreSkips) {  // there was nothing but that
+        skips_ = kNoMoreSkips;
+        SearchFirstLine();
+        return;
+      }
+      phase_ = Phase::kDone;
+      return;
     case Errand::kNextLine:
       phase_ = Phase::kDone;
       return;
     case Errand::kLineStart:
-      evidence_.flats.clear();
-      SearchNext();
+      BeginLine();
       return;
     case Errand::kNextSign:
       EndLine();

@@ -19,9 +19,11 @@ class Sheet {
  public:
   Sheet(const Pose& X_WP, glm::dvec2 start_P, double turn)
       : X_WP_(X_WP), start_P_(start_P), c_(std::cos(turn)), s_(std::sin(turn)) {}
+  glm::dvec2 ToPage(glm::dvec2 p) const noexcept {
+    return start_P_ + glm::dvec2(c_ * p.x + s_ * p.y, c_ * p.y - s_ * p.x);
+  }
   glm::dvec3 ToWorldFrame(glm::dvec3 p) const noexcept {
-    return ToWorld(X_WP_,
-                   {start_P_.x + c_ * p.x + s_ * p.y, start_P_.y - s_ * p.x + c_ * p.y, p.z});
+    return ToWorld(X_WP_, {ToPage(glm::dvec2(p)), p.z});
   }
   glm::dvec3 ToHandFrame(glm::dvec3 f_P) const noexcept {
     return {c_ * f_P.x - s_ * f_P.y, s_ * f_P.x + c_ * f_P.y, f_P.z};
@@ -69,7 +71,7 @@ constexpr double kApproach = 0.005;  ///< the hand is put so far above the paper
 }  // namespace
 
 ReadingResult RunReading(const ReadingSetup& setup) {
-  Scene scene = Scene::Load("", setup.scene);
+  Scene scene = Scene::Load(setup.model_path, setup.scene);
   scene.SetField(setup.field);
   const Sheet sheet(scene.X_WP(), setup.start_P, setup.page_turn);
   const double tick = setup.scene.tick;
@@ -102,6 +104,10 @@ ReadingResult RunReading(const ReadingSetup& setup) {
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   result.tokens = reader.tokens();
+  for (ReadToken& token : result.tokens) {
+    token.place.origin = sheet.ToPage(token.place.origin);
+    token.place.turn -= setup.page_turn;
+  }
   result.ended = reader.done();
   result.duration = static_cast<double>(n) * tick;
   result.real_time_factor = result.duration / std::max(elapsed.count(), 1e-9);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "devices/hand/hand.h"
@@ -28,6 +29,7 @@ struct Senses {
 struct ReadingSetup {
   const TextPage* page = nullptr;       ///< must outlive the run; the reader never sees it
   const TextureField* field = nullptr;  ///< of that page, or of another paper; must outlive the run
+  std::string model_path;               ///< MJCF; empty = the shipped page
   SceneOptions scene;
   HandModel hand;
   Muscle muscle;
@@ -46,10 +48,10 @@ struct ReadingSetup {
 };
 
 struct ReadingResult {
-  std::vector<ReadToken> tokens;
-  bool ended = false;           ///< by itself
-  double duration = 0;          ///< simulated [s]
-  double real_time_factor = 0;  ///< the only value that varies
+  std::vector<ReadToken> tokens;  ///< places in the page's frame
+  bool ended = false;             ///< by itself
+  double duration = 0;            ///< simulated [s]
+  double real_time_factor = 0;    ///< the only value that varies
   std::vector<PathPoint> path;
 };
 

@@ -1,0 +1,90 @@
+#include "sim/app/recognise_messages.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "sim/console/wording.h"
+#include "sim/reading/read_text.h"
+#include "textures/base/text_file.h"
+#include "textures/base/units.h"
+
+namespace moontrace::say {
+namespace {
+
+std::string MarkWord(int mark, const Script& script) {
+  switch (mark) {
+    case kSpaceMark:
+      return "a space";
+    case kLineEndMark:
+      return "a line end";
+    case kUnknownMark:
+      return "unknown";
+    default:
+      return TextOfSign(static_cast<std::size_t>(mark), script);
+  }
+}
+
+}  // namespace
+
+std::string ReadingOutcome(const ReadingScore& score) {
+  return fmt::format("{} of {} right; {} wrong, {} missed, {} extra. Spaces and line ends count.",
+                     score.right, score.right + score.wrong + score.missed, score.wrong,
+                     score.missed, score.extra);
+}
+
+std::string NothingRead(double seconds) {
+  return fmt::format("Nothing was read: no sign felt in {} s.", Short(seconds, 1));
+}
+
+std::string ReadingTime(const ReadingScore& score, double seconds, double real_time_factor) {
+  return fmt::format("{} s a sign, {} s in all, simulated; {} times real time.",
+                     Short(seconds / static_cast<double>(std::max<std::size_t>(1, score.signs)), 1),
+                     Short(seconds, 0), Short(real_time_factor, 0));
+}
+
+std::string Confusions(const ReadingScore& score, const Script& script) {
+  if (score.confusions.empty()) return {};
+  std::vector<std::pair<std::size_t, std::pair<int, int>>> order;
+  for (const auto& [pair, count] : score.confusions) order.emplace_back(count, pair);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < order.size() && i < kMost; ++i) {
+    const auto& [count, pair] = order[i];
+    words.push_back(fmt::format("{} for {}{}", MarkWord(pair.second, script),
+                                MarkWord(pair.first, script),
+                                count > 1 ? " " + Times(count) : std::string()));
+  }
+  if (order.size() > kMost) words.push_back(fmt::format("{} more", order.size() - kMost));
+  return fmt::format("Read wrongly: {}.", Joined(words, ", "));
+}
+
+std::string AsRead() { return "As read, line by line:"; }
+
+std::string ReaderStopped(std::size_t page) {
+  return fmt::format("Page {}: the reader found no end by itself and was stopped.", page + 1);
+}
+
+std::string ReadingPictureTitle(const Script& script, const TypeStyle& style) {
+  return fmt::format("{} of {} mm read by touch", OneLine(script.title, 60),
+                     Short(kMillimetres * style.size, 2));
+}
+
+std::string ReadingPictureWords(std::string_view text, std::string_view read) {
+  return fmt::format("Text: {}. Read: {}.", OneLine(text), OneLine(read));
+}
+
+std::string ReadingPictureLegend(const TypeStyle& style, bool blank) {
+  const std::string ground = blank ? std::string("Dashed grey: where each groove would be.")
+                                   : fmt::format("Grey band: the groove, {} mm wide.",
+                                                 Short(kMillimetres * style.width, 2));
+  return ground +
+         " Orange line: the tip where it searches. Blue line: where it follows a groove. Print: "
+         "what was read, and how sure it is where that is below 99 percent.";
+}
+
+}  // namespace moontrace::say

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sim/reading/reading_score.h"
+#include "textures/fonts/script.h"
+#include "textures/typeset/typeset.h"
+
+/// Sentences of `moontrace recognise`.
+namespace moontrace::say {
+
+std::string ReadingOutcome(const ReadingScore& score);
+std::string NothingRead(double seconds);
+/// `seconds`: of the whole reading.
+std::string ReadingTime(const ReadingScore& score, double seconds, double real_time_factor);
+/// What stood there and what was read instead, the most frequent first; empty where there is none.
+std::string Confusions(const ReadingScore& score, const Script& script);
+std::string AsRead();
+std::string ReaderStopped(std::size_t page);
+
+std::string ReadingPictureTitle(const Script& script, const TypeStyle& style);
+std::string ReadingPictureWords(std::string_view text, std::string_view read);
+std::string ReadingPictureLegend(const TypeStyle& style, bool blank);
+
+namespace help {
+inline constexpr const char* kRecognise =
+    "a simulated reader that only feels reads the text and is scored";
+inline constexpr const char* kReaderBlank = "the reader is given paper without grooves.";
+inline constexpr const char* kReaderSeed =
+    "of tremor, drift, how the page lies and what the reader does by chance, a whole number. "
+    "Default 1.";
+}  // namespace help
+
+}  // namespace moontrace::say
