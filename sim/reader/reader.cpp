@@ -253,6 +253,14 @@ void Reader::Think() {
       }
     }
   }
+  if (best.sign != SignGuess::kUnknown && crossings_ < kMostCrossings && CrossUnfelt(best)) {
+    ++crossings_;
+    return;
+  }
+  if (best.sign == SignGuess::kUnknown && IsLastAgain()) {
+    const std::vector<FeltPoint> felt = evidence_.grooves;
+    return SearchBeyond(felt);
+  }
   const bool doubtful = best.sign == SignGuess::kUnknown || Sureness() < kDoubtful;
   if (doubtful && tries_ < kMostTries) {
     ++tries_;
@@ -292,6 +300,46 @@ bool Reader::SkipFirst() {
   evidence_.grooves.clear();
   evidence_.flats.clear();
   SweepAlong(std::move(way), Errand::kFirstLine);
+  return true;
+}
+
+/// Share of what was felt that lies on a sign's lines or near them.
+double Reader::ShareOf(const SignGuess& guess, const std::vector<FeltPoint>& grooves) const {
+  constexpr double kNear = 0.12;  // [em]
+  double all = 0, near = 0;
+  for (const FeltPoint& groove : grooves) {
+    all += groove.weight;
+    const double d = knowledge_.shapes->Distance(guess.sign, ToEm(guess.place, groove.p));
+    near += d < kNear ? groove.weight : 0;
+  }
+  return all > 0 ? near / all : 0;
+}
+
+/// Whether what was felt is the last sign's, met from its right side.
+bool Reader::IsLastAgain() const {
+  if (errand_ != Errand::kNextSign || line_.back().guess.sign == SignGuess::kUnknown) return false;
+  return ShareOf(line_.back().guess, evidence_.grooves) > 0.7;
+}
+
+/// Goes across the part of a sign that is farthest from all that was felt, if that is far: what was
+/// felt may be a part of it only.
+bool Reader::CrossUnfelt(const SignGuess& guess) {
+  constexpr double kFar = 0.25, kReach = 0.2;  // [em]
+  double most = kFar;
+  const SignPoint* farthest = nullptr;
+  for (const SignPoint& point : knowledge_.shapes->Points(guess.sign)) {
+    const glm::dvec2 p = FromEm(guess.place, point.p);
+    double room = INFINITY;
+    for (const FeltPoint& felt : evidence_.grooves) room = std::min(room, glm::distance(felt.p, p));
+    if (room / guess.place.size <= most) continue;
+    most = room / guess.place.size;
+    farthest = &point;
+  }
+  if (farthest == nullptr) return false;
+  const glm::dvec2 aside = kReach * glm::dvec2(-farthest->tangent.y, farthest->tangent.x);
+  SweepAlong({FromEm(guess.place, farthest->p + aside), FromEm(guess.place, farthest->p - aside)},
+             errand_);
+  crossing_ = true;
   return true;
 }
 

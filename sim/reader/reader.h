@@ -74,11 +74,15 @@ class Reader {
   void Think();
   double Sureness() const;
   bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
+  double ShareOf(const SignGuess& guess, const std::vector<FeltPoint>& grooves) const;
+  bool IsLastAgain() const;
+  bool CrossUnfelt(const SignGuess& guess);
   bool SkipFirst();
   bool CrossBetween(const SignGuess& best, const SignGuess& other);
   void Accept();
   void SearchFirstLine();
   void SearchNext();
+  void SearchBeyond(const std::vector<FeltPoint>& grooves);
   void SearchLineStart();
   void BeginLine();
   void SearchNextLine();
@@ -121,7 +125,8 @@ class Reader {
   // the page
   glm::dvec2 start_{0, 0};  ///< where the hand was put [m]
   int restarts_ = 0, skips_ = 0;
-  std::size_t unknowns_ = 0;  ///< signs in a row
+  std::size_t unknowns_ = 0;        ///< signs in a row
+  std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign
   std::vector<SignRead> line_;
   double size_ = 0;
   std::vector<double> sizes_;

@@ -10,8 +10,8 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20; in em unless said.
-constexpr double kBandLow = 0.17, kBandHigh = 0.60;  ///< of the weave over a line
-constexpr double kWeave = 0.20;                      ///< half its period
+constexpr double kBandLow = 0.14, kBandHigh = 0.62;  ///< of the weave over a line
+constexpr double kWeave = 0.17;                      ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
 constexpr double kBeyond = 1.15;   ///< a sign begins at its left edge plus this at most
 constexpr double kLookBack = 2.4;  ///< left of a line's first sign another may lie so far off
@@ -141,9 +141,14 @@ void Reader::Accept() {
     again = ToEm(first, read.guess.place.origin).x > -kSameSign;
     if (!again) line_.insert(line_.begin(), read);
   } else {
+    const bool known = read.guess.sign != SignGuess::kUnknown;
+    if (known && unknowns_ > 0 && !line_.empty() && ShareOf(read.guess, unknown_) > 0.5) {
+      line_.pop_back();  // it was this sign, felt badly
+    }
     line_.push_back(read);
     LearnFrame();
   }
+  unknown_ = evidence_.grooves;
   evidence_.grooves.clear();
   evidence_.flats.clear();
   crossings_ = tries_ = 0;
@@ -194,8 +199,20 @@ bool Reader::StartAnew() {
   return true;
 }
 
+/// The next sign; after something unknown, right of all that was felt of it.
 void Reader::SearchNext() {
+  if (unknowns_ > 0) return SearchBeyond(unknown_);
   SweepAlong(Weave(-kBefore, knowledge_.space + kBeyond), Errand::kNextSign);
+}
+
+void Reader::SearchBeyond(const std::vector<FeltPoint>& grooves) {
+  double right = -kBefore;
+  const SignPlace next = Expected();
+  for (const FeltPoint& groove : grooves) right = std::max(right, ToEm(next, groove.p).x + 0.15);
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = 0;
+  SweepAlong(Weave(right, right + knowledge_.space + kBeyond + kBefore), Errand::kNextSign);
 }
 
 /// Whether signs stand left of the line's first.

@@ -8,11 +8,12 @@ namespace moontrace {
 namespace {
 
 // In em and nats; ours, chosen on seeds 1 to 20.
-constexpr double kSpread = 0.03;      ///< of felt points from the centre line
-constexpr double kMostAGroove = 8;    ///< cost of a groove where the sign has none
-constexpr double kMostAFlat = 4;      ///< cost of flat paper in the middle of a groove
-constexpr double kUnknownCost = 1.5;  ///< of each groove point, for what is no sign
-constexpr double kUnknownPrior = 5;   ///< before anything was felt
+constexpr double kWithinFill = 0.045;  ///< counts for the distance there at most
+constexpr double kSpread = 0.03;       ///< of felt points from the centre line
+constexpr double kMostAGroove = 8;     ///< cost of a groove where the sign has none
+constexpr double kMostAFlat = 4;       ///< cost of flat paper in the middle of a groove
+constexpr double kUnknownCost = 1.0;   ///< of each groove point, for what is no sign
+constexpr double kUnknownPrior = 5;    ///< before anything was felt
 constexpr double kCoarse = 0.06, kFine = 0.02;
 constexpr double kSlack = 0.12;  ///< felt points may lie so far beyond a sign's box
 
@@ -43,13 +44,14 @@ double CostOf(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& 
   constexpr double kPerSquare = 0.5 / (kSpread * kSpread);
   double cost = 0;
   for (const FeltPoint& groove : felt.grooves) {
-    const double d = shapes.Distance(sign, groove.p - shift);
+    // a tip within a fill may be anywhere in it, which says less than one on a line
+    const double d = std::max(shapes.Distance(sign, groove.p - shift), -kWithinFill);
     cost += groove.weight * std::min(kPerSquare * d * d, kMostAGroove);
     if (cost > most) return cost;
   }
   const double inner = 0.75 * felt.half_width;
   for (const FeltPoint& flat : felt.flats) {
-    const double d = shapes.Distance(sign, flat.p - shift);
+    const double d = std::max(shapes.Distance(sign, flat.p - shift), 0.0);
     if (d < inner) cost += flat.weight * kMostAFlat * std::min(1.0, 2 * (1 - d / inner));
   }
   return cost;

@@ -10,14 +10,11 @@
 namespace moontrace {
 namespace {
 
-constexpr double kWithinFill = 0.03;  // [em]
-
-/// To a stroke's centre line; within a fill 0.
+/// To a stroke's centre line; within a fill the distance to its outline, below zero.
 double DistanceToStroke(const Stroke& stroke, glm::dvec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Piece& piece : stroke.pieces) nearest = std::min(nearest, DistanceTo(piece, p));
-  // a tip within a fill may be anywhere in it, which says less than one on a line
-  if (stroke.kind != StrokeKind::kStroke && IsInside(stroke.pieces, p)) nearest = kWithinFill;
+  if (stroke.kind != StrokeKind::kStroke && IsInside(stroke.pieces, p)) nearest = -nearest;
   return nearest;
 }
 

@@ -35,7 +35,7 @@ class SignShapes {
   const Box& Bounds(std::size_t sign) const { return signs_[sign].bounds; }  ///< of centre lines
   /// Along its strokes, 0.05 em apart; of fills the outline.
   const std::vector<SignPoint>& Points(std::size_t sign) const { return signs_[sign].points; }
-  /// To the nearest centre line, 0.03 within a fill; at most kFarthest [em]. From a table of 0.02
+  /// To the nearest centre line, 0.045 within a fill; at most kFarthest [em]. From a table of 0.02
   /// em.
   double Distance(std::size_t sign, glm::dvec2 p) const noexcept {
     const Sign& s = signs_[sign];

@@ -19,17 +19,18 @@ std::string PlainName(const std::string& name, const Script& script) {
 
 }  // namespace
 
-std::string TextOfSign(std::size_t glyph, const Script& script) {
+std::string TextOfSign(std::size_t glyph, const Script& script, bool alone) {
   const std::string name = PlainName(script.glyphs[glyph].name, script);
   for (const auto& [character, sign] : script.signs) {
     if (sign == name) return ToUtf8(character);
   }
+  std::string text = "<" + name + ">";
   for (const Contraction& contraction : script.contractions) {
-    if (contraction.signs.size() == 1 && contraction.signs.front() == name) {
-      return contraction.print;
-    }
+    if (contraction.signs != std::vector<std::string>{name}) continue;
+    text = contraction.print;
+    if ((contraction.where == Contraction::Where::kWholeWord) == alone) break;
   }
-  return "<" + name + ">";
+  return text;
 }
 
 std::string TextRead(const std::vector<ReadToken>& tokens, const Script& script) {
@@ -37,7 +38,11 @@ std::string TextRead(const std::vector<ReadToken>& tokens, const Script& script)
   for (const auto& [digit, name] : script.digits) digits[name] = digit;
   std::string text;
   bool number = false;
-  for (const ReadToken& token : tokens) {
+  const auto is_sign = [&tokens](std::size_t i) {
+    return i < tokens.size() && tokens[i].kind == ReadToken::Kind::kSign;
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const ReadToken& token = tokens[i];
     switch (token.kind) {
       case ReadToken::Kind::kSign: {
         const std::string& name = script.glyphs[token.glyph].name;
@@ -46,8 +51,10 @@ std::string TextRead(const std::vector<ReadToken>& tokens, const Script& script)
           break;
         }
         const auto digit = digits.find(PlainName(name, script));
-        text += number && digit != digits.end() ? ToUtf8(digit->second)
-                                                : TextOfSign(token.glyph, script);
+        text +=
+            number && digit != digits.end()
+                ? ToUtf8(digit->second)
+                : TextOfSign(token.glyph, script, !is_sign(i + 1) && (i == 0 || !is_sign(i - 1)));
         break;
       }
       case ReadToken::Kind::kUnknown:

@@ -13,7 +13,7 @@ namespace moontrace {
 /// stands for no text is given by its name in angle brackets.
 std::string TextRead(const std::vector<ReadToken>& tokens, const Script& script);
 
-/// What one sign stands for by itself, as above.
-std::string TextOfSign(std::size_t glyph, const Script& script);
+/// What one sign stands for, as above; `alone`: as a word of its own, where it may stand for more.
+std::string TextOfSign(std::size_t glyph, const Script& script, bool alone = false);
 
 }  // namespace moontrace

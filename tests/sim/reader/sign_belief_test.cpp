@@ -1,0 +1,133 @@
+#include "sim/reader/sign_belief.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "textures/base/units.h"
+#include "textures/fonts/script_library.h"
+
+namespace moontrace {
+namespace {
+
+constexpr double kSize = 0.012, kWidth = 0.0014;
+
+class SignBelief : public testing::Test {
+ protected:
+  SignBelief() : script_(FindScript("moon")), shapes_(script_, WrittenGlyphs(script_)) {}
+
+  /// Points along pieces, as a tip that followed them felt them.
+  static SignEvidence Along(const std::vector<Piece>& pieces, const SignPlace& place) {
+    SignEvidence felt;
+    felt.width = kWidth;
+    for (const Piece& piece : pieces) {
+      const double length = Length(piece);
+      const int count = static_cast<int>(std::ceil(length / 0.05));
+      for (int i = 0; i <= count; ++i) {
+        felt.grooves.push_back({FromEm(place, PointAt(piece, length * i / count)), 0.5});
+      }
+    }
+    return felt;
+  }
+  SignEvidence AlongGlyph(const char* name, const SignPlace& place) const {
+    return Along(script_.glyphs[script_.Find(name)].strokes.front().pieces, place);
+  }
+  std::string NameOf(const SignGuess& guess) const {
+    return guess.sign == SignGuess::kUnknown ? "unknown"
+                                             : script_.glyphs[shapes_.GlyphOf(guess.sign)].name;
+  }
+  static PlacePrior Anywhere() {
+    PlacePrior prior;
+    prior.sizes = {kSize};
+    prior.turns = {0};
+    return prior;
+  }
+
+  Script script_;
+  SignShapes shapes_;
+};
+
+TEST_F(SignBelief, PlaceInEmAndBackIsTheSame) {
+  const SignPlace place{{0.03, -0.01}, kSize, 0.05};
+  const glm::dvec2 p{0.7, 0.2};
+  EXPECT_LT(glm::distance(ToEm(place, FromEm(place, p)), p), 1e-12);
+  // one em along the line, which is turned by 0.05 rad
+  const glm::dvec2 end = FromEm(place, {1, 0});
+  EXPECT_NEAR(end.x, 0.03 + kSize * std::cos(0.05), 1e-15);
+  EXPECT_NEAR(end.y, -0.01 + kSize * std::sin(0.05), 1e-15);
+}
+
+// The table has cells of 0.02 em: a distance, which changes no faster than its point, is off by
+// half a diagonal at most.
+TEST_F(SignBelief, DistancesAreThoseToTheStrokes) {
+  for (std::size_t sign = 0; sign < shapes_.size(); ++sign) {
+    const Glyph& glyph = script_.glyphs[shapes_.GlyphOf(sign)];
+    if (glyph.strokes.size() != 1 || glyph.strokes.front().kind != StrokeKind::kStroke) continue;
+    for (double x = -0.3; x < 1.3; x += 0.07) {
+      for (double y = -0.3; y < 1.3; y += 0.07) {
+        double nearest = SignShapes::kFarthest;
+        for (const Piece& piece : glyph.strokes.front().pieces) {
+          nearest = std::min(nearest, DistanceTo(piece, {x, y}));
+        }
+        EXPECT_NEAR(shapes_.Distance(sign, {x, y}), nearest, 0.0142) << glyph.name;
+      }
+    }
+  }
+}
+
+// Each sign's own strokes, felt whole: nothing else fits, but what has them as a part of itself.
+TEST_F(SignBelief, KnowsLettersByTheirStrokesAndWhereTheyLie) {
+  const SignPlace place{{0.05, 0.02}, kSize, 0};
+  for (const char* name : {"a", "c", "e", "g", "k", "l", "n", "o", "p", "u", "v", "x", "z"}) {
+    const std::vector<SignGuess> belief = Believe(shapes_, AlongGlyph(name, place), Anywhere());
+    const SignGuess& best = belief.front();
+    // C and U are parts of CH and WH, whose dot was not looked for
+    EXPECT_TRUE(NameOf(best) == name || (NameOf(best) == "ch" && *name == 'c')) << name;
+    // places are tried 0.02 em apart
+    EXPECT_LT(glm::distance(best.place.origin, place.origin), 0.03 * kSize) << name;
+  }
+}
+
+TEST_F(SignBelief, FlatPaperSpeaksAgainstAStroke) {
+  const SignPlace place{{0, 0}, kSize, 0};
+  SignEvidence felt = AlongGlyph("c", place);
+  const auto share = [&](const std::vector<SignGuess>& belief, const char* name) {
+    for (const SignGuess& guess : belief) {
+      if (NameOf(guess) == name) return guess.probability;
+    }
+    return 0.0;
+  };
+  EXPECT_GT(share(Believe(shapes_, felt, Anywhere()), "ch"), 0.3);
+  // where CH has its dot
+  for (double x = 0.8; x <= 1.0; x += 0.05) felt.flats.push_back({FromEm(place, {x, 0.5}), 1});
+  const std::vector<SignGuess> belief = Believe(shapes_, felt, Anywhere());
+  EXPECT_LT(share(belief, "ch"), 0.01);
+  EXPECT_GT(share(belief, "c"), 0.98);
+}
+
+TEST_F(SignBelief, ForeignSignsAreUnknown) {
+  const SignPlace place{{0, 0}, kSize, 0};
+  // a triangle, a print H, a square, none of them a part of a sign of Moon
+  const std::vector<std::vector<Piece>> foreign = {
+      {Line{{0, 0}, {1, 0}}, Line{{1, 0}, {0.5, 1}}, Line{{0.5, 1}, {0, 0}}},
+      {Line{{0, 0}, {0, 1}}, Line{{0, 0.5}, {1, 0.5}}, Line{{1, 0}, {1, 1}}},
+      {Line{{0, 0}, {0, 1}}, Line{{0, 1}, {1, 1}}, Line{{1, 1}, {1, 0}}, Line{{1, 0}, {0, 0}}}};
+  for (std::size_t i = 0; i < foreign.size(); ++i) {
+    const SignGuess best = Believe(shapes_, Along(foreign[i], place), Anywhere()).front();
+    EXPECT_EQ(NameOf(best), "unknown") << i;
+    EXPECT_GT(best.probability, 0.9) << i;
+  }
+}
+
+TEST_F(SignBelief, ProbabilitiesAddUpToOne) {
+  const std::vector<SignGuess> belief =
+      Believe(shapes_, AlongGlyph("i", {{0, 0}, kSize, 0}), Anywhere());
+  double sum = 0;
+  for (const SignGuess& guess : belief) sum += guess.probability;
+  EXPECT_NEAR(sum, 1, 1e-12);
+  EXPECT_TRUE(Believe(shapes_, {}, Anywhere()).empty());
+}
+
+}  // namespace
+}  // namespace moontrace
