@@ -294,7 +294,9 @@ bool Reader::SkipFirst() {
   const double a = knowledge_.least_size;
   const double y = 0.5 * (box.min.y + box.max.y);
   std::vector<glm::dvec2> way;
-  for (int i = 0; i < 24; ++i) {
+  constexpr int kTurns = 24;
+  way.reserve(kTurns);
+  for (int i = 0; i < kTurns; ++i) {
     way.emplace_back(box.max.x + a * (0.2 + 0.15 * i), y + (i % 2 == 0 ? -0.25 : 0.25) * a);
   }
   evidence_.grooves.clear();

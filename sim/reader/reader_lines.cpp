@@ -175,7 +175,9 @@ void Reader::BeginLine() {
 void Reader::SearchFirstLine() {
   const double a = knowledge_.least_size;
   std::vector<glm::dvec2> way;
-  for (int i = 0; i < 60; ++i) {
+  constexpr int kTurns = 60;
+  way.reserve(kTurns);
+  for (int i = 0; i < kTurns; ++i) {
     way.push_back(start_ + a * glm::dvec2(i % 2 == 0 ? -0.5 : 4.0, -0.2 * i));
   }
   SweepAlong(std::move(way), Errand::kFirstLine);
