@@ -10,7 +10,7 @@ namespace moontrace {
 namespace {
 
 // Shares of a groove's width, unless said; ours, chosen on seeds 1 to 20.
-constexpr double kSpeedShare = 0.35;  ///< of the speed at which a wall just holds
+constexpr double kSpeedShare = 0.5;  ///< of the speed at which a wall just holds
 constexpr double kStopShare = 0.25;   ///< of the hold stops the aim
 constexpr double kPullShare = 0.30;   ///< of the hold, in a swing
 constexpr double kCalm = 0.020;       ///< of forces [s]

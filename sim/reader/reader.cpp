@@ -12,7 +12,7 @@ namespace {
 // Ours, chosen on seeds 1 to 20. In em unless said.
 constexpr double kLift = 0.004;        ///< above the level of pressing [m]
 constexpr double kAirSpeed = 0.35;     ///< [m/s]
-constexpr double kSteady = 0.18;       ///< for the hand to come to rest above where it lands [s]
+constexpr double kSteady = 0.10;       ///< for the hand to come to rest above where it lands [s]
 constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
 constexpr double kSearchShare = 0.6;   ///< of the speed at which a groove's wall just holds
 constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
@@ -169,7 +169,7 @@ void Reader::Caught(const Felt& felt) {
 
 ReaderAction Reader::Settle(const Felt& felt) {
   const ReaderAction rest{{entry_.x, entry_.y, sense_.level()}, knowledge_.press};
-  if (now_ - since_ < knowledge_.delay + knowledge_.lag + 0.08) return rest;
+  if (now_ - since_ < knowledge_.delay + knowledge_.lag + 0.01) return rest;
   since_ = now_;
   if (felt.depth < 0.3) {  // slipped out: go on
     phase_ = Phase::kSweep;
