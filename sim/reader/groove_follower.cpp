@@ -11,18 +11,18 @@ namespace {
 
 // Shares of a groove's width, unless said; ours, chosen on seeds 1 to 20.
 constexpr double kSpeedShare = 0.5;  ///< of the speed at which a wall just holds
-constexpr double kStopShare = 0.25;   ///< of the hold stops the aim
-constexpr double kPullShare = 0.30;   ///< of the hold, in a swing
-constexpr double kCalm = 0.020;       ///< of forces [s]
-constexpr double kYield = 0.25;       ///< in which the aim yields to a wall [s]
-constexpr double kSpacing = 0.12;     ///< of the path's points
-constexpr double kBase = 1.6;         ///< of the path, from which its direction is taken
-constexpr double kForesight = 0.8;    ///< of the way that is not yet felt
-constexpr double kMostBend = 1.2;     ///< that is foreseen [rad]
-constexpr double kStill = 0.08;       ///< less motion within kStopTime is a stop
-constexpr double kStopTime = 0.090;   ///< [s]
-constexpr double kBackTime = 0.25;    ///< [s]
-constexpr double kMoved = 0.6;        ///< is motion out of a stop
+constexpr double kStopShare = 0.25;  ///< of the hold stops the aim
+constexpr double kPullShare = 0.30;  ///< of the hold, in a swing
+constexpr double kCalm = 0.020;      ///< of forces [s]
+constexpr double kYield = 0.25;      ///< in which the aim yields to a wall [s]
+constexpr double kSpacing = 0.12;    ///< of the path's points
+constexpr double kBase = 1.6;        ///< of the path, from which its direction is taken
+constexpr double kForesight = 0.8;   ///< of the way that is not yet felt
+constexpr double kMostBend = 1.2;    ///< that is foreseen [rad]
+constexpr double kStill = 0.08;      ///< less motion within kStopTime is a stop
+constexpr double kStopTime = 0.090;  ///< [s]
+constexpr double kBackTime = 0.25;   ///< [s]
+constexpr double kMoved = 0.6;       ///< is motion out of a stop
 constexpr double kSwingAngle = 100 * kDegree;
 constexpr double kSwingRate = 9;     ///< [rad/s]
 constexpr double kLostDepth = 0.25;  ///< of the groove's depth
@@ -85,13 +85,29 @@ void GrooveFollower::Turn(glm::dvec2 direction, double time) {
 }
 
 void GrooveFollower::StartSwing(const Felt& felt) {
+  Stop(felt);
+  left_ = right_ = true;
   state_ = State::kSwinging;
+}
+
+void GrooveFollower::Stop(const Felt& felt) {
+  state_ = State::kStopped;
   stop_ = felt.place;
   anchor_ = aim_ + wall_ / stiffness_;  // where the hand would not push at all
   since_ = felt.time;
   from_ = aim_;
   angle_ = 0;
   ++swings_;
+}
+
+void GrooveFollower::Try(bool left, bool right) {
+  left_ = left;
+  right_ = right;
+  if (left != right) side_ = left ? 1 : -1;
+  state_ = State::kSwinging;
+  if (left || right) return;
+  NoteBlocked();
+  state_ = State::kEnded;
 }
 
 /// The tip went there in the groove, however far it is.
@@ -167,7 +183,7 @@ glm::dvec2 GrooveFollower::Foreseen() const {
 
 /// A hand on its spring swings to and fro a little; one that goes on going back has turned round.
 void GrooveFollower::GoBack(const Felt& felt) {
-  if (felt.time - back_since_ > kBackTime) StartSwing(felt);
+  if (felt.time - back_since_ > kBackTime) Stop(felt);
 }
 
 void GrooveFollower::Move(const Felt& felt) {
@@ -188,12 +204,12 @@ void GrooveFollower::Move(const Felt& felt) {
   const bool still = glm::distance(felt.place, mark_) < kStill * width_;
   mark_ = felt.place;
   mark_time_ = felt.time;
-  if (still && felt.time - since_ > wait_ && state_ == State::kMoving) StartSwing(felt);
+  if (still && felt.time - since_ > wait_ && state_ == State::kMoving) Stop(felt);
 }
 
 void GrooveFollower::NoteBlocked() {
   constexpr double kStep = 20 * kDegree;
-  for (int i = -5; i <= 5; ++i) {
+  for (int i = right_ ? -5 : -1; i <= (left_ ? 5 : 1); ++i) {
     blocked_.push_back({stop_ + 0.9 * width_ * Turned(direction_, i * kStep), 0.5});
   }
 }
@@ -219,7 +235,8 @@ void GrooveFollower::Swing(const Felt& felt) {
   } else {
     angle_ = side_ * std::max(-kSwingAngle, kSwingAngle - kSwingRate * (t - first));
   }
-  if (t > first + 2 * over + wait_) {
+  const double last = left_ && right_ ? first + 2 * over + wait_ : first;
+  if (t > last) {
     NoteBlocked();
     state_ = State::kEnded;
   }

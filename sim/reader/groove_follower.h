@@ -17,7 +17,7 @@ namespace moontrace {
 /// leads back along the groove one came by, and it takes the sharpest corners.)
 class GrooveFollower {
  public:
-  enum class State { kMoving, kSwinging, kEnded, kRing, kLost };
+  enum class State { kMoving, kStopped, kSwinging, kEnded, kRing, kLost };
 
   GrooveFollower() = default;
   explicit GrooveFollower(const ReaderKnowledge& knowledge);
@@ -28,7 +28,11 @@ class GrooveFollower {
   glm::dvec2 Step(const Felt& felt);
 
   State state() const { return state_; }
-  bool done() const { return state_ != State::kMoving && state_ != State::kSwinging; }
+  bool done() const { return state_ >= State::kEnded; }
+  /// At a stop (kStopped): swings to these sides; to none: it is an end.
+  void Try(bool left, bool right);
+  glm::dvec2 stop() const { return stop_; }            ///< where it stopped last [m]
+  glm::dvec2 direction() const { return direction_; }  ///< of the pull before it stopped, unit
   /// Where the tip went within the groove, evenly spaced [m].
   const std::vector<glm::dvec2>& path() const { return path_; }
   /// Points beyond walls that it could not pass.
@@ -49,6 +53,7 @@ class GrooveFollower {
   glm::dvec2 Foreseen() const;
   void Turn(glm::dvec2 direction, double time);
   void NoteBlocked();
+  void Stop(const Felt& felt);
 
   double width_ = 0, hold_ = 0, stiffness_ = 1, late_ = 0, wait_ = 0, speed_ = 0, gentle_ = 0,
          longest_ = 0;
@@ -63,7 +68,8 @@ class GrooveFollower {
   double mark_time_ = 0, back_since_ = 0;
   glm::dvec2 mark_{0, 0};  ///< where the tip was at `mark_time_`
   glm::dvec2 stop_{0, 0}, anchor_{0, 0}, from_{0, 0};
-  double angle_ = 0;  ///< of the swing [rad]
+  double angle_ = 0;                 ///< of the swing [rad]
+  bool left_ = true, right_ = true;  ///< sides that are tried
   int swings_ = 0;
   double ahead_ = 0;     ///< speed of the aim [m/s]
   std::size_t leg_ = 0;  ///< of the path's points: where the last corner was

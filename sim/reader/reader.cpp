@@ -186,8 +186,35 @@ ReaderAction Reader::Settle(const Felt& felt) {
 
 ReaderAction Reader::Follow(const Felt& felt) {
   const glm::dvec2 aim = follower_.Step(felt);
+  if (follower_.state() == GrooveFollower::State::kStopped) TrySides();
   if (follower_.done()) EndLeg();
   return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
+}
+
+/// Where the groove stops, the hand tries those sides to which some likely sign goes on.
+void Reader::TrySides() {
+  constexpr double kLikely = 7;             // nats below the best
+  constexpr double kFrom = 0.9, kTo = 2.2;  // widths from the stop
+  constexpr double kLeast = 25 * kDegree, kMost = 150 * kDegree;
+  TakeGrooves();
+  if (signs_ < 2) return follower_.Try(true, true);
+  const std::vector<SignGuess> belief = Believe(*knowledge_.shapes, evidence_, PriorNow());
+  bool left = belief.empty(), right = belief.empty();
+  const glm::dvec2 ahead = follower_.direction();
+  for (const SignGuess& guess : belief) {
+    if (guess.log_likelihood < belief.front().log_likelihood - kLikely) break;
+    if (guess.sign == SignGuess::kUnknown) left = right = true;
+    if (guess.sign == SignGuess::kUnknown) break;
+    for (const SignPoint& point : knowledge_.shapes->Points(guess.sign)) {
+      const glm::dvec2 way = FromEm(guess.place, point.p) - follower_.stop();
+      const double length = glm::length(way) / knowledge_.width;
+      if (length < kFrom || length > kTo) continue;
+      const double angle = std::atan2(ahead.x * way.y - ahead.y * way.x, glm::dot(ahead, way));
+      left = left || (angle > kLeast && angle < kMost);
+      right = right || (angle < -kLeast && angle > -kMost);
+    }
+  }
+  follower_.Try(left, right);
 }
 
 /// From where a groove was met it is followed one way and then the other. A leg that ended where
@@ -208,7 +235,7 @@ void Reader::EndLeg() {
 }
 
 /// What was felt twice says no more than once.
-void Reader::TakePath() {
+void Reader::TakeGrooves() {
   constexpr double kApart = 0.4, kOnItsOwn = 0.8;  // shares of the groove's width
   for (const glm::dvec2 p : follower_.path()) {
     const auto near = [&](const FeltPoint& felt) {
@@ -218,6 +245,10 @@ void Reader::TakePath() {
       evidence_.grooves.push_back({p, kApart / kOnItsOwn});
     }
   }
+}
+
+void Reader::TakePath() {
+  TakeGrooves();
   for (const FeltPoint& point : follower_.blocked()) evidence_.flats.push_back(point);
 }
 

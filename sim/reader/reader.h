@@ -70,6 +70,8 @@ class Reader {
   ReaderAction Settle(const Felt& felt);
   ReaderAction Follow(const Felt& felt);
   void EndLeg();
+  void TrySides();
+  void TakeGrooves();
   void TakePath();
   void Think();
   double Sureness() const;
