@@ -14,7 +14,7 @@ constexpr double kLift = 0.004;        ///< above the level of pressing [m]
 constexpr double kAirSpeed = 0.35;     ///< [m/s]
 constexpr double kSteady = 0.10;       ///< for the hand to come to rest above where it lands [s]
 constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
-constexpr double kSearchShare = 0.85;   ///< of the speed at which a groove's wall just holds
+constexpr double kSearchShare = 0.85;  ///< of the speed at which a groove's wall just holds
 constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
 constexpr double kCaughtTime = 0.006;  ///< [s]
 constexpr double kFlatDepth = 0.12;
@@ -37,7 +37,11 @@ std::vector<double> Reader::AllSizes(const ReaderKnowledge& knowledge) {
 }
 
 Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed)
-    : knowledge_(knowledge), random_(seed), sense_(knowledge, tick), follower_(knowledge) {
+    : knowledge_(knowledge),
+      random_(seed),
+      sense_(knowledge, tick),
+      drift_(knowledge, tick),
+      follower_(knowledge) {
   sizes_ = AllSizes(knowledge);
   size_ = std::sqrt(knowledge.least_size * knowledge.greatest_size);
   evidence_.width = knowledge.width;
@@ -76,6 +80,7 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
   fly_to_ = to;
   since_ = now_;
   sense_.Lift();
+  drift_.Begin();
 }
 
 /// Up, over, down, and a rest until the landing has been felt.
@@ -154,7 +159,9 @@ ReaderAction Reader::Sweep(const Felt& felt) {
   } else {
     deepest_ = 0;
   }
-  return {{aim_.x, aim_.y, sense_.level()}, knowledge_.press};
+  const glm::dvec2 aim = aim_ - drift_.drift();
+  drift_.Add(felt, aim);
+  return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
 }
 
 void Reader::Caught(const Felt& felt) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/reader/aim_drift.h"
 #include "sim/reader/groove_follower.h"
 #include "sim/reader/reader_knowledge.h"
 #include "sim/reader/sign_belief.h"
@@ -98,6 +99,7 @@ class Reader {
   Random random_{0};
   bool random_phase_ = false;  ///< of the next weave: begins high
   TouchSense sense_;
+  AimDrift drift_;
   GrooveFollower follower_;
   ReaderAction action_;
   Phase phase_ = Phase::kStart;
