@@ -12,6 +12,8 @@ namespace {
 // Ours, chosen on seeds 1 to 20. In em unless said.
 constexpr double kLift = 0.004;        ///< above the level of pressing [m]
 constexpr double kAirSpeed = 0.35;     ///< [m/s]
+constexpr double kPatience = 1.0;      ///< with a landing that does not come to rest [s]
+constexpr double kGivesUp = 300;       ///< after so long without a sign or a line [s]
 constexpr double kSteady = 0.10;       ///< for the hand to come to rest above where it lands [s]
 constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
 constexpr double kSearchShare = 0.85;  ///< of the speed at which a groove's wall just holds
@@ -49,7 +51,12 @@ Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed
 
 ReaderAction Reader::Step(const ReaderInput& input) {
   now_ = input.time;
-  action_ = Act(sense_.Add(input));
+  const Felt& felt = sense_.Add(input);
+  if (now_ - news_ > kGivesUp && phase_ != Phase::kDone) {
+    if (!line_.empty()) EndLine();
+    phase_ = Phase::kDone;
+  }
+  action_ = Act(felt);
   return action_;
 }
 
@@ -91,7 +98,8 @@ ReaderAction Reader::Fly(const Felt& felt) {
   const double height = sense_.level_known() ? sense_.level() + kLift : felt.tip.z;
   if (t < kUp) return {{fly_from_.x, fly_from_.y, height}, 0};
   if (t < there) return {{fly_to_.x, fly_to_.y, height}, 0};
-  if (t >= felt_there && sense_.level_known() && sense_.resting_for() > 0.03) {
+  const bool rests = sense_.level_known() && sense_.resting_for() > 0.03;
+  if (t >= felt_there && (rests || t > felt_there + kPatience)) {
     since_ = now_;
     phase_ = then_;
     caught_for_ = 0;

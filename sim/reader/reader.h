@@ -92,6 +92,7 @@ class Reader {
   void EndLine();
   PlacePrior PriorNow() const;
   void LearnFrame();
+  void LearnSize(double size);
   SignPlace Expected() const;
   std::vector<glm::dvec2> Weave(double from, double to) const;
 
@@ -104,6 +105,7 @@ class Reader {
   ReaderAction action_;
   Phase phase_ = Phase::kStart;
   double now_ = 0, since_ = 0;
+  double news_ = 0;  ///< when it last found a sign or the end of a line [s]
 
   // flying
   Phase then_ = Phase::kSweep;
@@ -133,7 +135,8 @@ class Reader {
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign
   std::vector<SignRead> line_;
   double size_ = 0;
-  std::vector<double> sizes_;
+  std::vector<double> sizes_;       ///< that are tried [m]
+  std::vector<double> felt_sizes_;  ///< of the first signs [m]
   double turn_ = 0;
   double across_ = 0, along_ = 0;  ///< tangent sums for the turn [m^2]
   double gap_bias_ = 0;            ///< of gaps between signs from the script's [em]

@@ -82,20 +82,28 @@ PlacePrior Reader::PriorNow() const {
   return prior;
 }
 
+/// The middle of what the first signs say; the more of them, the less it looks aside.
+void Reader::LearnSize(double size) {
+  constexpr std::size_t kCounted = 15;
+  if (knowledge_.least_size == knowledge_.greatest_size) return;
+  if (felt_sizes_.size() < kCounted) felt_sizes_.push_back(size);
+  std::vector<double> sorted = felt_sizes_;
+  std::sort(sorted.begin(), sorted.end());
+  size_ = 0.5 * (sorted[sorted.size() / 2] + sorted[(sorted.size() - 1) / 2]);
+  constexpr double kSpreads[] = {0.15, 0.09, 0.06};
+  const double spread = felt_sizes_.size() <= 3 ? kSpreads[felt_sizes_.size() - 1] : 0.025;
+  sizes_.clear();
+  for (double off = -spread; off < 1.01 * spread; off += std::max(0.025, spread / 3)) {
+    sizes_.push_back((1 + off) * size_);
+  }
+}
+
 /// What the newest sign says of size, turn and gaps.
 void Reader::LearnFrame() {
   const SignGuess& read = line_.back().guess;
   if (read.sign == SignGuess::kUnknown) return;
   ++signs_;
-  if (sizes_.size() > 1 || signs_ > 1) {
-    const double gain = 1.0 / static_cast<double>(std::min<std::size_t>(signs_, 8));
-    size_ += gain * (read.place.size - size_);
-    const double spread = signs_ < 2 ? 0.04 : 0.02;
-    const bool exact = knowledge_.least_size == knowledge_.greatest_size;
-    sizes_ = exact ? std::vector<double>{knowledge_.least_size}
-                   : std::vector<double>{(1 - spread) * size_, size_, (1 + spread) * size_};
-    if (exact) size_ = knowledge_.least_size;
-  }
+  LearnSize(read.place.size);
   if (line_.size() < 2) return;
   const SignGuess& before = line_[line_.size() - 2].guess;
   const glm::dvec2 way = read.place.origin - before.place.origin;
@@ -134,7 +142,7 @@ void Reader::Accept() {
     read.guess.place = {box.min, size_, turn_};
     if (!line_.empty()) read.guess.place = Expected();
   }
-  read.time = now_;
+  read.time = news_ = now_;
   bool again = false;
   if (errand_ == Errand::kLineStart) {
     const SignPlace& first = line_.front().guess.place;
@@ -193,6 +201,7 @@ bool Reader::StartAnew() {
   line_.clear();
   signs_ = unknowns_ = 0;
   skips_ = 0;
+  felt_sizes_.clear();
   gaps_ = 0;
   gap_bias_ = turn_ = across_ = along_ = 0;
   sizes_ = AllSizes(knowledge_);
@@ -265,6 +274,7 @@ void Reader::Missed() {
 }
 
 void Reader::EndLine() {
+  news_ = now_;
   std::optional<double> expected;
   for (const SignRead& read : line_) {
     const SignPlace here{line_.front().guess.place.origin, size_, turn_};

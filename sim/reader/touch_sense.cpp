@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace moontrace {
 namespace {
@@ -16,6 +17,7 @@ TouchSense::TouchSense(const ReaderKnowledge& knowledge, double tick)
     : tick_(tick),
       press_(knowledge.press),
       depth_(knowledge.depth),
+      width_(knowledge.width),
       give_(1 / knowledge.device_stiffness) {}
 
 void TouchSense::Lift() noexcept { resting_for_ = 0; }
@@ -31,10 +33,14 @@ void TouchSense::FindLevel() noexcept {
   }
   const double above = z - level_;
   if (std::abs(above) < 0.15 * depth_) level_ += tick_ / 0.5 * above;
-  above_for_ = above > 0.15 * depth_ ? above_for_ + tick_ : 0;
-  if (above_for_ > 0.03) {
+  // what is higher and wide is the flat; a ridge is narrow
+  constexpr double kWide = 3;  // widths of a groove
+  const bool above_now = above > 0.15 * depth_;
+  if (above_now && !above_) above_from_ = felt_.place;
+  above_ = above_now;
+  if (above_ && glm::distance(felt_.place, above_from_) > kWide * width_) {
     level_ = z;
-    above_for_ = 0;
+    above_ = false;
   }
 }
 

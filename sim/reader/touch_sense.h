@@ -37,13 +37,15 @@ class TouchSense {
   void FindLevel() noexcept;
 
   double tick_ = 1e-3;
-  double press_ = 1, depth_ = 1, give_ = 0;
+  double press_ = 1, depth_ = 1, width_ = 1, give_ = 0;
   Felt felt_;
   double level_ = 0;
   bool level_known_ = false, begun_ = false;
-  double resting_for_ = 0, above_for_ = 0;  ///< [s]
-  double last_height_ = 0;                  ///< [m]
-  double sink_ = 0;                         ///< smoothed vertical speed [m/s]
+  double resting_for_ = 0;       ///< [s]
+  bool above_ = false;           ///< the level
+  glm::dvec2 above_from_{0, 0};  ///< where it came to be [m]
+  double last_height_ = 0;       ///< [m]
+  double sink_ = 0;              ///< smoothed vertical speed [m/s]
 };
 
 }  // namespace moontrace
