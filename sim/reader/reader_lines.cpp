@@ -11,7 +11,7 @@ namespace {
 
 // Ours, chosen on seeds 1 to 20; in em unless said.
 constexpr double kBandLow = 0.14, kBandHigh = 0.62;  ///< of the weave over a line
-constexpr double kWeave = 0.17;                      ///< half its period
+constexpr double kWeave = 0.145;                     ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
 constexpr double kBeyond = 1.15;   ///< a sign begins at its left edge plus this at most
 constexpr double kLookBack = 2.4;  ///< left of a line's first sign another may lie so far off
