@@ -24,7 +24,7 @@ constexpr double kStopTime = 0.090;  ///< [s]
 constexpr double kBackTime = 0.25;   ///< [s]
 constexpr double kMoved = 0.6;       ///< is motion out of a stop
 constexpr double kSwingAngle = 100 * kDegree;
-constexpr double kSwingRate = 9;     ///< [rad/s]
+constexpr double kSwingRate = 12;    ///< [rad/s]
 constexpr double kLostDepth = 0.25;  ///< of the groove's depth
 constexpr double kLostTime = 0.030;  ///< [s]
 constexpr int kMostSwings = 12;
@@ -87,6 +87,7 @@ void GrooveFollower::Turn(glm::dvec2 direction, double time) {
 void GrooveFollower::StartSwing(const Felt& felt) {
   Stop(felt);
   left_ = right_ = true;
+  glances_ = false;
   state_ = State::kSwinging;
 }
 
@@ -101,13 +102,26 @@ void GrooveFollower::Stop(const Felt& felt) {
 }
 
 void GrooveFollower::Try(bool left, bool right) {
-  left_ = left;
-  right_ = right;
+  glances_ = !left && !right;
+  left_ = left || glances_;
+  right_ = right || glances_;
   if (left != right) side_ = left ? 1 : -1;
   state_ = State::kSwinging;
-  if (left || right) return;
-  NoteBlocked();
-  state_ = State::kEnded;
+}
+
+/// The angle of the swing after a time; a glance does not wait on either side for what it feels.
+double GrooveFollower::AngleAt(double t) const {
+  const double over = kSwingAngle / kSwingRate;
+  const double first = glances_ ? over : over + wait_;
+  if (t < 0) return 0;
+  if (t < first) return side_ * std::min(kSwingAngle, kSwingRate * t);
+  return side_ * std::max(-kSwingAngle, kSwingAngle - kSwingRate * (t - first));
+}
+
+double GrooveFollower::SwingTime() const {
+  const double over = kSwingAngle / kSwingRate;
+  if (glances_) return 3 * over + wait_;
+  return left_ && right_ ? 3 * over + 2 * wait_ : over + wait_;
 }
 
 /// The tip went there in the groove, however far it is.
@@ -224,19 +238,9 @@ void GrooveFollower::Swing(const Felt& felt) {
     return;
   }
   // straight on at first where nothing has moved yet, then to one side, then to the other
-  const double ahead = has_moved_ ? 0 : wait_;
-  const double over = kSwingAngle / kSwingRate;
-  const double t = felt.time - since_ - ahead;
-  const double first = over + wait_;
-  if (t < 0) {
-    angle_ = 0;
-  } else if (t < first) {
-    angle_ = side_ * std::min(kSwingAngle, kSwingRate * t);
-  } else {
-    angle_ = side_ * std::max(-kSwingAngle, kSwingAngle - kSwingRate * (t - first));
-  }
-  const double last = left_ && right_ ? first + 2 * over + wait_ : first;
-  if (t > last) {
+  const double t = felt.time - since_ - (has_moved_ ? 0 : wait_);
+  angle_ = AngleAt(t);
+  if (t > SwingTime()) {
     NoteBlocked();
     state_ = State::kEnded;
   }

@@ -29,7 +29,7 @@ class GrooveFollower {
 
   State state() const { return state_; }
   bool done() const { return state_ >= State::kEnded; }
-  /// At a stop (kStopped): swings to these sides; to none: it is an end.
+  /// At a stop (kStopped): swings to these sides. To none: only glances to both, as at an end.
   void Try(bool left, bool right);
   glm::dvec2 stop() const { return stop_; }            ///< where it stopped last [m]
   glm::dvec2 direction() const { return direction_; }  ///< of the pull before it stopped, unit
@@ -52,6 +52,8 @@ class GrooveFollower {
   bool HasClosed() const;
   glm::dvec2 Foreseen() const;
   void Turn(glm::dvec2 direction, double time);
+  double AngleAt(double t) const;
+  double SwingTime() const;
   void NoteBlocked();
   void Stop(const Felt& felt);
 
@@ -70,6 +72,7 @@ class GrooveFollower {
   glm::dvec2 stop_{0, 0}, anchor_{0, 0}, from_{0, 0};
   double angle_ = 0;                 ///< of the swing [rad]
   bool left_ = true, right_ = true;  ///< sides that are tried
+  bool glances_ = false;
   int swings_ = 0;
   double ahead_ = 0;     ///< speed of the aim [m/s]
   std::size_t leg_ = 0;  ///< of the path's points: where the last corner was

@@ -146,7 +146,7 @@ TEST(Reading, PermutedNamesGivePermutedText) {
   EXPECT_EQ(renamed.duration, result.duration);
 }
 
-/// Moon whose letters a to c are no signs of Moon: a square, a triangle, a question mark's mirror
+/// Moon whose letters a to c are no signs of Moon: a square, stairs, a question mark's mirror
 /// image.
 Script Foreign(Script script) {
   const auto letter = [&script](char c) -> Glyph& {
@@ -156,7 +156,8 @@ Script Foreign(Script script) {
       {StrokeKind::kStroke,
        {Line{{0, 0}, {0, 1}}, Line{{0, 1}, {1, 1}}, Line{{1, 1}, {1, 0}}, Line{{1, 0}, {0, 0}}}}};
   letter('b').strokes = {{StrokeKind::kStroke,
-                          {Line{{0, 0}, {1, 0}}, Line{{1, 0}, {0.5, 1}}, Line{{0.5, 1}, {0, 0}}}}};
+                          {Line{{0, 0}, {0, 0.5}}, Line{{0, 0.5}, {0.5, 0.5}},
+                           Line{{0.5, 0.5}, {0.5, 1}}, Line{{0.5, 1}, {1, 1}}}}};
   letter('b').advance = 1.6;
   Glyph mirrored = script.glyphs[script.Find("question")];
   for (Piece& piece : mirrored.strokes.front().pieces) {
