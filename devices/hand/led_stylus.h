@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "devices/core/device.h"
+#include "devices/core/tick_motion.h"
 #include "devices/hand/drift.h"
 #include "devices/hand/hand.h"
-#include "devices/hand/tick_motion.h"
 #include "devices/hand/tremor.h"
 
 namespace moontrace {
