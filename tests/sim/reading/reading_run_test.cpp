@@ -179,7 +179,14 @@ TEST(Reading, ForeignAndMirroredSignsAreUnknown) {
     const Desk desk(std::string("noe") + letter, 0.012, 2, Foreign(moon));
     ReadingSetup setup = desk.setup;
     setup.knowledge.shapes = std::make_shared<SignShapes>(moon, WrittenGlyphs(moon));
-    EXPECT_EQ(TextRead(RunReading(setup).tokens, moon), "noe\xEF\xBF\xBD\n") << letter;
+    // one unknown sign, or what is felt as several: never a letter
+    std::string text = TextRead(RunReading(setup).tokens, moon);
+    const std::string unknown = "\xEF\xBF\xBD";
+    ASSERT_EQ(text.substr(0, 3 + unknown.size()), "noe" + unknown) << letter;
+    while (text.size() > 4 && text.substr(text.size() - 1 - unknown.size()) == unknown + "\n") {
+      text.erase(text.size() - 1 - unknown.size(), unknown.size());
+    }
+    EXPECT_EQ(text, "noe\n") << letter;
   }
 }
 
