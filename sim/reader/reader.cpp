@@ -117,7 +117,7 @@ ReaderAction Reader::Fly(const Felt& felt) {
 
 /// Flies to the way's first point and sweeps along it.
 void Reader::SweepAlong(std::vector<glm::dvec2> way, Errand errand) {
-  crossing_ = false;
+  crossing_ = in_gap_ = false;
   way_ = std::move(way);
   errand_ = errand;
   next_ = 1;
@@ -176,6 +176,7 @@ void Reader::Caught(const Felt& felt) {
   phase_ = Phase::kSettle;
   since_ = now_;
   entry_ = felt.place;
+  if (!crossing_ && !in_gap_ && errand_ == Errand::kNextSign && LeftAGap(felt.place)) return;
   if (crossing_) {
     evidence_.grooves.push_back({felt.place, 2});
     Think();

@@ -53,6 +53,8 @@ class Reader {
  private:
   enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };
   enum class Errand { kFirstLine, kLineStart, kNextSign, kNextLine };
+  /// What goes on once a gap has been looked through for dots and bars.
+  enum class AfterGap { kNextSign, kLineEnd, kLineBegin };
   struct SignRead {
     SignGuess guess;
     double time = 0;
@@ -86,6 +88,9 @@ class Reader {
   void SearchFirstLine();
   void SearchNext();
   void SearchBeyond(const std::vector<FeltPoint>& grooves);
+  void LookThroughGap(double from, double to, AfterGap after);
+  void LeaveGap();
+  bool LeftAGap(glm::dvec2 entry);
   void SearchLineStart();
   void BeginLine();
   void SearchNextLine();
@@ -112,6 +117,9 @@ class Reader {
   glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
   // sweeping
   Errand errand_ = Errand::kFirstLine;
+  bool in_gap_ = false;  ///< looks through a gap
+  AfterGap after_gap_ = AfterGap::kNextSign;
+  double gap_to_ = 0;      ///< where the gap ends [em]
   bool crossing_ = false;  ///< sweeps across a place that tells two signs apart
   std::vector<glm::dvec2> way_;
   std::size_t next_ = 0;

@@ -15,7 +15,9 @@ constexpr double kWeave = 0.145;                     ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
 constexpr double kBeyond = 1.15;   ///< a sign begins at its left edge plus this at most
 constexpr double kLookBack = 2.4;  ///< left of a line's first sign another may lie so far off
-constexpr double kSameSign = 0.4;  ///< nearer signs are one
+constexpr double kGapStep = 0.12;
+constexpr double kRoomForASign = 0.75;  ///< without a groove
+constexpr double kSameSign = 0.4;       ///< nearer signs are one
 constexpr int kMostRestarts = 3;
 constexpr int kNoMoreSkips = 1000;
 constexpr double kTurnSpread = 0.03;   ///< of lines, before they are felt [rad]
@@ -212,6 +214,7 @@ bool Reader::StartAnew() {
 
 /// The next sign; after something unknown, right of all that was felt of it.
 void Reader::SearchNext() {
+  gap_to_ = 0;
   if (unknowns_ > 0) return SearchBeyond(unknown_);
   SweepAlong(Weave(-kBefore, knowledge_.space + kBeyond), Errand::kNextSign);
 }
@@ -224,6 +227,48 @@ void Reader::SearchBeyond(const std::vector<FeltPoint>& grooves) {
   evidence_.flats.clear();
   crossings_ = 0;
   SweepAlong(Weave(right, right + knowledge_.space + kBeyond + kBefore), Errand::kNextSign);
+}
+
+/// The weave passes above bars on the base line and beside dots: where it met nothing for so long
+/// that a sign has room, it looks along both edges of the line, between two distances from where
+/// the next sign is expected [em].
+void Reader::LookThroughGap(double from, double to, AfterGap after) {
+  const SignPlace place = Expected();
+  std::vector<glm::dvec2> way;
+  bool high = false;
+  for (double x = from; x < to; x += kGapStep, high = !high) {
+    way.push_back(FromEm(place, {x, high ? 0.18 : -0.08}));
+  }
+  for (double x = to; x > from; x -= kGapStep, high = !high) {
+    way.push_back(FromEm(place, {x, high ? 1.02 : 0.80}));
+  }
+  SweepAlong(std::move(way), errand_);
+  in_gap_ = true;
+  after_gap_ = after;
+  gap_to_ = to;
+}
+
+/// Whether the weave went by room for a sign before it met this; then that is looked through first.
+bool Reader::LeftAGap(glm::dvec2 entry) {
+  const double x = ToEm(Expected(), entry).x;
+  if (x - gap_to_ < kRoomForASign) return false;
+  LookThroughGap(std::max(gap_to_, -0.1), x - kBefore, AfterGap::kNextSign);
+  return true;
+}
+
+void Reader::LeaveGap() {
+  switch (after_gap_) {
+    case AfterGap::kNextSign:
+      SweepAlong(Weave(gap_to_ - 0.05, gap_to_ + knowledge_.space + kBeyond), Errand::kNextSign);
+      return;
+    case AfterGap::kLineEnd:
+      EndLine();
+      SearchNextLine();
+      return;
+    case AfterGap::kLineBegin:
+      BeginLine();
+      return;
+  }
 }
 
 /// Whether signs stand left of the line's first.
@@ -251,6 +296,7 @@ void Reader::SearchNextLine() {
 }
 
 void Reader::Missed() {
+  if (in_gap_) return LeaveGap();
   switch (errand_) {
     case Errand::kFirstLine:
       if (skips_ > 0 && skips_ < kNoMoreSkips) {  // there was nothing but that
@@ -263,12 +309,13 @@ void Reader::Missed() {
     case Errand::kNextLine:
       phase_ = Phase::kDone;
       return;
-    case Errand::kLineStart:
-      BeginLine();
+    case Errand::kLineStart: {
+      const double to_first = ToEm(Expected(), line_.front().guess.place.origin).x;
+      LookThroughGap(to_first - kLookBack, to_first - kBefore, AfterGap::kLineBegin);
       return;
+    }
     case Errand::kNextSign:
-      EndLine();
-      SearchNextLine();
+      LookThroughGap(std::max(gap_to_, -0.1), std::max(gap_to_, -0.1) + 1.2, AfterGap::kLineEnd);
       return;
   }
 }
