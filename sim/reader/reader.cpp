@@ -24,7 +24,7 @@ constexpr double kSure = 0.99;
 constexpr double kPoorFit = 0.5;  ///< cost a groove point by itself
 constexpr int kMostSkips = 5;
 constexpr double kDoubtful = 0.9;  ///< less sure signs are felt anew
-constexpr int kMostCrossings = 5, kMostTries = 2;
+constexpr int kMostCrossings = 10, kMostTries = 2;
 
 }  // namespace
 

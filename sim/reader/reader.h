@@ -40,15 +40,8 @@ class Reader {
   bool done() const { return phase_ == Phase::kDone; }
   /// What has been read, a line at a time.
   const std::vector<ReadToken>& tokens() const { return tokens_; }
-  /// For pictures and tests: whether it looks for a groove, what it feels, how it follows, and what
-  /// it believed of the newest sign when it thought last.
+  /// Whether it looks for a groove, for pictures.
   bool is_searching() const { return phase_ == Phase::kSweep; }
-  bool is_crossing() const { return crossing_; }
-  bool is_following() const { return phase_ == Phase::kFollow; }
-  const Felt& felt() const { return sense_.felt(); }
-  const GrooveFollower& follower() const { return follower_; }
-  const std::vector<SignGuess>& belief() const { return belief_; }
-  double size() const { return size_; }  ///< of an em, as it believes [m]
 
  private:
   enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };

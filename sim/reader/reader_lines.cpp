@@ -16,8 +16,10 @@ constexpr double kBefore = 0.25;                     ///< it begins so far left 
 constexpr double kBeyond = 1.15;   ///< a sign begins at its left edge plus this at most
 constexpr double kLookBack = 2.4;  ///< left of a line's first sign another may lie so far off
 constexpr double kGapStep = 0.12;
-constexpr double kRoomForASign = 0.75;  ///< without a groove
-constexpr double kSameSign = 0.4;       ///< nearer signs are one
+constexpr double kLowEdge = 0.05, kHighEdge = 0.91;  ///< where marks and bars are
+constexpr double kEdge = 0.12;                       ///< swept to either side of an edge
+constexpr double kRoomForASign = 0.75;               ///< without a groove
+constexpr double kSameSign = 0.4;                    ///< nearer signs are one
 constexpr int kMostRestarts = 3;
 constexpr int kNoMoreSkips = 1000;
 constexpr double kTurnSpread = 0.03;   ///< of lines, before they are felt [rad]
@@ -237,10 +239,10 @@ void Reader::LookThroughGap(double from, double to, AfterGap after) {
   std::vector<glm::dvec2> way;
   bool high = false;
   for (double x = from; x < to; x += kGapStep, high = !high) {
-    way.push_back(FromEm(place, {x, high ? 0.18 : -0.08}));
+    way.push_back(FromEm(place, {x, high ? kLowEdge + kEdge : kLowEdge - kEdge}));
   }
   for (double x = to; x > from; x -= kGapStep, high = !high) {
-    way.push_back(FromEm(place, {x, high ? 1.02 : 0.80}));
+    way.push_back(FromEm(place, {x, high ? kHighEdge + kEdge : kHighEdge - kEdge}));
   }
   SweepAlong(std::move(way), errand_);
   in_gap_ = true;

@@ -105,6 +105,12 @@ TEST(Reading, FindsNoLetterOnBlankPaper) {
   EXPECT_TRUE(result.tokens.empty());
 }
 
+// A hyphen is a bar on the base line, below the weave that finds letters.
+TEST(Reading, FindsABarOnTheBaseLine) {
+  const Desk desk("so-so");
+  EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "so-so\n");
+}
+
 // The reader is a function of what it was given: the same inputs without any page give the same.
 TEST(Reading, OneStreamOfInputsGivesOneAnswerWhateverLiesBehindIt) {
   const Desk desk("no");
