@@ -105,6 +105,25 @@ TEST(Reading, FindsNoLetterOnBlankPaper) {
   EXPECT_TRUE(result.tokens.empty());
 }
 
+// Rough paper, and paper with raised rules, both without letters: nothing is taken for a sign.
+TEST(Reading, FindsNoLetterOnGrainedOrRuledPaper) {
+  Script bare = FindScript("moon");
+  for (Glyph& glyph : bare.glyphs) glyph.strokes.clear();
+  const Desk desk("moon reads", 0.012, 1);
+  TypeStyle grained = desk.style, ruled = desk.style;
+  grained.texture.paper = PaperTexture{};
+  ruled.rules.lines = true;
+  for (const TypeStyle& style : {grained, ruled}) {
+    const TextureField field(PageField(desk.set.pages.front(), bare, style, false));
+    ReadingSetup setup = desk.setup;
+    setup.field = &field;
+    EXPECT_GT(field.greatest_slope(), 0);  // it is not flat
+    const ReadingResult result = RunReading(setup);
+    EXPECT_TRUE(result.ended);
+    EXPECT_TRUE(result.tokens.empty()) << TextRead(result.tokens, desk.script);
+  }
+}
+
 // A hyphen is a bar on the base line, below the weave that finds letters.
 TEST(Reading, FindsABarOnTheBaseLine) {
   const Desk desk("so-so");
