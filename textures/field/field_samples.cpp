@@ -56,7 +56,8 @@ MOONTRACE_WIDE void RunPlain(const FlatElement* elements, const std::uint16_t* i
         const double along = vx * ux + vy * uy;
         const double across = vy * ux - vx * uy;
         const double side = std::copysign(1.0, across);
-        const double d = (along >= 0) & (along <= length) ? std::abs(across) : kFar;
+        const bool at_spine = (along >= 0) & (along <= length);
+        const double d = at_spine ? std::abs(across) : kFar;
         const bool nearer = d < best[i];
         best[i] = nearer ? d : best[i];
         away_x[i] = nearer ? -side * uy : away_x[i];
