@@ -7,10 +7,10 @@
 namespace moontrace {
 namespace {
 
-std::vector<Piece> SpineOf(const Stroke& stroke, double size, double width, glm::dvec2 origin_P) {
+std::vector<Piece> PlacedPieces(const Stroke& stroke, double size, glm::dvec2 origin_P) {
   std::vector<Piece> placed;
   for (const Piece& piece : stroke.pieces) placed.push_back(Placed(piece, size, origin_P));
-  return stroke.kind == StrokeKind::kStroke ? placed : CentreArc(placed, width / 2);
+  return placed;
 }
 
 /// Half the width of a dot, which is no less than that of a groove.
@@ -33,7 +33,11 @@ std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& 
       IntendedStroke intended;
       intended.kind = stroke.kind;
       intended.width = scale * style.width;
-      intended.spine_P = SpineOf(stroke, scale * style.size, intended.width, placed.origin_P);
+      intended.spine_P = PlacedPieces(stroke, scale * style.size, placed.origin_P);
+      if (stroke.kind == StrokeKind::kFill) intended.outline_P = intended.spine_P;
+      if (stroke.kind != StrokeKind::kStroke) {
+        intended.spine_P = CentreArc(intended.spine_P, intended.width / 2);
+      }
       intended.glyph = i;
       if (stroke.kind == StrokeKind::kDot) {
         intended.dot_radius = DotRadius(stroke, scale * style.size, intended.width);

@@ -88,18 +88,21 @@ void TraceScorer::State::AddLanding(StrokeTrace& stroke, const TraceSample& samp
 
 void TraceScorer::State::AddStroke(StrokeTrace& stroke, const TraceSample& sample) {
   const glm::dvec2 p(sample.tip_P);
-  const double error = stroke.spine.Cover(p, stroke.width / 4, stroke.covered);
+  const double error = stroke.Cover(p);
   if (stroke.is_dot) {
     stroke.closest = std::min(stroke.closest, error);
   } else {
     const Spine::Foot foot = stroke.spine.FootOf(p);
     AddExcursion(stroke, sample, error);
-    AddPath(stroke, sample, error, foot.aside);
+    // across a fill's floor nothing is aside
+    const double aside =
+        stroke.outline_P.empty() ? foot.aside : std::clamp(foot.aside, -error, error);
+    AddPath(stroke, sample, error, aside);
     AddDirection(stroke, p, foot.tangent);
     AddMovement(sample);
     stroke.path.Add(p);
     last_error = error;
-    last_aside = foot.aside;
+    last_aside = aside;
   }
   if (stroke.visit == 0 && stroke.visited()) stroke.visit = ++visits;
 }

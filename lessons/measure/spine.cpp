@@ -49,10 +49,11 @@ Spine::Foot Spine::FootOf(glm::dvec2 p) const noexcept {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Part& part : parts_) {
     glm::dvec2 tangent{1, 0};
-    const glm::dvec2 off = p - NearestOn(part, p, tangent);
+    const glm::dvec2 point = NearestOn(part, p, tangent), off = p - point;
     const double square = glm::dot(off, off);
     if (square >= nearest) continue;
     nearest = square;
+    foot.point = point;
     foot.tangent = tangent;
     foot.aside = tangent.x * off.y - tangent.y * off.x;
   }

@@ -38,6 +38,7 @@ class Spine {
 
   /// The nearest point of the spine: its direction there, and where `p` lies from it.
   struct Foot {
+    glm::dvec2 point{0, 0};    ///< [m]
     glm::dvec2 tangent{1, 0};  ///< unit, in the sense of writing
     double aside = 0;          ///< of `p` from it along the normal, > 0 to the left [m]
   };

@@ -46,12 +46,35 @@ std::vector<glm::dvec2> TipPath::Points() const {
 
 StrokeTrace::StrokeTrace(const IntendedStroke& stroke)
     : pieces_P(stroke.spine_P),
+      outline_P(stroke.outline_P),
+      edges(RisingEdges(stroke.outline_P)),
       spine(stroke.spine_P),
       covered(kCapacity),
       width(stroke.width),
       glyph(stroke.glyph),
       is_dot(stroke.kind == StrokeKind::kDot || !(spine.length() > 0)),
       path(stroke.width / 8) {}
+
+double StrokeTrace::Cover(glm::dvec2 p) {
+  const double reach = width / 4;
+  if (outline_P.empty()) return spine.Cover(p, reach, covered);
+  const Spine::Foot foot = spine.FootOf(p);
+  const double distance = glm::distance(p, foot.point);
+  // beyond the arc's ends nothing of it lies beside the tip
+  const double beyond = std::abs(glm::dot(p - foot.point, foot.tangent));
+  if (beyond > reach) return spine.Cover(p, reach, covered);
+  const double error = std::min(distance, std::max(width / 2 - Inside(p), 0.0));
+  if (error <= reach) spine.Cover(foot.point, reach, covered);
+  return error;
+}
+
+double StrokeTrace::Inside(glm::dvec2 p) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Piece& piece : outline_P) nearest = std::min(nearest, DistanceTo(piece, p));
+  const auto crossed = std::count_if(edges.begin(), edges.end(),
+                                     [p](const RisingEdge& edge) { return Crosses(edge, p); });
+  return crossed % 2 == 1 ? nearest : -nearest;
+}
 
 TraceTally StrokeTrace::Closed() const {
   TraceTally closed = tally;

@@ -8,6 +8,7 @@
 #include "lessons/measure/intended_strokes.h"
 #include "lessons/measure/spine.h"
 #include "lessons/measure/trace_metrics.h"
+#include "textures/field/fill.h"
 
 namespace moontrace {
 
@@ -33,6 +34,13 @@ class TipPath {
 struct StrokeTrace {
   explicit StrokeTrace(const IntendedStroke& stroke);
 
+  /// Takes what a tip at `p` covers; gives its error [m]. On a line that is the distance to the
+  /// centre line, of which all within w/4 is covered. The centre arc of a fill cannot be felt, only
+  /// its rim: there the error is what lacks of w/2 from the rim, if that is less, and a tip
+  /// covers what lies beside it on the arc once its error is w/4 or less. So in both a tip in the
+  /// middle half of a groove covers, and an error above w/2 lies outside.
+  double Cover(glm::dvec2 p);
+
   /// The sums, with coverage and a dot's closest approach added.
   TraceTally Closed() const;
   /// Adds the shape distances, at the cost of some ten thousand steps; nothing for dots and for
@@ -42,6 +50,8 @@ struct StrokeTrace {
   bool visited() const;
 
   std::vector<Piece> pieces_P;
+  std::vector<Piece> outline_P;   ///< of a fill
+  std::vector<RisingEdge> edges;  ///< of the outline
   Spine spine;
   CoveredLength covered;
   double width = 0;  ///< [m]
@@ -54,6 +64,10 @@ struct StrokeTrace {
   std::size_t visit = 0;  ///< its place in the order of visits, from 1; 0: not
   TipPath path;           ///< of the tip while following it
   TraceTally tally;
+
+ private:
+  /// How far within the outline of a fill; below zero outside [m].
+  double Inside(glm::dvec2 p) const;
 };
 
 }  // namespace moontrace

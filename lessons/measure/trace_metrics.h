@@ -11,10 +11,12 @@ namespace moontrace {
 /// followed (kStroke) count for coverage, errors and excursions: entries and lifts stand apart.
 struct TraceMetrics {
   /// Share of the strokes' length that lies within w/4 of a sample, by the union of intervals. A
-  /// dot counts one width w, covered when touched within w/4 of its centre.
+  /// dot counts one width w, covered when touched within w/4 of its centre. Of a fill's centre arc
+  /// that lies covered beside which a sample lies w/4 inside the rim.
   double coverage = 0;
   /// Distance of the tip to its stroke [m], each bit weighed by the length of the tip's path in it,
-  /// so that pausing weighs nothing. A dot's error is its closest approach and weighs one width.
+  /// so that pausing weighs nothing. A dot's error is its closest approach and weighs one width; a
+  /// fill's what lacks of w/2 from its rim, if that is less than the distance to its centre arc.
   /// Zero where nothing was touched: coverage shows that.
   double mean_error = 0;
   double rms_error = 0;

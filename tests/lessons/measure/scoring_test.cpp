@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <limits>
@@ -83,6 +84,38 @@ TEST(Coverage, IsZeroBeyondAQuarterOfTheWidth) {
   Tracer tracer({Straight()});
   tracer.FollowLine({0, 1.01 * kRadius}, {kLength, 1.01 * kRadius});
   EXPECT_EQ(tracer.Score().total.coverage, 0);
+}
+
+/// A flat floor 40 by 6 widths, its centre arc a line.
+IntendedStroke Field() {
+  const double high = 3 * kWidth, long_ = 40 * kWidth;
+  IntendedStroke field{StrokeKind::kFill, {Line{{kWidth, 0}, {long_ - kWidth, 0}}}, kWidth, 0};
+  field.outline_P = {Line{{0, -high}, {long_, -high}}, Line{{long_, -high}, {long_, high}},
+                     Line{{long_, high}, {0, high}}, Line{{0, high}, {0, -high}}};
+  return field;
+}
+
+// Nothing tells a hand where the middle of a wide floor is: all of it is the sign, up to its rim,
+// of which as much is left out as of a groove's.
+TEST(Coverage, OfAFillIsThatOfTheFloorAlongItsCentreArc) {
+  for (const double aside : {0.0, 1.0, -2.2, 2.74, -2.76, 3.1}) {
+    Tracer tracer({Field()});
+    tracer.FollowLine({kWidth, aside * kWidth}, {39 * kWidth, aside * kWidth});
+    const TraceMetrics total = tracer.Score().total;
+    EXPECT_NEAR(total.coverage, std::abs(aside) < 2.75 ? 1 : 0, 1e-12) << aside;
+    EXPECT_NEAR(total.mean_error, kWidth * std::max(std::abs(aside) - 2.5, 0.0), 1e-12) << aside;
+    EXPECT_EQ(total.excursions, std::abs(aside) > 3 ? 1u : 0u) << aside;
+    EXPECT_NEAR(std::abs(total.bias), total.mean_error, 1e-12) << aside;
+  }
+}
+
+TEST(Coverage, OfAFillIsOnlyOfWhatLiesBesideTheTip) {
+  Tracer tracer({Field()});
+  tracer.FollowLine({kWidth / 2, 2 * kWidth}, {20 * kWidth, 2 * kWidth});  // from before its end on
+  EXPECT_NEAR(tracer.Score().total.coverage, (19 + 0.25) / 38, 1e-12);
+  Tracer beyond({Field()});
+  beyond.FollowLine({0.6 * kWidth, -2 * kWidth}, {0.6 * kWidth, 2 * kWidth});
+  EXPECT_EQ(beyond.Score().total.coverage, 0);
 }
 
 TEST(Coverage, OfALetterIsWeighedByLengthADotCountingOneWidth) {
