@@ -7,6 +7,7 @@
 
 #include "sim/trial/speed_profile.h"
 #include "textures/base/overload.h"
+#include "textures/field/fill.h"
 
 namespace moontrace {
 namespace {
@@ -37,6 +38,10 @@ constexpr double kRingLean = 2e-3;      // [m], and at most
 constexpr double kRingLeanShare = 0.4;  // of the groove's width: more would leave its middle
 constexpr double kRingLeanWidths = 3;   // held, and then returned over as much
 constexpr double kReturnWidths = 0.75;
+
+// A ring that borders on a fill has no inner wall there, which would hold a hand that has drifted:
+// the aim leans against the outer one. Told apart at places this far from each other.
+constexpr double kFillStep = 0.25;  // [w]
 
 /// Whether travel goes on from `a` to `b` without a corner.
 bool IsSmooth(const Piece& a, const Piece& b) {
@@ -233,17 +238,18 @@ double LeanOf(const Arc& ring, double width) {
   return std::min({kRingLean, kRingLeanShare * width, ring.radius / 2});
 }
 
-/// A part of a ring, nearer to its middle.
-std::vector<Piece> Inwards(std::vector<Piece> part, double width) {
+/// A part of a ring, nearer to its middle by a share of the lean, or farther if that is below zero.
+std::vector<Piece> Inwards(std::vector<Piece> part, double width, double share) {
   for (Piece& piece : part) {
-    std::visit(Overload{[](Line&) {}, [width](Arc& arc) { arc.radius -= LeanOf(arc, width); }},
+    std::visit(Overload{[](Line&) {}, [=](Arc& arc) { arc.radius -= share * LeanOf(arc, width); }},
                piece);
   }
   return part;
 }
 
-void FollowInwards(PlanWriter& writer, const std::vector<Piece>& part, double width) {
-  const std::vector<Piece> inner = Inwards(part, width);
+void FollowInwards(PlanWriter& writer, const std::vector<Piece>& part, double width,
+                   double share = 1) {
+  const std::vector<Piece> inner = Inwards(part, width, share);
   if (inner.empty()) return;
   writer.GoTo({StartOf(inner.front()), 0}, kLeanTime);
   FollowRuns(writer, RunsOf(inner, width, 0), width);
@@ -271,9 +277,55 @@ std::vector<Piece> CutShort(const std::vector<Piece>& path, double most) {
   return parts;
 }
 
+using Outlines = std::vector<std::vector<Piece>>;
+
+/// Of the fills of a stroke's letter.
+Outlines FillsBeside(const std::vector<IntendedStroke>& strokes, std::size_t stroke) {
+  Outlines fills;
+  for (const IntendedStroke& other : strokes) {
+    if (other.glyph != strokes[stroke].glyph || other.outline_P.empty()) continue;
+    fills.push_back(other.outline_P);
+  }
+  return fills;
+}
+
+/// Whether a fill takes away a ring's inner wall beside a point of it.
+bool IsOpenInside(const Arc& ring, glm::dvec2 p, double width, const Outlines& fills) {
+  const glm::dvec2 inner_edge = p + width / 2 * glm::normalize(ring.center - p);
+  return std::any_of(fills.begin(), fills.end(), [&](const std::vector<Piece>& outline) {
+    return IsInside(outline, inner_edge);
+  });
+}
+
+/// A part of a ring, and whether it has no inner wall.
+struct RingPart {
+  std::vector<Piece> pieces;
+  bool is_open = false;
+};
+
+std::vector<RingPart> PartsBesideFills(const std::vector<Piece>& path, double width,
+                                       const Outlines& fills) {
+  std::vector<RingPart> parts;
+  for (const Piece& piece : fills.empty() ? path : CutShort(path, kFillStep * width)) {
+    const std::optional<Arc> arc = ArcOf(piece);
+    const bool is_open = arc && IsOpenInside(*arc, PointAt(piece, Length(piece) / 2), width, fills);
+    if (parts.empty() || parts.back().is_open != is_open) parts.push_back({{}, is_open});
+    parts.back().pieces.push_back(piece);
+  }
+  return parts;
+}
+
+/// A ring by itself that borders on a fill.
+void FollowBesideFill(PlanWriter& writer, const std::vector<Piece>& run, double width,
+                      const Outlines& fills) {
+  for (const RingPart& part : PartsBesideFills(run, width, fills)) {
+    FollowInwards(writer, part.pieces, width, part.is_open ? -1 : 0);
+  }
+}
+
 /// Once round, in quarters between which the hand finds the groove's middle again.
 void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& stroke,
-               const PlanOptions& options) {
+               const Outlines& fills, const PlanOptions& options) {
   const double length = Length(step.trace_P);
   bool first = true;
   for (const Piece& part : CutShort(step.trace_P, length / 4 * (1 + 1e-9))) {
@@ -282,7 +334,9 @@ void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& s
       writer.Ease(stroke.width, PressOn(stroke, options));
       writer.EndSpan(TracePhase::kTravel, step.stroke);
     }
-    FollowInwards(writer, {part}, stroke.width);
+    for (const RingPart& own : PartsBesideFills({part}, stroke.width, fills)) {
+      FollowInwards(writer, own.pieces, stroke.width, own.is_open ? -1 : 1);
+    }
     writer.Rest(kEndRest);
     first = false;
   }
@@ -328,8 +382,12 @@ void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedS
     }
     left = walk.size() > 1 ? RingOf(step.trace_P) : std::nullopt;
     const auto runs = RunsOf(step.trace_P, stroke.width, stroke.width / 4);
+    const bool is_ring = RingOf(step.trace_P).has_value();
+    const Outlines fills = is_ring ? FillsBeside(strokes, step.stroke) : Outlines();
     if (left) {
-      TraceRing(writer, step, stroke, options);
+      TraceRing(writer, step, stroke, fills, options);
+    } else if (!fills.empty()) {
+      FollowBesideFill(writer, runs.front(), stroke.width, fills);
     } else {
       FollowRuns(writer, runs, stroke.width);
     }

@@ -41,7 +41,8 @@ struct Plan {
 /// is pressed and rested on. From stroke to stroke of one walk it goes over the page (kTravel);
 /// before each, and at the quarters of a ring, it eases its press in the groove, so that its drift
 /// is gone as it is after a landing. Where a link leaves a ring, the aim leans into the ring while
-/// that is traced, and out of it where it is left.
+/// that is traced, and out of it where it is left; beside a fill, which leaves a ring no inner
+/// wall, it leans against the outer one.
 /// Corners of more than 20 degrees are turned at rest, curves at the speed that `TimeRun` allows.
 /// Behind a corner the aim leans outwards, away from the leg it came by, until the two grooves have
 /// parted: a hand that has drifted would slide back. A closed smooth stroke by itself is followed

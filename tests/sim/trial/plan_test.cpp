@@ -203,6 +203,29 @@ TEST(OraclePlan, LeansAwayFromTheLegItCameByAfterACorner) {
   EXPECT_NEAR(greatest, 0.06 * length, 1e-9);
 }
 
+// Over its left half the ring's inner wall is missing, since a fill lies there: half a disc, whose
+// chord runs through the ring's middle. The aim leans against the outer wall, by at most 0.4 w.
+TEST(OraclePlan, LeansOutwardsWhereAFillTakesARingsInnerWallAway) {
+  const IntendedStroke ring = Ring();
+  const glm::dvec2 middle = std::get<Arc>(ring.spine_P[0]).center;
+  const double radius = std::get<Arc>(ring.spine_P[0]).radius, lean = 0.4 * kWidth;
+  IntendedStroke fill = OnPage({Line{{0.2, 0.8}, {0.2, 0.2}}}, {0.04, 0.1}, StrokeKind::kFill);
+  for (const Piece& piece :
+       std::vector<Piece>{Arc{{0.5, 0.5}, 0.55, kPi / 2, kPi}, Line{{0.5, -0.05}, {0.5, 1.05}}}) {
+    fill.outline_P.push_back(Placed(piece, kSize, {0.04, 0.1}));
+  }
+  const Plan plan = MakeOraclePlan({fill, ring}, PlanOptions{}, Pose{});
+  std::size_t left = 0, right = 0;
+  for (const HandPoint& point : PointsIn(plan, SpanOf(plan, TracePhase::kStroke, 1))) {
+    const glm::dvec2 p = glm::dvec2(point.p_D) - middle;
+    if (std::abs(p.x) < kWidth) continue;  // where it goes from one to the other
+    EXPECT_NEAR(glm::length(p), radius + (p.x < 0 ? lean : 0), 1e-9) << p.x << ' ' << p.y;
+    ++(p.x < 0 ? left : right);
+  }
+  EXPECT_GT(left, 20u);
+  EXPECT_GT(right, 20u);
+}
+
 TEST(OraclePlan, PressesOnTheSurfaceOnly) {
   PlanOptions options;
   options.press = 0.7;
