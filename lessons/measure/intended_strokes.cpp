@@ -27,6 +27,7 @@ std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& 
   std::vector<IntendedStroke> strokes;
   for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
     const PlacedGlyph& placed = page.glyphs[i];
+    if (placed.kind == LineKind::kHead) continue;
     const double scale = ScaleOf(placed.kind, style);
     for (const Stroke& stroke : script.glyphs.at(placed.glyph).strokes) {
       if (stroke.pieces.empty()) continue;

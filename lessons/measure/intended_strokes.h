@@ -21,7 +21,7 @@ struct IntendedStroke {
   std::vector<Piece> outline_P;  ///< of a fill, whose floor within is flat [m]
 };
 
-/// The strokes of a page in writing order.
+/// The strokes of a page's text in writing order, none of a running head, which is not traced.
 std::vector<IntendedStroke> IntendedStrokes(const TextPage& page, const Script& script,
                                             const TypeStyle& style);
 

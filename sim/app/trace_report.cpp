@@ -30,6 +30,7 @@ Json TraceJson(const Trace& trace, const SceneOptions& scene, const TrialResult&
   for (std::size_t p = 0; p < trace.pages.size(); ++p) {
     const std::vector<PlacedGlyph>& glyphs = trace.text.set.pages[p].glyphs;
     for (std::size_t i = 0; i < glyphs.size(); ++i) {
+      if (glyphs[i].kind == LineKind::kHead) continue;
       Json letter = {{"glyph", trace.text.script.glyphs[glyphs[i].glyph].name},
                      {"text", SourceOf(trace.text, glyphs[i])},
                      {"page", p}};
@@ -51,6 +52,7 @@ void SayWeakest(const Trace& trace, Console& console) {
   for (std::size_t p = 0; p < trace.pages.size(); ++p) {
     const std::vector<PlacedGlyph>& glyphs = trace.text.set.pages[p].glyphs;
     for (std::size_t i = 0; i < glyphs.size(); ++i) {
+      if (glyphs[i].kind == LineKind::kHead) continue;
       ++number;
       const double coverage = trace.pages[p].score.letters[i].coverage;
       if (coverage >= least) continue;

@@ -115,7 +115,11 @@ void AddCounts(const TextPage& page, const Script& script, const TypeStyle& styl
 
 std::size_t CountSigns(const Typeset& set) {
   std::size_t signs = 0;
-  for (const TextPage& page : set.pages) signs += page.glyphs.size();
+  for (const TextPage& page : set.pages) {
+    signs += static_cast<std::size_t>(
+        std::count_if(page.glyphs.begin(), page.glyphs.end(),
+                      [](const PlacedGlyph& glyph) { return glyph.kind != LineKind::kHead; }));
+  }
   return signs;
 }
 

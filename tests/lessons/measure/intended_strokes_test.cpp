@@ -49,5 +49,35 @@ TEST(IntendedStrokes, StandWhereTheGlyphsStandInWritingOrder) {
   expect_near(EndOf(strokes[2].spine_P[1]), {0.05, 0.10});
 }
 
+TEST(IntendedStrokes, AreNoneOfARunningHead) {
+  TextPage page;
+  page.glyphs.resize(2);
+  page.glyphs[0].kind = LineKind::kHead;
+  page.glyphs[1].glyph = 1;
+  TypeStyle style;
+  style.size = 0.01;
+  const auto strokes = IntendedStrokes(page, TwoSigns(), style);
+  ASSERT_EQ(strokes.size(), 2u);
+  for (const IntendedStroke& stroke : strokes) EXPECT_EQ(stroke.glyph, 1u);
+}
+
+TEST(IntendedStrokes, OfAFillKeepItsOutline) {
+  Script script;
+  Glyph square;
+  square.strokes.push_back(
+      {StrokeKind::kFill,
+       {Line{{0, 0}, {1, 0}}, Line{{1, 0}, {1, 1}}, Line{{1, 1}, {0, 1}}, Line{{0, 1}, {0, 0}}}});
+  script.glyphs = {square};
+  TextPage page;
+  page.glyphs.resize(1);
+  page.glyphs[0].origin_P = {0.02, 0.10};
+  TypeStyle style;
+  style.size = 0.01;
+  const auto strokes = IntendedStrokes(page, script, style);
+  ASSERT_EQ(strokes.size(), 1u);
+  ASSERT_EQ(strokes[0].outline_P.size(), 4u);
+  EXPECT_LT(glm::distance(StartOf(strokes[0].outline_P[2]), glm::dvec2(0.03, 0.11)), 1e-15);
+}
+
 }  // namespace
 }  // namespace moontrace

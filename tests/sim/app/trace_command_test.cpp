@@ -97,6 +97,28 @@ TEST_F(TraceCommand, ScoresEachLetterApart) {
   }
 }
 
+// Alone and among links; the bar is that of sim/README.md. No wall keeps a hand on the middle of a
+// filled half, nor on the ring beside it. Where a link reaches the ring there it has no wall at
+// all.
+TEST_F(TraceCommand, CoversTheFilledHalfOfAnH) {
+  for (const char* seed : {"1", "2", "3"}) {
+    EXPECT_GE(TraceJson({"--seed", seed}, "h")["total"]["coverage"], 0.98) << seed;
+    EXPECT_GE(TraceJson({"--seed", seed, "--size-mm", "40"}, "h")["total"]["coverage"], 0.98);
+    EXPECT_GE(TraceJson({"--seed", seed, "--links", "words"}, "oh hi")["total"]["coverage"], 0.95);
+    EXPECT_LT(TraceJson({"--seed", seed, "--blank"}, "h")["total"]["coverage"], 0.98);
+  }
+}
+
+TEST_F(TraceCommand, DoesNotScoreARunningHead) {
+  const nlohmann::json json = TraceJson({"--running-head", "mine", "--page-numbers"}, "LO");
+  ASSERT_EQ(json["letters"].size(), 2U);
+  EXPECT_EQ(json["letters"][0]["glyph"], "l");
+  EXPECT_EQ(json["letters"][1]["glyph"], "o");
+  EXPECT_EQ(json["total"]["entries"], 2);
+  const Outcome outcome = RunLine({"trace", "LO", "--running-head", "mine"});
+  EXPECT_NE(outcome.out.find("covered, 2 letters."), std::string::npos) << outcome.out;
+}
+
 TEST_F(TraceCommand, BlankPageLosesTheHand) {
   const nlohmann::json json = TraceJson({"--blank"}, "LOON");
   const nlohmann::json& total = json["total"];
