@@ -12,6 +12,9 @@ namespace moontrace::say {
 namespace {
 
 std::string Where(const Replacement& replacement) {
+  if (replacement.line == 0) {
+    return fmt::format("running head, character {}", replacement.column);
+  }
   return fmt::format("line {}, character {}", replacement.line, replacement.column);
 }
 

@@ -33,6 +33,7 @@ Json ReplacementsJson(const std::vector<Replacement>& replacements) {
   Json list = Json::array();
   for (const Replacement& r : replacements) {
     Json entry = {{"was", r.was}, {"became", r.became}, {"line", r.line}, {"column", r.column}};
+    if (r.line == 0) entry["line"] = "running head";
     if (!r.became.empty()) entry["how"] = How(r.how);
     list.push_back(std::move(entry));
   }

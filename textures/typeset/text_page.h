@@ -53,7 +53,7 @@ using TakePage = std::function<void(TextPage&&)>;
 struct Replacement {
   std::string was;         ///< the character(s) as in the text; a control character as "U+001B"
   std::string became;      ///< empty: left out
-  std::size_t line = 0;    ///< of the source text, from 1
+  std::size_t line = 0;    ///< of the source text, from 1; 0: of the running head
   std::size_t column = 0;  ///< in characters (code points), from 1
   std::string name{};      ///< of `was` by CharacterName, where it has one
   Replaced how = Replaced::kFolded;  ///< of those that became something

@@ -67,18 +67,17 @@ void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& s
   if (marks.kind == LineKind::kQuotation && before != marks.kind) ++counts.quotations;
 }
 
-/// Signs of words that stand on pages without being of the text. Throws InputError for what the
-/// script cannot write.
+/// Signs of words that stand on pages without being of the text; `notes` takes what was folded in
+/// them. Throws InputError for what the script cannot write.
 std::vector<Sign> SignsOf(const std::string& words, const char* what, const Script& script,
-                          const Writer& writer) {
+                          const Writer& writer, Typeset& notes) {
   if (std::any_of(words.begin(), words.end(), [](char c) { return c >= 0 && c < ' '; })) {
     throw InputError(fmt::format("{}: give one line without tabs", what));
   }
   Folder folder(words, script, [&writer](char32_t c) { return writer.Has(c); });
-  Typeset notes;
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
-  if (folder.NextLine(line)) writer.Write(words, 1, line, signs, notes);
+  if (folder.NextLine(line)) writer.Write(words, 0, line, signs, notes);
   if (notes.missing_count > 0 || notes.untaught_count > 0 ||
       std::all_of(signs.begin(), signs.end(), [](const Sign& sign) { return sign.space; })) {
     throw InputError(
@@ -151,7 +150,8 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
   });
 
   const auto words = [&](const std::string& what, const char* option) {
-    return SignsOf(what, option, script, *writer);
+    Typeset notes;
+    return SignsOf(what, option, script, *writer, notes);
   };
   std::optional<Hyphenation> hyphenation;
   if (!style.hyphenation.empty()) {
@@ -163,18 +163,19 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
     if (style.page_numbers) {
       number = [words](std::size_t n) { return words(std::to_string(n), "page numbers"); };
     }
-    layout.SetHead(style.running_head.empty() ? std::vector<Sign>()
-                                              : words(style.running_head, "running head"),
+    layout.SetHead(style.running_head.empty()
+                       ? std::vector<Sign>()
+                       : SignsOf(style.running_head, "running head", script, *writer, result),
                    number);
   }
 
-  Typeset result;
   result.style = style;
   result.page = page;
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
   std::size_t count = 0;
   LineKind before = LineKind::kPlain;
+  Typeset result;
   for (std::size_t number = 1; folder.NextLine(line); ++number) {
     signs.clear();
     LineMarks marks;

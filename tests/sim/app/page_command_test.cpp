@@ -50,6 +50,18 @@ TEST_F(PageCommand, SaysWhatWasReplacedAndLeftOutWithItsPlace) {
   EXPECT_EQ(json["missing"][0]["column"], 6);
 }
 
+TEST_F(PageCommand, SaysWhatWasReplacedInTheRunningHeadAsInTheText) {
+  const Outcome outcome = RunLine({"page", "moon\xc3\xa9", "--running-head", "caf\xc3\xa9"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("running head, character 4"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("line 1, character 5"), std::string::npos) << outcome.out;
+  ExpectTextFace(outcome.out);
+  const auto json = RunLine({"page", "moon", "--running-head", "caf\xc3\xa9", "--json"}).Json();
+  ASSERT_EQ(json["folded"].size(), 1U);
+  EXPECT_EQ(json["folded"][0]["line"], "running head");
+  EXPECT_EQ(json["counts"]["folded"], 1);
+}
+
 TEST_F(PageCommand, SaysInWordsWhatCannotBeSeenOrHeard) {
   const Outcome outcome = RunLine({"page",
                                    "a \xE2\x80\x98"
