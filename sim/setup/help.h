@@ -86,7 +86,7 @@ inline constexpr const char* kMargin =
 inline constexpr const char* kLetterGap = "added between letters in mm. Default 0.";
 inline constexpr const char* kWordGap = "added between words in mm. Default 0.";
 inline constexpr const char* kLinePitch =
-    "from base line to base line in mm. Default 1.8 sizes, Braille 2.";
+    "from base line to base line in mm. Default 1.8 sizes, Braille 2; more where --rules need it.";
 inline constexpr const char* kTilt =
     "raises the far edge of the page, in degrees from -60 to 60. Default 0.";
 inline constexpr const char* kSeed = "of tremor and drift, a whole number. Default 1.";

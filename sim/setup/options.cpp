@@ -268,6 +268,7 @@ TypeStyle StyleOf(const StyleOptions& options, const LayoutOptions& layout, Scri
   style.rules = RulesOf(layout.sheet);
   style.texture = SheetTextureOf(layout.sheet, from);
   style.links = LinksOf(options.links, from);
+  style.rules.makes_room = style.rules.lines && (!layout.line_pitch || layout.usual_pitch);
   style.form = {chosen(options.slant, from.slant).value_or(0),
                 chosen(options.stretch, from.stretch).value_or(1)};
   style.structure = StructureOf(options, from);

@@ -53,6 +53,7 @@ struct StyleOptions {
 struct LayoutOptions {
   PageSpec page{"a4", 0.210, 0.297, 0.015};
   std::optional<double> margin, letter_gap, word_gap, line_pitch, paragraph_gap;  ///< [m]
+  bool usual_pitch = false;  ///< the line pitch was made of the usual one, not given
   LineDirection lines = LineDirection::kLeftToRight;
   std::string hyphenation, running_head;  ///< empty: none
   bool page_numbers = false;

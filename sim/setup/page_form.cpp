@@ -29,6 +29,7 @@ void ApplyForm(const PageForm& form, const Script& script, const Label* from, St
   letters.width = form.width * usual.width;
   letters.depth = form.width * form.depth * usual.depth;
   letters.rounding = form.width * usual.rounding;
+  layout.usual_pitch = layout.usual_pitch || !layout.line_pitch;
   layout.line_pitch = form.spacing * form.pitch * usual.line_pitch;
   layout.letter_gap = usual.letter_gap + (form.spacing - 1) * kBetweenLetters * usual.size;
   SetPaper(form.paper, usual, layout.sheet);

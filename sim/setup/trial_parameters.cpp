@@ -36,8 +36,14 @@ Json RulesJson(const RuleStyle& rules) {
 }
 
 RuleStyle RulesFrom(const Json& json) {
-  return {json.at("lines"),    json.at("margin"),         json.at("width_m"),
-          json.at("height_m"), json.at("margin_width_m"), json.at("margin_height_m")};
+  RuleStyle rules;
+  rules.lines = json.at("lines");
+  rules.margin = json.at("margin");
+  rules.width = json.at("width_m");
+  rules.height = json.at("height_m");
+  rules.margin_width = json.at("margin_width_m");
+  rules.margin_height = json.at("margin_height_m");
+  return rules;
 }
 
 Json TextureJson(const SheetTexture& texture) {

@@ -246,6 +246,27 @@ double RulesApart(const TypeStyle& style) {
   return std::max(RuleProfile(style).width, kLeastApart);
 }
 
+double LeastRuledPitch(const std::set<std::size_t>& glyphs, const Script& script,
+                       const TypeStyle& style) {
+  const Across across(style);
+  double below = 0, above = 0;  // of the strokes' rims from the base line [m]
+  for (const std::size_t number : glyphs) {
+    const Glyph& glyph = script.glyphs.at(number);
+    const Box spine = SpinesOf(glyph);
+    if (spine.min.x > spine.max.x || IsGuide(glyph)) continue;
+    const double base = across.vertical() ? 0.5 * std::max(spine.max.x, 0.0) : 0;
+    below = std::max(below, style.size * (base - across.Of(spine.min)));
+    above = std::max(above, style.size * (across.Of(spine.max) - base));
+  }
+  const double reach = below + above + style.width, width = RuleProfile(style).width;
+  const double taken = reach + 2 * width + RulesApart(style);
+  const double least = taken + 2 * kShare * style.size;
+  if (style.links.reach == LinkReach::kNone) return least;
+  // there RuleGap grows with the pitch p: p >= taken + 0.7 (p - size - width - 2 rules)
+  const double letters = style.size + style.width + 2 * width;
+  return std::max(least, (taken - kLinkedShare * letters) / (1 - kLinkedShare));
+}
+
 void CheckRules(const TypeStyle& style) {
   const RuleStyle& rules = style.rules;
   CheckRidge(rules.width, rules.height, style.size, "line rules");

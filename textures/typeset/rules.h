@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <set>
 #include <vector>
 
 #include "textures/field/element.h"
@@ -19,6 +21,10 @@ double RuleGap(const TypeStyle& style);
 /// Least distance between the rims of one line's rule and the next line's, so that they are felt as
 /// two: a rule's width, at least 0.5 mm. Ours [m].
 double RulesApart(const TypeStyle& style);
+
+/// The least line pitch at which rules fit between any two lines of these glyphs [m].
+double LeastRuledPitch(const std::set<std::size_t>& glyphs, const Script& script,
+                       const TypeStyle& style);
 
 /// Throws InputError when a width or height is not finite, below zero, or steeper than 5.
 void CheckRules(const TypeStyle& style);

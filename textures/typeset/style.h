@@ -36,8 +36,10 @@ struct LinkStyle {
 /// Raised line rules and a raised margin (the paper, section 6: to deter wandering off text lines).
 /// Lengths of zero are a tenth of the letters' size, heights a quarter of the width.
 struct RuleStyle {
-  bool lines = false;        ///< a ridge on either side of each line of text
-  bool margin = false;       ///< a ridge round the text area
+  bool lines = false;   ///< a ridge on either side of each line of text
+  bool margin = false;  ///< a ridge round the text area
+  /// The line pitch is not anybody's choice: it grows to what the rules of a text need.
+  bool makes_room = false;
   double width = 0;          ///< of a rule, rim to rim [m]
   double height = 0;         ///< of a rule [m]
   double margin_width = 0;   ///< of the margin's ridge [m]

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "textures/base/error.h"
@@ -134,8 +135,29 @@ Typeset SetText(std::string_view text, const Script& script, const TypeStyle& st
   return result;
 }
 
+namespace {
+
+/// The style with the line pitch that the rules of this text need. The text is set once for that,
+/// since only then it is known which signs it has.
+TypeStyle WithRoomForRules(std::string_view text, const Script& script, TypeStyle style,
+                           const PageSpec& page) {
+  style.rules.makes_room = style.rules.lines = false;
+  std::set<std::size_t> used;
+  SetPages(text, script, style, page, [&used](TextPage&& one) {
+    for (const PlacedGlyph& glyph : one.glyphs) used.insert(glyph.glyph);
+  });
+  style.rules.lines = true;
+  style.line_pitch = std::max(style.line_pitch, LeastRuledPitch(used, script, style));
+  return style;
+}
+
+}  // namespace
+
 Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& style,
                  const PageSpec& page, const TakePage& take) {
+  if (style.rules.lines && style.rules.makes_room) {
+    return SetPages(text, script, WithRoomForRules(text, script, style, page), page, take);
+  }
   CheckStyle(style, script);
   CheckPage(page);
   const Box sheet_P{{0, 0}, {page.width, page.height}};
@@ -153,6 +175,7 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
     Typeset notes;
     return SignsOf(what, option, script, *writer, notes);
   };
+  Typeset result;
   std::optional<Hyphenation> hyphenation;
   if (!style.hyphenation.empty()) {
     hyphenation.emplace(style.hyphenation);
@@ -175,7 +198,6 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
   std::vector<Sign> signs;
   std::size_t count = 0;
   LineKind before = LineKind::kPlain;
-  Typeset result;
   for (std::size_t number = 1; folder.NextLine(line); ++number) {
     signs.clear();
     LineMarks marks;

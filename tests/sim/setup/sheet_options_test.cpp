@@ -154,5 +154,29 @@ TEST(SheetLabel, HasATextureOfItsOwn) {
   EXPECT_THROW(ParseLabel("moontrace:mug", "{texture='sand'}", "mug.xml"), InputError);
 }
 
+// A line pitch that somebody gives is theirs; the usual one makes room for the rules.
+TEST(LineRules, FitByThemselvesWhereNoPitchIsGiven) {
+  for (const std::vector<std::string>& more :
+       std::vector<std::vector<std::string>>{{"--script", "braille"},
+                                             {"--script", "braille", "--embossed"},
+                                             {"--script", "braille", "--size-mm", "8"},
+                                             {"--size-mm", "2"},
+                                             {"--size-mm", "2", "--links", "words"},
+                                             {"--size-mm", "3", "--rule-width-mm", "1"}}) {
+    const Outcome outcome = RunLine(With({"page", "mug (wh/who)\nmug", "--rules"}, more));
+    EXPECT_EQ(outcome.code, 0) << more.back() << ": " << outcome.err;
+  }
+  const auto pitch = [](const std::vector<std::string>& more) {
+    return RunLine(With({"page", "moon", "--json"}, more)).Json()["line_pitch_mm"].get<double>();
+  };
+  EXPECT_DOUBLE_EQ(pitch({"--rules"}), pitch({}));  // 1.8 sizes have room at 12 mm
+  // as the refusal says of 10 mm, the usual pitch
+  EXPECT_NEAR(pitch({"--rules", "--script", "braille"}), 10.5, 1e-9);
+  const Outcome given =
+      RunLine({"page", "mug\nmug", "--rules", "--script", "braille", "--line-pitch-mm", "8"});
+  EXPECT_EQ(given.code, 3);
+  EXPECT_NE(given.err.find("choose a line pitch of"), std::string::npos) << given.err;
+}
+
 }  // namespace
 }  // namespace moontrace
