@@ -1,6 +1,7 @@
 #include "lessons/course/lesson_items.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace moontrace {
 
@@ -23,6 +24,28 @@ std::optional<std::size_t> LessonIndex(const Course& course, std::string_view id
     if (course.lessons[i].id == id) return i;
   }
   return std::nullopt;
+}
+
+std::optional<std::size_t> LessonNamed(const Course& course, std::string_view given) {
+  std::size_t number = 0;
+  const char* const last = given.data() + given.size();
+  const auto [end, error] = std::from_chars(given.data(), last, number);
+  // a number that is written "04" is an id's
+  if (error == std::errc() && end == last && given.front() != '0') {
+    if (number > course.lessons.size()) return std::nullopt;
+    return number - 1;
+  }
+  if (const auto index = LessonIndex(course, given); index || given.empty()) return index;
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
+    const std::string_view id = course.lessons[i].id;
+    const std::size_t dash = id.find('-');
+    const bool ends = dash != std::string_view::npos && id.substr(dash + 1) == given;
+    if (!ends && id.substr(0, given.size()) != given) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
 }
 
 const Step* StepAt(const Course& course, std::string_view lesson, std::size_t step) {

@@ -16,6 +16,11 @@ namespace moontrace {
 /// Place of the lesson with this id in the course; none: no such lesson.
 std::optional<std::size_t> LessonIndex(const Course& course, std::string_view id);
 
+/// The same by what people call it: its number as it is heard, from 1 ("5"), its id ("04-itlo"), or
+/// the only one whose id begins so ("04") or ends so behind its number ("itlo"); none: no such
+/// lesson, or several.
+std::optional<std::size_t> LessonNamed(const Course& course, std::string_view given);
+
 /// The step at a place; null where the course has none there.
 const Step* StepAt(const Course& course, std::string_view lesson, std::size_t step);
 

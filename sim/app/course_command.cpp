@@ -8,7 +8,9 @@
 #include "devices/catalogue/catalogue.h"
 #include "devices/core/smallest_letter.h"
 #include "lessons/course/course_reader.h"
+#include "lessons/course/lesson_items.h"
 #include "sim/app/course_messages.h"
+#include "sim/learn/learn_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
@@ -203,14 +205,36 @@ void SayLesson(const Course& course, const Lesson& lesson, Console& console) {
   }
 }
 
+/// Whether a word can name a course, rather than a lesson of the shipped one.
+bool IsCourse(const std::string& given) {
+  const std::vector<std::string> shipped = ShippedCourses();
+  const fs::path path(given);
+  std::error_code ignored;
+  return given.empty() || given.find('/') != std::string::npos || path.extension() == ".toml" ||
+         fs::is_directory(path, ignored) || !NearestWord(given, shipped).empty() ||
+         std::find(shipped.begin(), shipped.end(), given) != shipped.end();
+}
+
+/// A lesson of a course by what people call it. Throws UsageError for none.
+const Lesson& LessonCalled(const Course& course, const std::string& given) {
+  if (const auto index = LessonNamed(course, given)) return course.lessons[*index];
+  std::vector<std::string> ids;
+  for (const Lesson& lesson : course.lessons) ids.push_back(lesson.id);
+  throw UsageError(say::NoSuchLesson(given, NearestWord(given, ids)));
+}
+
 int Show(const CourseOptions& options, Console& console) {
-  const Target target = TargetOf(options.words.size() > 1 ? options.words[1] : kShipped);
+  std::vector<std::string> words(options.words.begin() + 1, options.words.end());
+  if (words.empty() || !IsCourse(words.front())) words.insert(words.begin(), kShipped);
+  if (words.size() > 2) throw UsageError(say::TooManyCourses());
+  const Target target = TargetOf(words.front());
   const Course course = LoadCourse(target.course);
   const Lesson* lesson = LessonOf(course, target.lesson);
   if (lesson == nullptr && !target.lesson.empty()) {
     throw InputError(target.lesson + ": " +
                      say::LessonUnlisted(fs::path(target.lesson).stem().string()));
   }
+  if (words.size() > 1) lesson = &LessonCalled(course, words[1]);
   if (options.output.json) {
     console.Json(Dump(CourseJson(course, lesson)));
     return exit_code::kGood;
@@ -232,7 +256,6 @@ void CheckUse(const CourseOptions& options) {
     throw UsageError(say::NotACourseAction(action, NearestWord(action, {"check", "show"})));
   }
   if (action == "check" && words.size() < 2) throw UsageError(say::NoCourseNamed());
-  if (action == "show" && words.size() > 2) throw UsageError(say::TooManyCourses());
   if (action == "show" && !options.device.empty()) throw UsageError(say::DeviceOnlyForCheck());
 }
 

@@ -62,7 +62,9 @@ std::string NotACourseAction(std::string_view given, std::string_view nearest) {
 std::string NoCourseNamed() {
   return "course check: name a course, as in: moontrace course check learn-moon";
 }
-std::string TooManyCourses() { return "course show: one course at a time; leave the others out"; }
+std::string TooManyCourses() {
+  return "course show: one course, or a lesson of it, at a time; leave the others out";
+}
 std::string DeviceOnlyForCheck() { return "course show: --device is not for this; leave it out"; }
 
 std::string UnknownProfile(std::string_view given, std::string_view nearest) {

@@ -40,8 +40,9 @@ namespace help {
 inline constexpr const char* kCourseCommand =
     "says what is wrong with a course of lessons, or what it teaches";
 inline constexpr const char* kCourseWords =
-    "check, then courses: names, folders, course files or single lessons; or show, then one. "
-    "Default of show learn-moon.";
+    "check, then courses: names, folders, course files or single lessons; or show, then one, or "
+    "a lesson by its number or name, of learn-moon or of a course named before it. Default of show "
+    "learn-moon.";
 inline constexpr const char* kCourseDevice =
     "of check: a device's profile; letters smaller than it renders are told. Default none.";
 }  // namespace help

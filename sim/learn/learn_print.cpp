@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/course/lesson_items.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/picture/moon_marks.h"
 #include "sim/picture/picture_file.h"
@@ -15,17 +16,12 @@ namespace moontrace {
 
 namespace {
 
-const Lesson& LessonNamed(const Course& course, const std::string& name) {
+const Lesson& LessonToPrint(const Course& course, const std::string& name) {
   if (course.lessons.empty()) throw InputError(say::NothingToPrint(course.id));
   if (name.empty()) return course.lessons.front();
+  if (const auto index = LessonNamed(course, name)) return course.lessons[*index];
   std::vector<std::string> ids;
-  for (const Lesson& lesson : course.lessons) {
-    ids.push_back(lesson.id);
-    // "04-itlo", the number that is heard, "5", or "itlo"
-    const std::size_t dash = lesson.id.find('-');
-    const bool is_end = dash != std::string::npos && lesson.id.substr(dash + 1) == name;
-    if (lesson.id == name || std::to_string(ids.size()) == name || is_end) return lesson;
-  }
+  for (const Lesson& lesson : course.lessons) ids.push_back(lesson.id);
   throw UsageError(say::NoSuchLesson(name, NearestWord(name, ids)));
 }
 
@@ -62,7 +58,7 @@ Drawing SwellPage(const Typeset& set, const TextPage& sheet, const Script& scrip
 
 int PrintLesson(const LearnOptions& options, const Course& course, Console& console) {
   CheckPicturePath(options.print);
-  const Lesson& lesson = LessonNamed(course, options.lesson);
+  const Lesson& lesson = LessonToPrint(course, options.lesson);
   const std::string text = TextOfLesson(lesson);
   if (text.empty()) throw InputError(say::NothingToPrint(lesson.id));
   StyleOptions style_options;

@@ -1,11 +1,11 @@
 #include "sim/learn/learn_tutor.h"
 
-#include <charconv>
 #include <cmath>
 #include <ctime>
 #include <utility>
 #include <variant>
 
+#include "lessons/course/lesson_items.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "sim/learn/learn_memory.h"
@@ -23,24 +23,6 @@ namespace {
 
 /// Tutors who come in through the door have numbers from 1.
 constexpr std::size_t kAtWindow = 0;
-
-/// The lesson of that number, as "lesson 5 of 22" has it; whose id it is; or the only one whose id
-/// begins so ("04"). Empty: none, or several.
-std::string LessonOf(const Course& course, const std::string& given) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), number);
-  if (error == std::errc() && end == given.data() + given.size() && given.front() != '0') {
-    return number <= course.lessons.size() ? course.lessons[number - 1].id : std::string();
-  }
-  std::string found;
-  for (const Lesson& lesson : course.lessons) {
-    if (lesson.id == given) return given;
-    if (lesson.id.compare(0, given.size(), given) != 0) continue;
-    if (!found.empty()) return {};
-    found = lesson.id;
-  }
-  return found;
-}
 
 /// The lesson machine says what became of it, before the page shows it.
 bool LessonTells(TutorWord word) {
@@ -137,7 +119,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       if (stage_.simulated()) return Answer(line.tutor, say::CannotRecord());
       break;
     case TutorWord::kLesson:
-      if (LessonOf(course_, command.text).empty()) {
+      if (!LessonNamed(course_, command.text)) {
         return Answer(line.tutor, say::LessonNotFound(command.text, course_.lessons.size()));
       }
       break;
@@ -214,7 +196,7 @@ void TutorDesk::DoToLesson(const TutorCommand& command) {
       overrule.next_lesson = true;
       break;
     case TutorWord::kLesson:
-      overrule.lesson = LessonOf(course_, command.text);
+      overrule.lesson = course_.lessons[*LessonNamed(course_, command.text)].id;
       break;
     case TutorWord::kAgain:
       return lesson_.TutorSays({lesson_event::Word::kAgain, true});

@@ -151,6 +151,22 @@ TEST_F(CourseCommand, ShowsALessonStepByStep) {
             "Says: Read.\n");
 }
 
+TEST_F(CourseCommand, ShowsALessonByItsNumberOrName) {
+  for (const char* lesson : {"5", "04-itlo", "itlo", "04"}) {
+    const Outcome outcome = RunLine({"course", "show", lesson});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.rfind("04-itlo: I, T, L and O. ", 0), 0U) << outcome.out;
+    EXPECT_EQ(RunLine({"course", "show", "learn-moon", lesson}).out, outcome.out);
+  }
+  EXPECT_EQ(RunLine({"course", "show", folder_.string(), "2"}).out.rfind("two: A. ", 0), 0U);
+  EXPECT_EQ(RunLine({"course", "show", "5", "--json"}).Json()["lessons"].size(), 1U);
+  const Outcome none = RunLine({"course", "show", "99"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_EQ(none.err, "no such lesson: 99; moontrace course show lists them\n");
+  EXPECT_EQ(RunLine({"course", "show", "04-itlp"}).err,
+            "no such lesson: 04-itlp; did you mean 04-itlo\n");
+}
+
 TEST_F(CourseCommand, RefusesWhatItCannotDoInOneLine) {
   const auto error = [](const std::vector<std::string>& args, int code) {
     const Outcome outcome = RunLine(args);
