@@ -1,5 +1,7 @@
 #include "textures/fonts/character_script.h"
 
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <system_error>
 
@@ -49,9 +51,13 @@ void RequireCharacters(const Script& script, const std::set<char32_t>& needed,
                        const std::string& place) {
   if (!script.glyphs.empty()) return;
   if (needed.empty()) throw InputError(place + ": no character in it has a stroke; get it again");
-  throw InputError(place + ": has none of the text's " + std::to_string(needed.size()) +
-                   " characters, '" + Shown(ToUtf8(*needed.begin())) +
-                   "' for one; use another text or script");
+  const std::string first = Shown(ToUtf8(*needed.begin()));
+  const std::string what =
+      needed.size() == 1
+          ? fmt::format("has no sign for '{}'", first)
+          : fmt::format("has a sign for none of the text's {} characters, not for '{}'",
+                        needed.size(), first);
+  throw InputError(place + ": " + what + "; use another text or script");
 }
 
 }  // namespace moontrace

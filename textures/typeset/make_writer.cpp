@@ -26,8 +26,9 @@ std::unique_ptr<Writer> MakeWriter(const Script& script, const TypeStyle& style)
     return std::make_unique<BrailleWriter>(script, style.grade, style.table);
   }
   if (!style.table.empty()) {
-    throw InputError(fmt::format("script {} uses no Braille table: leave out table '{}'",
-                                 script.name, Shown(style.table)));
+    throw InputError(fmt::format(
+        "script {} is not Braille: choose script braille, or leave out Braille's table '{}'",
+        script.name, Shown(style.table)));
   }
   return std::make_unique<SignWriter>(script, style.grade, style.h_form, style.only);
 }

@@ -180,6 +180,14 @@ TEST_F(PageCommand, KeepsItsRefusalOnOneLineWhateverThePathHolds) {
   EXPECT_EQ(outcome.err.substr(0, 9), "x?y.pgm: ");
 }
 
+TEST_F(PageCommand, ATableWithoutBrailleIsToldTheScriptThatTakesIt) {
+  const Outcome outcome = RunLine({"page", "moon", "--table", "en"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err,
+            "script moon is not Braille: choose script braille, or leave out Braille's table "
+            "'en'\n");
+}
+
 TEST_F(PageCommand, LeavesAPictureThatSaysInWordsWhatItShows) {
   const Outcome outcome = RunLine({"page", "MOON", "--picture", In("p.svg")});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -134,9 +134,11 @@ TEST_F(HanziFile, FindsACharacterAtTheEndOfThirtyMegabytes) {
 
 TEST_F(HanziFile, SaysWhenNoneOfTheTextIsThere) {
   Write("{\"character\":\"\u4e00\",\"medians\":[[[0,0],[9,9]]]}\n");
-  EXPECT_EQ(Error({U'\u9f8d'}), path_ +
-                                    ": has none of the text's 1 characters, '\u9f8d' for one; "
-                                    "use another text or script");
+  EXPECT_EQ(Error({U'\u9f8d'}), path_ + ": has no sign for '\u9f8d'; use another text or script");
+  EXPECT_EQ(Error({U'\u9f8c', U'\u9f8d'}),
+            path_ +
+                ": has a sign for none of the text's 2 characters, not for '\u9f8c'; use "
+                "another text or script");
   Write("");
   EXPECT_EQ(Error(), path_ + ": no character in it has a stroke; get it again");
 }

@@ -108,9 +108,7 @@ TEST(LoadKanjiVg, SaysWhenNoneOfTheTextIsThere) {
     LoadKanjiVg(kFolder, {U'\u9f8d'});
     FAIL() << "loaded nothing without a word";
   } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), kFolder +
-                                ": has none of the text's 1 characters, '\u9f8d' for one; use "
-                                "another text or script");
+    EXPECT_EQ(error.what(), kFolder + ": has no sign for '\u9f8d'; use another text or script");
   }
 }
 
