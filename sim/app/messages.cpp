@@ -93,7 +93,11 @@ std::string TraceOutcome(const TrialResult& all, std::size_t letters, bool blank
                      Percent(all.score.total.coverage), Counted(letters, "letter", "letters"));
 }
 
-std::string MeanError(const TraceMetrics& total, const TypeStyle& style) {
+std::string MeanError(const TraceMetrics& total, const TypeStyle& style, bool blank) {
+  if (blank) {
+    return fmt::format("Mean error: {} mm; there is no {}.",
+                       Short(kMillimetres * total.mean_error, 3), ReliefWord(style));
+  }
   return fmt::format("Mean error: {} mm; the {} is {} mm wide.",
                      Short(kMillimetres * total.mean_error, 3), ReliefWord(style),
                      Short(kMillimetres * style.width, 2));
@@ -103,8 +107,10 @@ std::string WorstError(const TraceMetrics& total) {
   return fmt::format("Worst error: {} mm.", Short(kMillimetres * total.max_error, 2));
 }
 
-std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style) {
-  return fmt::format("Left the {}: {}.", ReliefWord(style), Times(total.excursions));
+std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style, bool blank) {
+  const std::string left = blank ? fmt::format("where a {} would be", ReliefWord(style))
+                                 : fmt::format("the {}", ReliefWord(style));
+  return fmt::format("Left {}: {}.", left, Times(total.excursions));
 }
 
 std::string Force(const TraceMetrics& total) {

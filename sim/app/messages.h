@@ -41,9 +41,9 @@ std::string RecordIn();
 
 // A trace.
 std::string TraceOutcome(const TrialResult& all, std::size_t letters, bool blank);
-std::string MeanError(const TraceMetrics& total, const TypeStyle& style);
+std::string MeanError(const TraceMetrics& total, const TypeStyle& style, bool blank);
 std::string WorstError(const TraceMetrics& total);
-std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style);
+std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style, bool blank);
 std::string Force(const TraceMetrics& total);
 std::string ForceBound(const TrialResult& all);
 std::string CarriedPress(double carried);  ///< [N]

@@ -35,13 +35,14 @@ TEST(Messages, TellFiguresOfTheBenchWithoutExponents) {
 
 TEST(Messages, CountInWords) {
   TraceMetrics total;
-  EXPECT_EQ(say::LeftGroove(total, {}), "Left the groove: never.");
+  EXPECT_EQ(say::LeftGroove(total, {}, false), "Left the groove: never.");
+  EXPECT_EQ(say::LeftGroove(total, {}, true), "Left where a groove would be: never.");
   total.excursions = 1;
-  EXPECT_EQ(say::LeftGroove(total, {}), "Left the groove: once.");
+  EXPECT_EQ(say::LeftGroove(total, {}, false), "Left the groove: once.");
   total.excursions = 3;
   TypeStyle ridges;
   ridges.relief = Relief::kEmbossed;
-  EXPECT_EQ(say::LeftGroove(total, ridges), "Left the ridge: 3 times.");
+  EXPECT_EQ(say::LeftGroove(total, ridges, false), "Left the ridge: 3 times.");
 }
 
 TEST(Messages, KeepForeignTextOnOneLine) {

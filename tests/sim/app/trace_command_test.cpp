@@ -127,6 +127,14 @@ TEST_F(TraceCommand, BlankPageLosesTheHand) {
   EXPECT_TRUE(json["blank"]);
 }
 
+TEST_F(TraceCommand, BlankPageTellsOfNoGroove) {
+  const Outcome outcome = RunLine({"trace", "L", "--blank"});
+  EXPECT_EQ(outcome.out.find("the groove is"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Left the groove"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("there is no groove."), std::string::npos) << outcome.out;
+  ExpectTextFace(outcome.out);
+}
+
 TEST_F(TraceCommand, SameSeedSameNumbersOtherSeedOthers) {
   const nlohmann::json one = Exact(TraceJson({"--seed", "1"}, "L"));
   EXPECT_EQ(one, Exact(TraceJson({"--seed", "1"}, "L")));
