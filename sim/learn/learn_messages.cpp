@@ -57,11 +57,13 @@ std::vector<std::string> LearnHelp() {
   for (const std::string& word : LearnWords()) {
     words.push_back(fmt::format("{} {}", words.size() + 1, word));
   }
-  return {
-      fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
-      "While something is asked, signs, numbers and names are answers; a line that begins with / "
-      "is a word: /7 is bigger, /a is again. Stop and quit always are words.",
-      TraceEnds(), "An empty line tells what is waited for."};
+  return {fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
+          "While something is asked, signs, numbers and names are answers.",
+          "A line that begins with / is a word: /7 is bigger, /a is again.",
+          "Stop and quit always are words.",
+          "lesson and a number goes to that lesson: lesson 5.",
+          TraceEnds(),
+          "An empty line tells what is waited for."};
 }
 
 std::string LearnUnknown(std::string_view given, std::string_view nearest) {

@@ -58,6 +58,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   void Do(const lesson_action::Keep& keep);
   void Do(lesson_action::Await await);
   void Answer(const std::string& text);
+  void GoToLesson(const std::string& given);
   void Speak(LearnWord word);
   void Next();
   void EndTrace();

@@ -6,8 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "lessons/course/lesson_items.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_session.h"
+#include "sim/learn/learn_tutor_messages.h"
 #include "sim/session/loop_messages.h"
 #include "textures/base/nearest_word.h"
 
@@ -44,6 +46,9 @@ void LearnSession::Obey(const std::string& line) {
     case LearnLine::Kind::kAnswer:
       Answer(read.answer);
       break;
+    case LearnLine::Kind::kLesson:
+      GoToLesson(read.answer);
+      break;
     case LearnLine::Kind::kNothing:
       break;  // what is waited for
     case LearnLine::Kind::kUnknown:
@@ -69,6 +74,16 @@ std::string LearnSession::Awaited() const {
   if (await_ == Await::kTrace && stage_.simulated()) return say::ProgramTraces();
   if (await_ == Await::kTrace && leading_ && stage_.pushes()) return say::LedNow();
   return say::Awaited(await_, state_.question);
+}
+
+void LearnSession::GoToLesson(const std::string& given) {
+  const auto index = LessonNamed(course_, given);
+  if (!index) {
+    return teller_.Say(Priority::kText, say::LessonNotFound(given, course_.lessons.size()));
+  }
+  lesson_event::Overrule overrule;
+  overrule.lesson = course_.lessons[*index].id;
+  Take(overrule);
 }
 
 void LearnSession::Answer(const std::string& text) {

@@ -49,6 +49,13 @@ LearnLine Command(const std::string& given) {
   return {found.empty() ? Kind::kUnknown : Kind::kAmbiguous, LearnWord::kHelp, {}};
 }
 
+/// What stands behind "lesson": a tutor's word that whoever learns alone may say as well.
+std::optional<std::string> LessonSaid(const std::string& given) {
+  constexpr std::string_view kLesson = "lesson ";
+  if (given.compare(0, kLesson.size(), kLesson) != 0) return std::nullopt;
+  return Trimmed(std::string_view(given).substr(kLesson.size()));
+}
+
 bool Begins(std::string_view word, const std::string& given) {
   return given.size() > 1 && word.compare(0, given.size(), given) == 0;
 }
@@ -82,6 +89,10 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
   if (given.empty()) return {};
   const std::string bare = Bare(given);
   if (bare.empty()) return Word(LearnWord::kHelp);  // a slash alone
+  const bool is_item = asked == Asked::kName && ItemSaid(course, given, {});
+  if (auto lesson = LessonSaid(bare); lesson && !is_item) {
+    return {Kind::kLesson, LearnWord::kHelp, *std::move(lesson)};
+  }
   if (asked == Asked::kNothing || given.front() == '/') return Command(bare);
   if (bare == "stop") return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);

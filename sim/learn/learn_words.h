@@ -47,17 +47,19 @@ struct LearnLine {
   enum class Kind : std::uint8_t {
     kWord,
     kAnswer,
+    kLesson,    ///< "lesson 5"
     kNothing,   ///< an empty line
     kUnknown,   ///< no such word, and nothing was asked
     kAmbiguous  ///< the beginning of several words
   };
   Kind kind = Kind::kNothing;
   LearnWord word = LearnWord::kHelp;  ///< of kWord
-  std::string answer;                 ///< of kAnswer, in small letters
+  std::string answer;                 ///< of kAnswer, in small letters; of kLesson which one
 };
 
 /// A word, an unambiguous beginning of one, its number, or "?"; capitals and blanks around do not
-/// count, nor does a question mark behind a word. A line that begins with "/" is never an answer.
+/// count, nor does a question mark behind a word. A line that begins with "/" is never an answer,
+/// nor is "lesson" with a word behind it, where that is no item of the course.
 ///
 /// While something is asked, in this order: stop and quit are always words; the text or the name of
 /// an item of the course is an answer; then whole words; single signs and digits are answers;

@@ -47,6 +47,20 @@ TEST(LearnWords, AreReadWholeBegunOrByNumber) {
   ExpectWord(Read("/"), LearnWord::kHelp);
 }
 
+TEST(LearnWords, TakeALessonByItsNumberOrName) {
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
+    for (const char* line : {"lesson 5", "/Lesson 5", " lesson  5 "}) {
+      const LearnLine read = Read(line, asked);
+      EXPECT_EQ(read.kind, Kind::kLesson) << line;
+      EXPECT_EQ(read.answer, "5") << line;
+    }
+  }
+  EXPECT_EQ(Read("lesson 04-itlo").answer, "04-itlo");
+  Course course = SmallCourse();
+  course.lessons[0].items.push_back("lesson 5");
+  ExpectAnswer(ReadLearnLine("lesson 5", Asked::kName, course), "lesson 5");
+}
+
 TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(Read("").kind, Kind::kNothing);
   EXPECT_EQ(Read(" \t ").kind, Kind::kNothing);
