@@ -7,6 +7,7 @@
 
 #include "lessons/records/learner_history.h"
 #include "sim/learn/learn_messages.h"
+#include "textures/base/case_fold.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 
@@ -73,6 +74,19 @@ std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntr
   }
 }
 
+/// The name under which somebody is kept who is called so but for capitals; the given one for
+/// nobody, or for several.
+std::string KeptName(const std::string& given, const std::vector<LearnerEntry>& known) {
+  std::string kept;
+  for (const LearnerEntry& learner : known) {
+    if (learner.pseudonym == given) return given;
+    if (learner.simulated || CaseFolded(learner.pseudonym) != CaseFolded(given)) continue;
+    if (!kept.empty()) return given;
+    kept = learner.pseudonym;
+  }
+  return kept.empty() ? given : kept;
+}
+
 bool MayKeepTracks(bool may_ask, LineReader& lines, LearnTeller& teller, const Console& console) {
   if (!may_ask) {
     teller.Remark(say::NoConsentAsked());
@@ -103,8 +117,11 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
   }
   Records records =
       Records::Open(options.records.empty() ? Records::DefaultPath() : options.records);
-  const std::string name = WhoLearns(options, records.Learners(), may_ask, lines, teller, console);
-  RequirePseudonym(name);
+  const std::vector<LearnerEntry> known = records.Learners();
+  const std::string given = WhoLearns(options, known, may_ask, lines, teller, console);
+  RequirePseudonym(given);
+  const std::string name = KeptName(given, known);
+  if (name != given) teller.Say(Priority::kText, say::TakenForKept(given, name));
   std::optional<LearnerEntry> learner = records.Find(name);
   if (learner && learner->simulated) throw UsageError(say::SimulatedOnly(name));
   const bool fresh = !learner;

@@ -108,6 +108,10 @@ std::string Learner(std::string_view name, std::size_t trials, bool fresh) {
   return fmt::format("Learner: {}, {} so far.", OneLine(name), Counted(trials, "trial", "trials"));
 }
 
+std::string TakenForKept(std::string_view given, std::string_view kept) {
+  return fmt::format("{} is known here: {} is taken for that.", OneLine(kept), OneLine(given));
+}
+
 std::string AskLearner() { return "Who learns? Type a name of your choice and Enter."; }
 std::string AskWhich(const std::vector<std::string>& names) {
   return fmt::format("Who learns: {}, or a new name?", Joined(names, ", "));

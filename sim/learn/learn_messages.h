@@ -81,6 +81,8 @@ std::string StillAsked();
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
                           std::size_t step, std::size_t steps);
 std::string Learner(std::string_view name, std::size_t trials, bool fresh);
+/// Somebody is kept under a name that differs from what was given by capitals only.
+std::string TakenForKept(std::string_view given, std::string_view kept);
 std::string AskLearner();
 std::string AskWhich(const std::vector<std::string>& names);
 std::string NoLearner();

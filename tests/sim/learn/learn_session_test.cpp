@@ -72,6 +72,28 @@ TEST_F(LearnSessionTest, GoesOnWhereItWas) {
   EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2, step 2 of 8: First lesson.")) << outcome.out;
 }
 
+TEST_F(LearnSessionTest, GoesToALessonThatIsNamed) {
+  const Outcome outcome = RunLine(Learn(), "lesson 2\nwhere\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(Holds(outcome.out, "Lesson 2 of 2, step 1 of ")) << outcome.out;
+  const Outcome none = RunLine(Learn(), "lesson 7\nquit\n");
+  EXPECT_TRUE(Holds(none.out, "No such lesson, or several: 7. A number from 1 to 2")) << none.out;
+}
+
+TEST_F(LearnSessionTest, TakesANameThatDiffersByCapitalsForTheKeptOne) {
+  const auto learn = [this](const std::string& name) {
+    return RunLine({"learn", "--course", In("course"), "--records", In("r.sqlite"), "--device",
+                    "simulated", "--learner", name},
+                   "quit\n");
+  };
+  ASSERT_EQ(learn("Ada").code, 0);
+  const Outcome small = learn("ada");
+  EXPECT_TRUE(Holds(small.out, "Ada is known here: ada is taken for that.")) << small.out;
+  EXPECT_TRUE(Holds(small.out, "Learner: Ada, 0 trials so far.")) << small.out;
+  EXPECT_TRUE(Holds(learn("Ida").out, "New learner: Ida."));
+  EXPECT_EQ(Records::OpenToRead(In("r.sqlite")).Learners().size(), 2U);
+}
+
 TEST_F(LearnSessionTest, SaysTheTextOfEachStepThatIsComeToByNext) {
   WriteAll(folder_ / "course" / "one.toml", R"(
 title = "First lesson"
