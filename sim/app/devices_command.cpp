@@ -90,19 +90,31 @@ void SayFigures(const DeviceEntry& entry, Console& console) {
   console.Result(say::DeviceLetsGo(profile));
 }
 
+/// What would be recognised, so that somebody who has no device yet finds the names.
+void SayProfiles(const std::vector<DeviceProfile>& profiles, Console& console) {
+  console.Result(say::KnownProfiles(profiles.size()));
+  for (const DeviceProfile& profile : profiles) console.Result(say::ProfileLine(profile));
+}
+
 int List(const DevicesOptions& options, Console& console) {
+  const std::vector<DeviceProfile> profiles = LoadProfiles(ProfilesFolder());
   const std::vector<DeviceEntry> entries = ListDevices(ProfilesFolder());
   if (options.output.json) {
     Json json;
     json["hidapi"] = HidIsBuiltIn();
     json["devices"] = Json::array();
     for (const DeviceEntry& entry : entries) json["devices"].push_back(EntryJson(entry));
+    json["profiles"] = Json::array();
+    for (const DeviceProfile& profile : profiles) {
+      json["profiles"].push_back({{"name", profile.name}, {"title", profile.title}});
+    }
     console.Json(Dump(json));
     return exit_code::kGood;
   }
   if (entries.empty()) {
     console.Result(HidIsBuiltIn() ? say::NoDevice() : say::NoHidapi());
     console.Result(say::WithoutDevice());
+    SayProfiles(profiles, console);
     return exit_code::kGood;
   }
   const auto usable = std::count_if(entries.begin(), entries.end(),
@@ -114,6 +126,7 @@ int List(const DevicesOptions& options, Console& console) {
     SayFigures(entry, console);
     if (entry.problem.empty()) console.Result(say::TryDevice(entry.name));
   }
+  SayProfiles(profiles, console);
   return exit_code::kGood;
 }
 

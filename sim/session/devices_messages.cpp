@@ -45,6 +45,14 @@ std::string NoDevice() {
   return "no device found: nothing that is plugged in is one that Moontrace knows";
 }
 
+std::string KnownProfiles(std::size_t count) {
+  return fmt::format("{}, plugged in or not:", Counted(count, "kind is known", "kinds are known"));
+}
+
+std::string ProfileLine(const DeviceProfile& profile) {
+  return fmt::format("{}: {}.", profile.name, OneLine(profile.title));
+}
+
 std::string NoHidapi() {
   return "no device can be found: built without hidapi; install libhidapi-dev and build again";
 }

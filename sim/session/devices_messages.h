@@ -13,6 +13,8 @@ namespace moontrace::say {
 // The list.
 std::string DevicesOutcome(std::size_t there, std::size_t usable);
 std::string NoDevice();
+std::string KnownProfiles(std::size_t count);
+std::string ProfileLine(const DeviceProfile& profile);
 std::string NoHidapi();
 std::string WithoutDevice();
 std::string DeviceLine(const DeviceEntry& entry);

@@ -27,6 +27,23 @@ TEST(DevicesCommand, SaysPlainlyThatThereIsNoneAndWhatWorksWithout) {
   EXPECT_EQ(RunLine({"devices", "--json"}).Json()["devices"].size(), 0u);
 }
 
+// The files of devices/profiles, whatever is plugged in.
+TEST(DevicesCommand, ListsTheKnownProfilesApartFromWhatIsPluggedIn) {
+  for (const char* plugged : {"", "pid"}) {
+    const FakeHid fake(plugged);
+    const Outcome outcome = RunLine({"devices"});
+    EXPECT_TRUE(Has(outcome.out, "9 kinds are known, plugged in or not:\n")) << outcome.out;
+    EXPECT_TRUE(Has(outcome.out, "\nwoodenhaptics: WoodenHaptics arm.\n"));
+    EXPECT_TRUE(Has(outcome.out, "\nsidewinder-ff2: Microsoft SideWinder Force Feedback 2.\n"));
+    ExpectTextFace(outcome.out);
+    const auto json = RunLine({"devices", "--json"}).Json();
+    EXPECT_EQ(json["devices"].size(), *plugged == 0 ? 0u : 1u);
+    ASSERT_EQ(json["profiles"].size(), 9u);
+    EXPECT_EQ(json["profiles"][2]["name"], "openffboard");
+    EXPECT_EQ(json["profiles"][2]["title"], "OpenFFBoard joystick");
+  }
+}
+
 TEST(DevicesCommand, TellsWhatADeviceCanDo) {
   const FakeHid fake("pid,spacemouse");
   const Outcome outcome = RunLine({"devices"});
