@@ -293,8 +293,11 @@ std::string ResearchJson(const LearnerHistory& history) {
     items.insert(shown.substr(0, first));
     if (first < shown.size()) items.insert(shown.substr(first + 1));
   }
+  // a person's demonstration on a simulated device is none of a person's trials either
+  bool simulated = history.learner.simulated;
   Json trials = Json::array();
   for (const RecordedTrial& row : history.trials) {
+    simulated = simulated || row.trial.simulated;
     Json json{{"course", row.course}, {"time_s", row.trial.time - begin}};
     json.update(JsonOf(row.trial));
     json.erase("time_unix_s");
@@ -314,7 +317,7 @@ std::string ResearchJson(const LearnerHistory& history) {
                   {"left_out", {"pseudonym", "dates", "texts of events", "tracks"}},
                   {"trial_fields", std::move(fields)},
                   {"event_fields", {"time_s", "kind"}},
-                  {"simulated", history.learner.simulated}};
+                  {"simulated", simulated}};
   return Lines(head, trials, events);
 }
 

@@ -114,6 +114,22 @@ TEST(ResearchExport, HoldsNoNameDateWordOrTrack) {
   EXPECT_NE(text.find("{\"time_s\":1,\"kind\":\"tutor\"}"), std::string::npos);
 }
 
+// So that nobody takes a program's trials for a person's, whoever they were kept for.
+TEST(ResearchExport, SaysAtItsTopWhetherAnythingWasSimulated) {
+  const auto says = [](bool learner, bool trial) {
+    LearnerHistory history = SomeHistory();
+    history.learner.simulated = learner;
+    for (RecordedTrial& row : history.trials) row.trial.simulated = false;
+    history.trials.back().trial.simulated = trial;
+    const std::string text = ResearchJson(history);
+    const std::string head = text.substr(0, text.find("\"trials\":"));
+    return head.find("\"simulated\":true") != std::string::npos;
+  };
+  EXPECT_FALSE(says(false, false));
+  EXPECT_TRUE(says(false, true));
+  EXPECT_TRUE(says(true, false));
+}
+
 TEST(ResearchExport, KeepsAnswersThatWereItems) {
   LearnerHistory history = SomeHistory();
   history.trials[0].trial.answer = "n";  // of "j" beside "n"
