@@ -60,6 +60,8 @@ int Run(const BenchOptions& options, Console& console) {
   }
   console.Result(say::BenchOutcome(bars, missed));
   for (const BenchRow& row : rows) console.Result(say::BenchLine(row));
+  // again at the end, which is what stands on the screen
+  console.Result(say::BenchOutcome(bars, missed));
   return exit_code::kGood;
 }
 
