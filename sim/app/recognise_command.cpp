@@ -181,6 +181,9 @@ int Run(const RecogniseOptions& options, Console& console) {
   reading.text =
       SetUpText({options.text, options.style, options.layout, options.feel, "recognise"}, console);
   SayReplacements(reading.text.set, [&console](const std::string& line) { console.Remark(line); });
+  if (reading.text.set.style.relief == Relief::kEmbossed) {
+    throw UsageError(say::ReadsGroovesOnly());
+  }
   const Script& script = reading.text.script;
   const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
   const std::size_t pages = reading.text.set.pages.size();

@@ -65,6 +65,10 @@ std::string Confusions(const ReadingScore& score, const Script& script) {
 
 std::string AsRead() { return "As read, line by line:"; }
 
+std::string ReadsGroovesOnly() {
+  return "recognise follows grooves and cannot read ridges yet: leave --embossed out";
+}
+
 std::string ReaderStopped(std::size_t page) {
   return fmt::format("Page {}: the reader found no end by itself and was stopped.", page + 1);
 }

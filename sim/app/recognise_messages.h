@@ -18,6 +18,8 @@ std::string ReadingTime(const ReadingScore& score, double seconds, double real_t
 /// What stood there and what was read instead, the most frequent first; empty where there is none.
 std::string Confusions(const ReadingScore& score, const Script& script);
 std::string AsRead();
+/// Ridges were asked for.
+std::string ReadsGroovesOnly();
 std::string ReaderStopped(std::size_t page);
 
 std::string ReadingPictureTitle(const Script& script, const TypeStyle& style);

@@ -40,7 +40,7 @@ struct ReadingSetup {
   std::uint64_t hand_seed = 1;    ///< of tremor and drift
   std::uint64_t reader_seed = 1;  ///< of what the reader does by chance
   double path_spacing = 0;        ///< of the path kept for a picture [m]; 0: none
-  double longest = 36000;         ///< a reader that has not ended by then is stopped [s]
+  double longest = 14400;         ///< a reader that has not ended by then is stopped [s]
   const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
   /// Called in each tick, after the reader: what it was given, and itself. None: costs nothing.
   std::function<void(const ReaderInput& input, const Reader& reader)> watch;

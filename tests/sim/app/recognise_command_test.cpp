@@ -88,6 +88,9 @@ TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(RunLine({"recognise", "so", "--script", "nowhere"}).code, 3);
   EXPECT_EQ(RunLine({"recognise", "so", "--picture", In("none/p.svg")}).code, 4);
   EXPECT_EQ(RunLine({"recognise", "so", "more"}).code, 2);
+  const Outcome ridges = RunLine({"recognise", "so", "--embossed"});
+  EXPECT_EQ(ridges.code, 2);
+  EXPECT_NE(ridges.err.find("leave --embossed out"), std::string::npos);
 }
 
 }  // namespace
