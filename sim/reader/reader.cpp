@@ -155,9 +155,9 @@ ReaderAction Reader::Sweep(const Felt& felt) {
   }
   // what is felt comes late: wait at the end
   if (next_ >= way_.size()) {
-    deepest_ += dt;
-    if (deepest_ > knowledge_.delay + knowledge_.lag + 0.05) {
-      deepest_ = 0;
+    waited_ += dt;
+    if (waited_ > knowledge_.delay + knowledge_.lag + 0.05) {
+      waited_ = 0;
       if (crossing_) {
         Think();
       } else {
@@ -165,7 +165,7 @@ ReaderAction Reader::Sweep(const Felt& felt) {
       }
     }
   } else {
-    deepest_ = 0;
+    waited_ = 0;
   }
   const glm::dvec2 aim = aim_ - drift_.drift();
   drift_.Add(felt, aim);

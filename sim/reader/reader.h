@@ -40,8 +40,9 @@ class Reader {
   bool done() const { return phase_ == Phase::kDone; }
   /// What has been read, a line at a time.
   const std::vector<ReadToken>& tokens() const { return tokens_; }
-  /// Whether it looks for a groove, for pictures.
+  /// Whether it looks for a groove or follows one, for pictures.
   bool is_searching() const { return phase_ == Phase::kSweep; }
+  bool is_following() const { return phase_ == Phase::kFollow; }
 
  private:
   enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };
@@ -120,7 +121,7 @@ class Reader {
   glm::dvec2 last_flat_{0, 0};
   double caught_for_ = 0;
   glm::dvec2 sweep_direction_{1, 0};
-  double deepest_ = 0;
+  double waited_ = 0;  ///< at the end of a way [s]
   // a sign
   SignEvidence evidence_;
   std::vector<SignGuess> belief_;

@@ -53,12 +53,15 @@ class LateSenses {
   std::size_t slot_ = 0;
 };
 
-void Keep(std::vector<PathPoint>& path, const TickResult& felt, bool searching, double spacing) {
+void Keep(std::vector<PathPoint>& path, const TickResult& felt, const Reader& reader,
+          double spacing) {
   if (spacing <= 0) return;
   PathPoint point;
   point.tip_P = felt.proxy_P;
   point.in_contact = felt.depth > 0;
-  point.phase = searching ? TracePhase::kTravel : TracePhase::kStroke;
+  point.phase = reader.is_searching()   ? TracePhase::kTravel
+                : reader.is_following() ? TracePhase::kStroke
+                                        : TracePhase::kAir;
   if (!path.empty() && path.back().in_contact == point.in_contact &&
       path.back().phase == point.phase && glm::distance(path.back().tip_P, point.tip_P) < spacing) {
     return;
@@ -100,7 +103,7 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     const ReaderAction action = reader.Step(late);
     if (setup.watch) setup.watch(late, reader);
     stylus.Lead({action.aim, action.press});
-    Keep(result.path, felt, reader.is_searching(), setup.path_spacing);
+    Keep(result.path, felt, reader, setup.path_spacing);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   result.tokens = reader.tokens();

@@ -52,7 +52,7 @@ struct ReadingResult {
   bool ended = false;             ///< by itself
   double duration = 0;            ///< simulated [s]
   double real_time_factor = 0;    ///< the only value that varies
-  std::vector<PathPoint> path;
+  std::vector<PathPoint> path;    ///< kTravel where it searches, kStroke where it follows
 };
 
 /// Reader, hand and scene, tick by tick: the hand's place goes to the scene, the scene's force one
