@@ -315,11 +315,11 @@ std::vector<RingPart> PartsBesideFills(const std::vector<Piece>& path, double wi
   return parts;
 }
 
-/// A ring by itself that borders on a fill.
-void FollowBesideFill(PlanWriter& writer, const std::vector<Piece>& run, double width,
-                      const Outlines& fills) {
+/// A ring or a part of it, leaning inwards by a share, and outwards where a fill opens it.
+void FollowRing(PlanWriter& writer, const std::vector<Piece>& run, double width,
+                const Outlines& fills, double share) {
   for (const RingPart& part : PartsBesideFills(run, width, fills)) {
-    FollowInwards(writer, part.pieces, width, part.is_open ? -1 : 0);
+    FollowInwards(writer, part.pieces, width, part.is_open ? -1 : share);
   }
 }
 
@@ -334,23 +334,22 @@ void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& s
       writer.Ease(stroke.width, PressOn(stroke, options));
       writer.EndSpan(TracePhase::kTravel, step.stroke);
     }
-    for (const RingPart& own : PartsBesideFills({part}, stroke.width, fills)) {
-      FollowInwards(writer, own.pieces, stroke.width, own.is_open ? -1 : 1);
-    }
+    FollowRing(writer, {part}, stroke.width, fills, 1);
     writer.Rest(kEndRest);
     first = false;
   }
 }
 
 /// Leaves a ring: along it as far as needed, then away from it.
-void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& path, double width) {
+void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& path, double width,
+               const Outlines& fills) {
   const auto in_ring = [&ring](const Piece& piece) {
     const std::optional<Arc> arc = ArcOf(piece);
     return arc && glm::distance(arc->center, ring.center) < 1e-9 &&
            std::abs(arc->radius - ring.radius) < 1e-9;
   };
   const auto away = std::find_if_not(path.begin(), path.end(), in_ring);
-  FollowInwards(writer, {path.begin(), away}, width);
+  FollowRing(writer, {path.begin(), away}, width, fills, 1);
   const auto runs = RunsOf({away, path.end()}, width, 0);
   if (runs.empty()) return;
   const glm::dvec2 start = StartOf(runs.front().front());
@@ -364,13 +363,14 @@ void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& pa
 void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedStroke>& strokes,
                const PlanOptions& options) {
   std::optional<Arc> left;  // the ring traced last
+  Outlines left_fills;      // beside it
   for (const WalkStep& step : walk) {
     const IntendedStroke& stroke = strokes[step.stroke];
     if (&step == &walk.front()) {
       Land(writer, stroke, step.stroke, options);
     } else {
       if (left) {
-        LeaveRing(writer, *left, step.path_P, stroke.width);
+        LeaveRing(writer, *left, step.path_P, stroke.width, left_fills);
       } else {
         // a link begins shallower than the stroke: a hand that has drifted would slide back in that
         if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));
@@ -386,8 +386,9 @@ void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedS
     const Outlines fills = is_ring ? FillsBeside(strokes, step.stroke) : Outlines();
     if (left) {
       TraceRing(writer, step, stroke, fills, options);
+      left_fills = fills;
     } else if (!fills.empty()) {
-      FollowBesideFill(writer, runs.front(), stroke.width, fills);
+      FollowRing(writer, runs.front(), stroke.width, fills, 0);
     } else {
       FollowRuns(writer, runs, stroke.width);
     }
