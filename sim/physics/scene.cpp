@@ -160,6 +160,7 @@ int Scene::Impl::CheckField(const TextureField* new_field) const {
 void Scene::Impl::SetField(const TextureField* new_field) {
   substeps = CheckField(new_field);
   field = new_field != nullptr ? new_field : &flat;
+  law = LawOf(options.surface, *field);
   through_depth = ThroughDepth(options.surface, *field);
   loaded.m->opt.timestep = options.tick / substeps;
   memory.stored_jumped = 1;

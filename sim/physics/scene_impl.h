@@ -66,6 +66,7 @@ struct Scene::Impl {
   TextureField flat;
   const TextureField* field = &flat;
   int substeps = 1;
+  SurfaceLaw law;              ///< of options and field
   double through_depth = 0;    ///< ThroughDepth of the field [m]
   double page_compliance = 0;  ///< greatest velocity per impulse of the page's body [1/kg]
   std::vector<std::string> remarks;
@@ -76,7 +77,7 @@ struct Scene::Impl {
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
   double Observe(glm::dvec3 tip_W, const StepForces& step) noexcept;
   void Integrate(const StepForces& step) noexcept;
-  double ForeignForce(const StepForces& step, glm::dvec3 v_before_W) const noexcept;
+  bool IsHeld(const StepForces& step, glm::dvec3 v_before_W) const noexcept;
   void WatchThrough(const StepForces& step, bool delivered) noexcept;
   void Idle() noexcept;
   TickResult Fail(glm::dvec3 tip_W) noexcept;

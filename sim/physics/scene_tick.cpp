@@ -82,7 +82,7 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   step.point_W = direct() ? tip_W : ProxyPosition();
   step.velocity_W = ProxyVelocity();
   step.point_P = FromWorld(step.X_WP, step.point_W);
-  const Contact contact = Touch(options.surface, *field, step.point_P);
+  const Contact contact = Touch(law, *field, step.point_P);
   step.depth = contact.depth;
   step.displacement = contact.sample.displacement;
   step.page_P = memory.page_share * contact.force_P;
@@ -98,9 +98,8 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
 
 /// The energy stored now [J].
 double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
-  double stored =
-      memory.page_share * Potential(options.surface, *field, step.displacement, step.point_P.z) +
-      memory.friction.Energy(options.presliding_stiffness);
+  double stored = memory.page_share * Potential(law, step.displacement, step.point_P.z) +
+                  memory.friction.Energy(options.presliding_stiffness);
   if (!direct()) {
     stored += coupling.Energy(tip_W - step.point_W) +
               0.5 * loaded.proxy.mass * glm::dot(step.velocity_W, step.velocity_W);
@@ -141,12 +140,13 @@ void Scene::Impl::Integrate(const StepForces& step) noexcept {
   std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
 }
 
-/// What moved the proxy in the step just taken besides coupling and page [N].
-double Scene::Impl::ForeignForce(const StepForces& step, glm::dvec3 v_before_W) const noexcept {
-  if (direct()) return 0;
-  const glm::dvec3 moved = loaded.proxy.axis_mass * (ProxyVelocity() - v_before_W);
-  const glm::dvec3 foreign = moved / loaded.m->opt.timestep - (step.page_W + step.pull_W);
-  return glm::length(foreign);
+/// Whether something besides coupling and page moved the proxy in the step just taken.
+bool Scene::Impl::IsHeld(const StepForces& step, glm::dvec3 v_before_W) const noexcept {
+  if (direct()) return false;
+  const double h = loaded.m->opt.timestep;
+  const glm::dvec3 foreign = loaded.proxy.axis_mass * (ProxyVelocity() - v_before_W) -
+                             h * (step.page_W + step.pull_W);  // [N s]
+  return glm::dot(foreign, foreign) > kForeign * kForeign * h * h;
 }
 
 /// Pressed harder than the page carries, the proxy sinks: below a depth it is through, and the
@@ -177,6 +177,7 @@ void Scene::Impl::Idle() noexcept {
 
 void Scene::Impl::SwapField(const TextureField* new_field, int new_substeps) noexcept {
   field = new_field != nullptr ? new_field : &flat;
+  law = LawOf(options.surface, *field);
   through_depth = ThroughDepth(options.surface, *field);
   substeps = new_substeps;
   loaded.m->opt.timestep = options.tick / substeps;
@@ -220,7 +221,7 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   glm::dvec3 page_W{0, 0, 0};
   double stored = 0;
   StepForces step;
-  double foreign = 0;  ///< [N]
+  bool held = false;
   for (int i = 1; i <= substeps; ++i) {
     const glm::dvec3 travel_W = tip_W - from_W;
     step =
@@ -228,7 +229,7 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
     if (i == 1) stored = Observe(tip_W, step);
     const glm::dvec3 v_before_W = ProxyVelocity();
     Integrate(step);
-    foreign = std::max(foreign, ForeignForce(step, v_before_W));
+    held |= IsHeld(step, v_before_W);
     pull_W += step.pull_W;
     page_W += step.page_W;
   }
@@ -241,10 +242,10 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   if (watch.Sees() || !IsSane(result.force_W, 1e9) || !IsSane(ProxyPosition(), 2 * kFarthest)) {
     return Fail(tip_W);
   }
-  if (foreign > kForeign) {
-    TickResult held = Fail(tip_W);
-    held.held = true;
-    return held;
+  if (held) {
+    TickResult failed = Fail(tip_W);
+    failed.held = true;
+    return failed;
   }
   if (direct()) PlaceProxy(tip_W, v_W);
   WatchThrough(step, delivered);

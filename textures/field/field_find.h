@@ -14,11 +14,14 @@ inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
   return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
 }
 
-/// Number of the cell, counted from the block's first, in which a point of the block's box lies.
-inline std::uint32_t CellOf(const Block& block, glm::dvec2 p) noexcept {
+/// The cell in which a point of the block's box lies.
+struct CellPlace {
+  std::uint32_t column = 0, row = 0;
+};
+inline CellPlace PlaceOf(const Block& block, glm::dvec2 p) noexcept {
   const auto column = static_cast<std::uint32_t>((p.x - block.box.min.x) * block.cells_per_m.x);
   const auto row = static_cast<std::uint32_t>((p.y - block.box.min.y) * block.cells_per_m.y);
-  return std::min(row, block.rows - 1u) * block.columns + std::min(column, block.columns - 1u);
+  return {std::min(column, block.columns - 1u), std::min(row, block.rows - 1u)};
 }
 
 /// The band at a height, or one beyond all, also for NaN.

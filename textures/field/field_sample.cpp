@@ -265,7 +265,8 @@ Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Ce
 /// `p` lies in the block's box.
 inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
                              glm::dvec2 p) noexcept {
-  const Cell& cell = layer.cells[block.first_cell + CellOf(block, p)];
+  const CellPlace place = PlaceOf(block, p);
+  const Cell& cell = layer.cells[block.first_cell + place.row * block.columns + place.column];
   if (cell.count == 0) return {};
   if (block.plain) return SamplePlain(layer, block, cell, p);
   return block.blend > 0 ? SampleBlended(layer, block, cell, p)

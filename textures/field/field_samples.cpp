@@ -167,10 +167,9 @@ class RowLayer {
                       std::size_t i) noexcept {
     const Block& block = *letter.block;
     glm::dvec2 local = points_[i] - letter.origin;
-    const std::uint32_t number = CellOf(block, local);
-    const Cell& cell = layer_.cells[block.first_cell + number];
-    const std::uint32_t row = number / block.columns, column = number - row * block.columns;
-    const glm::dvec2 low = block.box.min + size * glm::dvec2(column, row);
+    const CellPlace place = PlaceOf(block, local);
+    const Cell& cell = layer_.cells[block.first_cell + place.row * block.columns + place.column];
+    const glm::dvec2 low = block.box.min + size * glm::dvec2(place.column, place.row);
     const Box sure{
         {std::max(low.x + kHair, of_letter.min.x), std::max(low.y + kHair, of_letter.min.y)},
         {std::min(low.x + size.x - kHair, of_letter.max.x),

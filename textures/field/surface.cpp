@@ -10,28 +10,11 @@ namespace {
 constexpr double kReserve = 0.94;  ///< share of F_n that a lasting press may take
 constexpr double kBeyond = 0.005;  ///< from full force to through: a landing that is not soft [m]
 
-/// F_n, G and a0 of the default law (Touch).
-struct Law {
-  double normal = 0;    ///< F_n [N]
-  double sideways = 0;  ///< G [N]
-  double support = 0;   ///< a0 [m]
-};
-
-Law LawOf(const Surface& surface, const TextureField& field) noexcept {
-  Law law;
-  law.normal = kNormalShare * surface.force_cap;
-  law.sideways =
-      std::min(law.normal, kSidewaysShare * surface.force_cap * field.inverse_slope_bound());
-  law.support = std::max(law.sideways / surface.stiffness, field.greatest_fall());
-  law.support = std::max(0.0, law.support - field.greatest_rise());
-  return law;
-}
-
 /// Integral of min(k x+, limit) [J].
 double SaturatingEnergy(double stiffness, double limit, double x) noexcept {
   if (!(x > 0)) return 0;
-  const double knee = std::min(x, limit / stiffness);
-  return 0.5 * stiffness * knee * knee + limit * (x - knee);
+  if (stiffness * x <= limit) return 0.5 * stiffness * x * x;
+  return limit * (x - 0.5 * limit / stiffness);
 }
 
 double Saturating(double stiffness, double limit, double x) noexcept {
@@ -40,12 +23,27 @@ double Saturating(double stiffness, double limit, double x) noexcept {
 
 }  // namespace
 
+SurfaceLaw LawOf(const Surface& surface, const TextureField& field) noexcept {
+  SurfaceLaw law{.surface = surface};
+  law.normal = kNormalShare * surface.force_cap;
+  law.sideways =
+      std::min(law.normal, kSidewaysShare * surface.force_cap * field.inverse_slope_bound());
+  law.support = std::max(law.sideways / surface.stiffness, field.greatest_fall());
+  law.support = std::max(0.0, law.support - field.greatest_rise());
+  return law;
+}
+
 glm::dvec3 NormalOf(glm::dvec2 gradient) noexcept {
   const double scale = 1 / std::sqrt(1 + gradient.x * gradient.x + gradient.y * gradient.y);
   return {-gradient.x * scale, -gradient.y * scale, scale};
 }
 
 Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P) noexcept {
+  return Touch(LawOf(surface, field), field, p_P);
+}
+
+Contact Touch(const SurfaceLaw& law, const TextureField& field, glm::dvec3 p_P) noexcept {
+  const Surface& surface = law.surface;
   Contact contact;
   contact.sample = field.SampleAt({p_P.x, p_P.y});
   contact.depth = contact.sample.displacement - p_P.z;
@@ -57,7 +55,6 @@ Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P)
                       NormalOf(contact.sample.gradient);
     return contact;
   }
-  const Law law = LawOf(surface, field);
   const double supported = -p_P.z - law.support;  // a - a0
   if (!(contact.depth > 0) && !(supported > 0)) return contact;
   const double phi = Saturating(surface.stiffness, law.sideways, contact.depth);
@@ -68,11 +65,10 @@ Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P)
   return contact;
 }
 
-double Potential(const Surface& surface, const TextureField& field, double displacement,
-                 double z) noexcept {
-  const Law law = LawOf(surface, field);
-  return SaturatingEnergy(surface.stiffness, law.sideways, displacement - z) +
-         SaturatingEnergy(surface.stiffness, law.normal - law.sideways, -z - law.support);
+double Potential(const SurfaceLaw& law, double displacement, double z) noexcept {
+  const double k = law.surface.stiffness;
+  return SaturatingEnergy(k, law.sideways, displacement - z) +
+         SaturatingEnergy(k, law.normal - law.sideways, -z - law.support);
 }
 
 double CarriedPress(const Surface& surface, const TextureField& field) noexcept {
@@ -85,7 +81,7 @@ double ThroughDepth(const Surface& surface, const TextureField& field) noexcept 
   const double lowest = field.greatest_fall();
   if (surface.law == ForceLaw::kPaper)
     return lowest + surface.force_cap / surface.stiffness + kBeyond;
-  const Law law = LawOf(surface, field);
+  const SurfaceLaw law = LawOf(surface, field);
   return std::max(lowest + law.sideways / surface.stiffness,
                   law.support + (law.normal - law.sideways) / surface.stiffness) +
          kBeyond;
@@ -97,7 +93,7 @@ double GreatestStiffness(const Surface& surface, const TextureField& field, doub
     return surface.stiffness * (1 + s2) +
            std::min(press, surface.force_cap) * field.greatest_curvature();
   }
-  const Law law = LawOf(surface, field);
+  const SurfaceLaw law = LawOf(surface, field);
   const double both = law.sideways < law.normal ? 0.5 * (s2 + 2 + std::sqrt(s2 * s2 + 4)) : 1 + s2;
   return surface.stiffness * both + std::min(press, law.sideways) * field.greatest_curvature();
 }

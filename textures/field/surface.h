@@ -35,6 +35,15 @@ struct Contact {
 inline constexpr double kSidewaysShare = 0.55;
 inline constexpr double kNormalShare = 0.835;
 
+/// A surface on one field: what follows from both and does not change from point to point.
+struct SurfaceLaw {
+  Surface surface;
+  double normal = 0;    ///< F_n: greatest force along z [N]
+  double sideways = 0;  ///< G: of what pushes sideways, before the slope [N]
+  double support = 0;   ///< a0: depth at which the support begins [m]
+};
+SurfaceLaw LawOf(const Surface& surface, const TextureField& field) noexcept;
+
 /// Unit normal of a surface with this gradient. The one place where a gradient becomes a normal.
 glm::dvec3 NormalOf(glm::dvec2 gradient) noexcept;
 
@@ -49,12 +58,13 @@ glm::dvec3 NormalOf(glm::dvec2 gradient) noexcept;
 /// P) / 2k is left under the press P, since a bounded sideways force can hold no more energy than G
 /// D in a groove. Under deeper ones the support begins at their floor, or they would have none of
 /// their own shape: flat paper sinks there from G/k to D once it is pressed harder than G.
+Contact Touch(const SurfaceLaw& law, const TextureField& field, glm::dvec3 p_P) noexcept;
+/// The same for one point: LawOf each time.
 Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P) noexcept;
 
 /// Potential energy of the default law [J] at the height `z` over a point of that displacement [m]:
 /// what Touch's force is the gradient of. Zero outside.
-double Potential(const Surface& surface, const TextureField& field, double displacement,
-                 double z) noexcept;
+double Potential(const SurfaceLaw& law, double displacement, double z) noexcept;
 
 /// Greatest press that the page carries for as long as it lasts, at every point [N]: 0.94 of F_n, a
 /// reserve against the hand's own wavering; F_cap at the steepest place for the paper's law.

@@ -136,7 +136,7 @@ TEST(PotentialLaw, ForceIsMinusTheDerivativeOfThePotential) {
   const TextureField field(page.texture);
   const Surface surface{1000, 3, ForceLaw::kPotential};
   const auto energy = [&](glm::dvec3 p) {
-    return Potential(surface, field, field.SampleAt({p.x, p.y}).displacement, p.z);
+    return Potential(LawOf(surface, field), field.SampleAt({p.x, p.y}).displacement, p.z);
   };
   const glm::dvec2 origin = page.typeset.pages.front().glyphs.front().origin_P;
   const double step = 1e-8;
