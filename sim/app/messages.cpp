@@ -181,8 +181,8 @@ std::string RidgesPushAside() {
 std::string FrictionHampers(double friction) {
   return fmt::format(
       "Friction {} makes tracing worse: a short text at 12 mm is covered to 100 percent at 0.05, "
-      "93 at "
-      "0.15, 69 at 0.3.",
+      "96 at "
+      "0.15, 73 at 0.3.",
       Short(friction, 3));
 }
 
