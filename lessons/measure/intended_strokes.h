@@ -17,8 +17,8 @@ struct IntendedStroke {
   double width = 0;            ///< of the groove [m]
   std::size_t glyph = 0;       ///< index into the page's glyphs
   Relief relief = Relief::kEngraved;
-  double dot_radius = 0;         ///< of a dot: how far its flat floor reaches [m]
-  std::vector<Piece> outline_P;  ///< of a fill, whose floor within is flat [m]
+  double dot_radius = 0;              ///< of a dot: how far its flat floor reaches [m]
+  std::vector<Piece> outline_P = {};  ///< of a fill, whose floor within is flat [m]
 };
 
 /// The strokes of a page's text in writing order, none of a running head, which is not traced.
