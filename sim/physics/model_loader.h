@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
@@ -53,6 +54,13 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
                       double tilt);
 
 /// The page's pose in the world, from the positions that MuJoCo computed last.
-Pose PoseOfPage(const mjData& d, const PagePlace& page) noexcept;
+inline Pose PoseOfPage(const mjData& d, const PagePlace& page) noexcept {
+  const mjtNum* p = d.geom_xpos + std::ptrdiff_t{3} * page.geom;
+  // row by row; glm goes column by column
+  const mjtNum* R = d.geom_xmat + std::ptrdiff_t{9} * page.geom;
+  const Pose X_WG{glm::dmat3(R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]),
+                  glm::dvec3(p[0], p[1], p[2])};
+  return {X_WG.R, ToWorld(X_WG, page.origin_G)};
+}
 
 }  // namespace moontrace

@@ -24,7 +24,8 @@ class Scene {
   /// named `moontrace_proxy` gets `models/proxy.xml` inserted. Throws InputError: the file does not
   /// load, a label names no geom or one that is not a plane, no label at all, a proxy that is not
   /// three free slides that nothing else holds, a tilt of a page that can move, friction too high
-  /// for `greatest_slope` (mu * s_max >= 0.9), h^2 k_eff / m >= 1 even with 16 sub-steps.
+  /// for `greatest_slope` (mu * s_max >= 0.9), h^2 k_eff / m >= 1 even with 64 sub-steps (16 where
+  /// the page rests).
   static Scene Load(const std::string& model_path, const SceneOptions& options);
   /// The same from MJCF text (a record's model.xml); `name` stands in messages.
   static Scene FromXml(const std::string& xml, const std::string& name,

@@ -77,7 +77,7 @@ struct Scene::Impl {
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
   double Observe(glm::dvec3 tip_W, const StepForces& step) noexcept;
   void Integrate(const StepForces& step) noexcept;
-  bool IsHeld(const StepForces& step, glm::dvec3 v_before_W) const noexcept;
+  bool IsHeld(const StepForces& step) const noexcept;
   void WatchThrough(const StepForces& step, bool delivered) noexcept;
   void Idle() noexcept;
   TickResult Fail(glm::dvec3 tip_W) noexcept;
