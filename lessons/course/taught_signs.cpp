@@ -28,9 +28,9 @@ SignUse SignsOf(std::string_view text, const Script& script, double grade,
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
   Typeset notes;
   std::vector<FoldedChar> line;
-  for (std::size_t number = 1; folder.NextLine(line); ++number) {
+  while (folder.NextLine(line)) {
     std::vector<Sign> signs;
-    writer->Write(text, number, line, signs, notes);
+    writer->Write(text, folder.line_number(), line, signs, notes);
     bool numeral_untaught = false;
     for (const Sign& sign : signs) {
       if (sign.space) continue;

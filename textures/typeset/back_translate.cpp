@@ -266,11 +266,11 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
   Typeset notes;  // only counted here; SetText reports them one by one
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
-  for (std::size_t number = 1; folder.NextLine(line); ++number) {
+  while (folder.NextLine(line)) {
     signs.clear();
-    if (style.structure.read) TakeMarks(text, line);
+    if (style.structure.read) TakeMarks(text, line, folder.begins_line());
     if (style.older_punctuation) UseOlderPunctuation(text, script, line);
-    writer->Write(text, number, line, signs, notes);
+    writer->Write(text, folder.line_number(), line, signs, notes);
     Compare(reader->Read(signs), Wanted(line), rewriter, result);
   }
   result.left_out = notes.missing_count + notes.untaught_count;

@@ -119,13 +119,20 @@ std::size_t Folder::ClusterEnd(std::size_t next, std::size_t& code_points) const
 bool Folder::NextLine(std::vector<FoldedChar>& line) {
   line.clear();
   if (at_ >= text_.size()) return false;
-  std::size_t column = 1;
+  begins_line_ = line_ended_;
+  line_ended_ = false;
+  if (begins_line_) {
+    ++line_number_;
+    column_ = 1;
+    written_ = 0;
+  }
   while (at_ < text_.size()) {
     std::size_t base_end = 0;
     const char32_t c = Read(at_, base_end);
     if (EndsLine(c)) {
       at_ = base_end;
       if (c == U'\r' && at_ < text_.size() && text_[at_] == '\n') ++at_;
+      line_ended_ = true;
       return true;
     }
     std::size_t code_points = 1;
@@ -133,7 +140,7 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
     FoldedChar first;
     first.begin = static_cast<std::uint32_t>(at_);
     first.end = static_cast<std::uint32_t>(end);
-    first.column = static_cast<std::uint32_t>(column);
+    first.column = static_cast<std::uint32_t>(column_);
     if (end == base_end) {
       const Form& form = FormOf(c);
       const bool padded = form.text.size() > 1 && form.changed &&
@@ -146,14 +153,16 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
       if (!composed) form.changed = true;
       Append(form, first, line);
     }
-    if (line.size() > kMostText) {
+    if (written_ + line.size() > kMostText) {
       throw InputError(
           fmt::format("script {}: its folds make over {} million characters: shorten them",
                       script_.name, kMostText >> 20));
     }
-    column += code_points;
+    column_ += code_points;
     at_ = end;
+    if (line.size() > (IsBlank(c) ? kLinePart : 2 * kLinePart)) break;
   }
+  written_ += line.size();
   return true;
 }
 

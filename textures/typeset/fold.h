@@ -13,6 +13,9 @@ namespace moontrace {
 
 /// Longest text [bytes] and most folded characters that are taken.
 constexpr std::size_t kMostText = std::size_t{16} << 20;
+/// A longer line of the text comes in parts, so that memory does not grow with it: each ends behind
+/// the first blank after so many characters, or after twice as many [characters].
+constexpr std::size_t kLinePart = std::size_t{1} << 16;
 
 /// By what a character that the script has no form of is replaced.
 enum class Replaced : std::uint8_t {
@@ -57,9 +60,14 @@ class Folder {
   /// The same, where something other than the script's rules knows which characters have a form.
   Folder(std::string_view text, const Script& script, std::function<bool(char32_t)> has_sign);
 
-  /// Puts the next line of the text into `line`; false at the end. Throws InputError when the
-  /// script's table makes the line longer than kMostText characters.
+  /// Puts the next line of the text, or the next part of a very long one, into `line`; false at the
+  /// end. Throws InputError when the script's table makes the line longer than kMostText
+  /// characters.
   bool NextLine(std::vector<FoldedChar>& line);
+  /// Whether the last call began a line. What it gave else belongs to the one that came before.
+  bool begins_line() const { return begins_line_; }
+  /// The number of the line that the last call gave, from 1.
+  std::size_t line_number() const { return line_number_; }
 
  private:
   struct Form {
@@ -87,6 +95,10 @@ class Folder {
   const Script& script_;
   std::function<bool(char32_t)> has_sign_;
   std::size_t at_ = 0;
+  bool begins_line_ = true, line_ended_ = true;
+  std::size_t line_number_ = 0;
+  std::size_t column_ = 1;                    // of what is next, in code points
+  std::size_t written_ = 0;                   // characters of the line's former parts
   std::unordered_map<char32_t, Form> forms_;  // by character: each is worked out once
 };
 

@@ -341,21 +341,26 @@ void Layout::Place(const std::vector<Sign>& signs, std::size_t at) {
   Put(sign);
 }
 
-void Layout::AddLine(const std::vector<Sign>& signs, LineKind kind) {
+void Layout::AddLine(const std::vector<Sign>& signs, LineKind kind, bool begins) {
+  line_begun_ = line_begun_ && !begins;
   kind_ = kind;
   const bool indented = kind == LineKind::kQuotation && !Alternates();
   indent_ = indented ? std::min(plain_.size, kMostIndent * line_length_) : 0;
   if (std::all_of(signs.begin(), signs.end(), [](const Sign& sign) { return sign.space; })) {
-    EndParagraph();
-  } else if (Alternates()) {
+    if (begins) EndParagraph();
+    return;
+  }
+  if (Alternates()) {
+    if (!line_begun_) BeginRunning();
     AddRunning(signs);
   } else {
+    if (!line_begun_) StartRow();
     AddWrapped(signs);
   }
+  line_begun_ = true;
 }
 
 void Layout::AddWrapped(const std::vector<Sign>& signs) {
-  StartRow();
   bool new_word = true;
   for (std::size_t at = 0; at < signs.size();) {
     if (signs[at].space) {
@@ -433,12 +438,15 @@ void Layout::Wrap(const Sign& last) {
   pen_ = line_length_ - guide + gap;
 }
 
-void Layout::AddRunning(const std::vector<Sign>& signs) {
+void Layout::BeginRunning() {
   const bool own_row = kind_ == LineKind::kHeading || kind_ != kind_before_;
   if (own_row) run_row_ = next_row_;
   if (pages_.empty() || own_row) StartRow();
   if (!row_empty_) pen_ += paragraph_gap_;
   paragraph_ended_ = false;
+}
+
+void Layout::AddRunning(const std::vector<Sign>& signs) {
   bool new_word = true;
   const Sign* before = nullptr;
   for (std::size_t at = 0; at < signs.size(); ++at) {

@@ -57,8 +57,10 @@ class Layout {
   void SetHyphen(const Sign& hyphen) { hyphen_ = hyphen; }
 
   /// Sets one line of the text, wrapped into as many rows as it needs. Throws InputError when a
-  /// sign is wider than the page, or the page holds no row of a heading.
-  void AddLine(const std::vector<Sign>& signs, LineKind kind = LineKind::kPlain);
+  /// sign is wider than the page, or the page holds no row of a heading. With `begins` false the
+  /// signs go on with the line that was added last, which ended in a space or within a word.
+  void AddLine(const std::vector<Sign>& signs, LineKind kind = LineKind::kPlain,
+               bool begins = true);
   /// Gives away what is left.
   void Finish() { GiveAllBut(0); }
 
@@ -79,6 +81,7 @@ class Layout {
   void StartRow();
   void EndParagraph();
   void Wrap(const Sign& last);
+  void BeginRunning();
   void AddRunning(const std::vector<Sign>& signs);
   void AddWrapped(const std::vector<Sign>& signs);
   std::size_t ChunkEnd(const std::vector<Sign>& signs, std::size_t at) const;
@@ -110,6 +113,7 @@ class Layout {
   std::size_t next_row_ = 0;      // on the last page
   double gaps_ = 0;               // on the last page beyond rows of the text's pitch [m]
   bool paragraph_ended_ = false;  // a blank line stands before the next
+  bool line_begun_ = false;       // the line that goes on has signs
   LineKind kind_ = LineKind::kPlain, kind_before_ = LineKind::kPlain;  // of this row, the last one
   double indent_ = 0, pen_ = 0;                                        // from the row's start [m]
   bool row_empty_ = true;

@@ -98,11 +98,11 @@ void TakeLinks(const Characters& characters, std::size_t from, std::vector<bool>
 
 }  // namespace
 
-LineMarks TakeMarks(std::string_view text, std::vector<FoldedChar>& line) {
+LineMarks TakeMarks(std::string_view text, std::vector<FoldedChar>& line, bool begins_line) {
   LineMarks found;
   const Characters characters(text, line);
   std::vector<bool> mark(characters.count(), false);
-  const std::size_t begin = TakeBeginning(characters, found.kind);
+  const std::size_t begin = begins_line ? TakeBeginning(characters, found.kind) : 0;
   for (std::size_t i = 0; i < begin; ++i) mark[i] = true;
   TakeLinks(characters, begin, mark, found.links);
 

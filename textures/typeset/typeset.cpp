@@ -55,8 +55,8 @@ void CheckPage(const PageSpec& page) {
 }
 
 // Marks the signs of links and counts what a line is.
-void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& signs,
-                   StructureCounts& counts) {
+void TakeStructure(const LineMarks& marks, bool begins_line, LineKind before,
+                   std::vector<Sign>& signs, StructureCounts& counts) {
   for (Sign& sign : signs) {
     const auto behind =
         std::upper_bound(marks.links.begin(), marks.links.end(), sign.begin,
@@ -64,7 +64,7 @@ void TakeStructure(const LineMarks& marks, LineKind before, std::vector<Sign>& s
     sign.link = behind != marks.links.begin() && sign.begin < std::prev(behind)->end;
   }
   counts.links += marks.links.size();
-  if (marks.kind == LineKind::kHeading) ++counts.headings;
+  if (marks.kind == LineKind::kHeading && begins_line) ++counts.headings;
   if (marks.kind == LineKind::kQuotation && before != marks.kind) ++counts.quotations;
 }
 
@@ -198,13 +198,14 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
   std::vector<Sign> signs;
   std::size_t count = 0;
   LineKind before = LineKind::kPlain;
-  for (std::size_t number = 1; folder.NextLine(line); ++number) {
+  while (folder.NextLine(line)) {
     signs.clear();
     LineMarks marks;
-    if (style.structure.read) marks = TakeMarks(text, line);
+    if (style.structure.read) marks = TakeMarks(text, line, folder.begins_line());
+    if (!folder.begins_line()) marks.kind = before;
     if (style.older_punctuation) UseOlderPunctuation(text, script, line);
-    writer->Write(text, number, line, signs, result);
-    TakeStructure(marks, before, signs, result.structure);
+    writer->Write(text, folder.line_number(), line, signs, result);
+    TakeStructure(marks, folder.begins_line(), before, signs, result.structure);
     if (hyphenation) hyphenation->Mark(text, signs);
     before = marks.kind;
     count += signs.size();
@@ -212,7 +213,7 @@ Typeset SetPages(std::string_view text, const Script& script, const TypeStyle& s
       throw InputError(
           fmt::format("the text makes more than {} million signs: split it", kMostSigns >> 20));
     }
-    layout.AddLine(signs, marks.kind);
+    layout.AddLine(signs, marks.kind, folder.begins_line());
   }
   layout.Finish();
   if (!any) ThrowNothingToSet(script, result);

@@ -106,6 +106,44 @@ TEST(Folder, TakesAwayWhatHasNoMarkInPrint) {
   EXPECT_TRUE(lines[0][1].changed);
 }
 
+// A line of 200,000 words: no part is much longer than promised, none begins or ends within a word,
+// and together they are the line.
+TEST(Folder, GivesAVeryLongLineInPartsThatEndBehindABlank) {
+  std::string text;
+  while (text.size() < 800'000) text += "abe ";
+  text += "\nz";
+  const Script script = SmallScript();
+  Folder folder(text, script);
+  std::vector<FoldedChar> line;
+  std::size_t characters = 0, parts = 0;
+  while (folder.NextLine(line) && folder.line_number() == 1) {
+    EXPECT_EQ(folder.begins_line(), parts == 0);
+    ASSERT_LE(line.size(), kLinePart + 4);
+    if (line.empty()) continue;  // the line's end may stand alone
+    EXPECT_EQ(line.front().begin, characters);
+    EXPECT_EQ(line.front().column, characters + 1);
+    EXPECT_EQ(line.back().kind, Kind::kSpace);
+    characters += line.size();
+    ++parts;
+  }
+  EXPECT_EQ(characters, 800'000u);
+  EXPECT_EQ(parts, 800'000 / kLinePart + 1);
+  EXPECT_TRUE(folder.begins_line());
+  EXPECT_EQ(folder.line_number(), 2u);
+  ASSERT_EQ(line.size(), 1u);
+  EXPECT_EQ(line[0].column, 1u);
+}
+
+TEST(Folder, PartsEvenAWordWithoutAnEnd) {
+  const std::string text(5 * kLinePart, 'a');
+  std::size_t characters = 0;
+  for (const auto& part : FoldLines(text, SmallScript())) {
+    EXPECT_LE(part.size(), 2 * kLinePart + 1);
+    characters += part.size();
+  }
+  EXPECT_EQ(characters, text.size());
+}
+
 TEST(Folder, EndsLinesAtEveryKindOfLineEnd) {
   EXPECT_EQ(Folded("a\nb\r\nc\rd\u2028e\ff"), "a\nb\nc\nd\ne\nf");
   EXPECT_EQ(Folded("a\n\nb\n"), "a\n\nb");

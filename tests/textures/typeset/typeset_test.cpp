@@ -99,6 +99,47 @@ TEST(SetText, WrapsBehindHyphens) {
   EXPECT_EQ(Drawn(Set("ab -cd", 5, 9)), "ab\n-cd");
 }
 
+// A line that comes in parts (fold.h) is set as one: each row full, none begun for a part.
+TEST(SetText, SetsAVeryLongLineAsOne) {
+  std::string text;
+  while (text.size() < 3 * kLinePart) text += "ab ";
+  const Typeset set = Set(text, 24, 40);  // eight words a row
+  std::size_t rows = 0, words = 0;
+  for (const TextPage& page : set.pages) {
+    for (const PlacedGlyph& placed : page.glyphs) {
+      if (placed.source_begin % 3 != 0) continue;
+      ASSERT_EQ(rows + placed.line, words / 8) << placed.source_begin;
+      ++words;
+    }
+    rows += page.lines;
+  }
+  EXPECT_EQ(words, text.size() / 3);
+}
+
+TEST(SetText, KeepsTheKindOfAVeryLongLine) {
+  std::string text = "> ";
+  while (text.size() < 3 * kLinePart) text += "# ab ";
+  TypeStyle style = Style();
+  style.structure.read = true;
+  for (const LineDirection lines : {LineDirection::kLeftToRight, LineDirection::kAlternate}) {
+    style.lines = lines;
+    const Typeset set = SetText(text, SmallScript(), style, Page(24, 40));
+    EXPECT_EQ(set.structure.quotations, 1u);
+    EXPECT_EQ(set.structure.headings, 0u);
+    std::size_t last_row = 0, rows = 0, letters = 0;
+    for (const TextPage& page : set.pages) {
+      for (const PlacedGlyph& placed : page.glyphs) {
+        ASSERT_EQ(placed.kind, LineKind::kQuotation);
+        ASSERT_LE(rows + placed.line, last_row + 1);  // no empty row
+        last_row = rows + placed.line;
+        ++letters;
+      }
+      rows += page.lines;
+    }
+    EXPECT_EQ(letters, 2 * (text.size() / 5));
+  }
+}
+
 TEST(SetText, BreaksAWordThatNoLineHolds) {
   EXPECT_EQ(Drawn(Set("ab cdefghi", 4, 9)), "ab\ncdef\nghi");
 }
