@@ -52,6 +52,8 @@ struct Step {
   std::string text;                ///< for kExplore and kRead: the text on the page
   /// Size of this step's letters [m]; none: the learner's present size, by mastery.
   std::optional<double> size;
+  /// At how many sizes its items are sure before it ends, where it has no size; none: the rule's.
+  std::optional<int> sure_sizes;
   std::size_t line = 0, column = 0;  ///< in the lesson's file, from 1
 };
 
@@ -64,17 +66,20 @@ struct Lesson {
   std::vector<std::string> items;  ///< taught here, in order of introduction ("new" in the file)
   std::vector<std::string> needs;  ///< ids of lessons that must be done before
   std::map<std::string, std::string> hints;  ///< item -> memory aid, said when it is introduced
+  bool optional = false;  ///< beside the course: gone to when asked for, offered to who fails
   std::vector<Step> steps;
   SourcePlaces places;
 };
 
 /// When an item is sure at a size, counted over its last unguided trials at that size; and which
-/// items come next.
+/// items come next. Traces count at the first size only, unless an item is never named.
 struct MasteryRule {
-  int attempts = 5;           ///< namings needed as evidence
-  int traces = 2;             ///< traces needed as evidence, the last of them
-  double recognised = 0.85;   ///< share named right, at least
-  double coverage = 0.9;      ///< of traced strokes, at least
+  int attempts = 5;         ///< namings needed as evidence
+  int traces = 2;           ///< traces needed as evidence, the last of them
+  double recognised = 0.8;  ///< share named right, at least
+  int sure_sizes = 2;       ///< a step ends when its items are sure at so many sizes
+  int words = 2;            ///< right answers in a row that a step wants of what no lesson teaches
+  double coverage = 0.9;    ///< of traced strokes, at least
   double error_widths = 0.5;  ///< mean tracing error, at most [groove widths]
   int failures = 3;           ///< wrong or badly traced in a row: back to the next larger size
   double target = 0.85;       ///< share right that the choice of items aims at

@@ -66,6 +66,8 @@ void ReadMastery(const TomlTable& table, MasteryRule& rule, FaultList& faults) {
   faults.Try([&] { rule.attempts = Count(mastery, "attempts", rule.attempts, 1, 100); });
   faults.Try([&] { rule.traces = Count(mastery, "traces", rule.traces, 1, 100); });
   faults.Try([&] { rule.recognised = From(mastery, "recognised", rule.recognised, 0, 1); });
+  faults.Try([&] { rule.sure_sizes = Count(mastery, "sure_sizes", rule.sure_sizes, 1, 100); });
+  faults.Try([&] { rule.words = Count(mastery, "words", rule.words, 1, 100); });
   faults.Try([&] { rule.coverage = From(mastery, "coverage", rule.coverage, 0, 1); });
   faults.Try([&] { rule.error_widths = From(mastery, "error_widths", rule.error_widths, 0, 10); });
   faults.Try([&] { rule.failures = Count(mastery, "failures", rule.failures, 1, 100); });

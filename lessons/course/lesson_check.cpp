@@ -173,6 +173,7 @@ void LessonCheck::CheckPick(const Lesson& lesson, const Step& step, std::size_t 
                             const Script* script) {
   const bool own_items = !step.items.empty();
   const std::vector<std::string>& items = own_items ? step.items : lesson.items;
+  if (std::set<std::string>(items.begin(), items.end()).size() > 1) return;  // against each other
   const std::string list = own_items ? fmt::format("steps[{}].items", index) : "new";
   for (std::size_t i = 0; i < items.size(); ++i) {
     const auto mate = course_.mates.find(items[i]);

@@ -19,6 +19,12 @@ bool Asks(const Lesson& lesson, const Step& step, std::string_view item) {
 
 }  // namespace
 
+std::size_t LessonsInOrder(const Course& course) {
+  return static_cast<std::size_t>(
+      std::count_if(course.lessons.begin(), course.lessons.end(),
+                    [](const Lesson& lesson) { return !lesson.optional; }));
+}
+
 std::optional<std::size_t> LessonIndex(const Course& course, std::string_view id) {
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
     if (course.lessons[i].id == id) return i;
@@ -67,6 +73,11 @@ bool IsDrill(StepKind kind) { return kind == StepKind::kTrace || kind == StepKin
 
 bool HasItem(const Course& course, std::string_view item) {
   return HomeOf(course, item) != nullptr;
+}
+
+bool IsTaught(const Course& course, std::string_view item) {
+  return std::any_of(course.lessons.begin(), course.lessons.end(),
+                     [item](const Lesson& lesson) { return Contains(lesson.items, item); });
 }
 
 std::set<std::string> AllItems(const Course& course) {

@@ -13,6 +13,9 @@ namespace moontrace {
 
 /// What a course does with its items: look-ups that progress and the lesson machine share.
 
+/// How many lessons are not beside the course.
+std::size_t LessonsInOrder(const Course& course);
+
 /// Place of the lesson with this id in the course; none: no such lesson.
 std::optional<std::size_t> LessonIndex(const Course& course, std::string_view id);
 
@@ -33,6 +36,10 @@ bool IsDrill(StepKind kind);
 
 /// Whether the course teaches the item or asks for it at any step.
 bool HasItem(const Course& course, std::string_view item);
+
+/// Whether a lesson has the item as new: a letter or sign; else it is a word, a number, a pair of
+/// signs, made of taught ones.
+bool IsTaught(const Course& course, std::string_view item);
 
 /// Every item that the course teaches or asks for.
 std::set<std::string> AllItems(const Course& course);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 
 #include "lessons/course/course_reader.h"
@@ -81,6 +82,16 @@ void ReadStepSize(const TomlTable& table, Step& step) {
   step.size = ReadSize(table, "size_mm", table.Number("size_mm"));
 }
 
+void ReadStepSizes(const TomlTable& table, Step& step) {
+  if (!table.Has("sure_sizes")) return;
+  if (step.kind != StepKind::kRecognise || step.size) {
+    table.Fail("sure_sizes", "only of recognise without size_mm; leave it out");
+  }
+  const std::int64_t sizes = table.Integer("sure_sizes");
+  if (sizes < 1 || sizes > 100) table.Fail("sure_sizes", "not from 1 to 100; correct it");
+  step.sure_sizes = static_cast<int>(sizes);
+}
+
 Step ReadStep(const TomlTable& table, std::size_t index, Lesson& lesson, FaultList& faults) {
   Step step;
   const SourcePlace place = PlaceIn(table, "");
@@ -103,6 +114,7 @@ Step ReadStep(const TomlTable& table, std::size_t index, Lesson& lesson, FaultLi
     if (table.Has("say")) step.say = ReadCourseText(table, "say", kMostCourseText);
   });
   faults.Try([&] { ReadStepSize(table, step); });
+  faults.Try([&] { ReadStepSizes(table, step); });
   faults.AddUnknown(table);
   for (std::size_t i = 0; i < step.items.size(); ++i) {
     lesson.places[fmt::format("{}[{}]", KeyOf(index, "items"), i)] = PlaceIn(table, "items", i);
@@ -173,6 +185,7 @@ Lesson ParseLesson(std::string_view toml, const std::string& file, const Course&
       lesson.grade = table.Number("grade");
       lesson.places["grade"] = PlaceIn(table, "grade");
     });
+    list.Try([&] { lesson.optional = table.Bool("optional", false); });
     list.Try([&] { ReadList(table, "new", lesson.items, lesson); });
     list.Try([&] { ReadList(table, "needs", lesson.needs, lesson); });
     list.Try([&] { ReadHints(table, lesson, list); });

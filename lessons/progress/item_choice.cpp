@@ -73,12 +73,13 @@ double ShareOfKnown(const MasteryRule& rule, const Progress& progress) {
   return hard ? std::min(1.0, 2 * share) : share;
 }
 
-/// What is done with an item where names are asked; `by_ladder`: until it is sure at standard size.
+/// What is done with an item where names are asked; `by_ladder`: at its own size until it is sure.
 StepKind TaskOf(const Course& course, const Progress& progress, bool by_ladder,
                 const std::string& text) {
   const ItemProgress item = ProgressOf(progress, text);
   if (!item.introduced) return StepKind::kDemonstrate;
-  if (by_ladder && PracticeOf(course, text).traced && !TracedEnough(course.mastery, item)) {
+  if (by_ladder && TracesCount(PracticeOf(course, text), item) &&
+      !TracedEnough(course.mastery, item)) {
     return StepKind::kTrace;
   }
   return StepKind::kRecognise;

@@ -41,7 +41,7 @@ struct ItemChooser {
 ///   ones come more often (in proportion to the share of wrong answers they may expect), none twice
 ///   in a row if another can come. What went wrong comes back after one other. A share `known` of
 ///   the questions asks what is known already, here or from earlier lessons; twice that while fewer
-///   than the rule's `target` are right. At a new size an item is traced before it is named.
+///   than the rule's `target` are right. At the first size an item is traced before it is named.
 std::optional<NextItem> ChooseItem(const Course& course, const Progress& progress,
                                    ItemChooser& chooser);
 

@@ -101,8 +101,9 @@ void AddToStep(const Course& course, const Step& step, const Trial& trial, const
     AddLast(here.traced, evidence.good,
             static_cast<std::size_t>(std::max(1, course.mastery.traces)));
   } else if (fair) {
+    const MasteryRule& rule = course.mastery;
     AddLast(here.named, evidence.good,
-            static_cast<std::size_t>(std::max(1, course.mastery.attempts)));
+            static_cast<std::size_t>(std::max({1, rule.attempts, rule.words})));
   }
 }
 
@@ -136,7 +137,16 @@ ItemProgress& Known(const Course& course, const std::string& text, Progress& pro
   return progress.items[text] = fresh;
 }
 
-/// What the trial shows of its item.
+/// Counts the trial for an item that is worked on at that size.
+void AddEvidenceAt(const Course& course, const Trial& trial, const Evidence& evidence,
+                   const std::string& text, ItemProgress& item) {
+  const Practice practice = PracticeOf(course, text);
+  if (evidence.traced && !TracesCount(practice, item)) return;
+  if (!SameSize(trial.size, SizeAt(course, item.size_step))) return;
+  AddEvidence(course, practice, trial, evidence.good, item);
+}
+
+/// What the trial shows of its item, and of the letters of a word.
 void LearnItem(const Course& course, const Trial& trial, Progress& progress) {
   const ItemPair pair = PairOf(trial.item);
   if (!HasItem(course, pair.first)) return;
@@ -159,8 +169,13 @@ void LearnItem(const Course& course, const Trial& trial, Progress& progress) {
     Schedule(course.mastery, trial, item);
     AddLast(progress.recent, evidence.good, kRecent);
   }
-  if (SameSize(trial.size, SizeAt(course, item.size_step))) {
-    AddEvidence(course, PracticeOf(course, pair.first), trial, evidence.good, item);
+  AddEvidenceAt(course, trial, evidence, pair.first, item);
+  if (!evidence.named || !evidence.good || IsTaught(course, pair.first)) return;
+  for (const std::string& part : PartsOf(progress, pair.first)) {
+    ItemProgress& letter = progress.items[part];
+    if (letter.introduced && IsTaught(course, part)) {
+      AddEvidenceAt(course, trial, evidence, part, letter);
+    }
   }
 }
 
@@ -180,11 +195,13 @@ Progress Learn(const Course& course, Progress progress, const Trial& trial) {
   }
   if (trial.item.empty()) return progress;
   ++progress.trials_in_step;
+  const auto known = progress.items.find(trial.item);
+  const std::size_t before = known != progress.items.end() ? known->second.size_step : 0;
   LearnItem(course, trial, progress);
   const auto practised = std::find(progress.practise.begin(), progress.practise.end(), trial.item);
-  if (practised != progress.practise.end() && Mastered(course, progress.items[trial.item])) {
-    progress.practise.erase(practised);
-  }
+  if (practised == progress.practise.end()) return progress;
+  const ItemProgress& now = progress.items[trial.item];
+  if (now.sure || now.size_step > before) progress.practise.erase(practised);
   return progress;
 }
 

@@ -19,6 +19,7 @@ void Begin(Turn& turn) {
   state.ended = false;
   state.session_begin = state.break_announced = turn.time;
   state.lesson_announced.clear();
+  state.offered = false;
   ForgetStep(turn);
   const Lesson* lesson = LessonNow(turn);
   if (lesson != nullptr) {

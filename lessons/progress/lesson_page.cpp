@@ -24,19 +24,26 @@ ItemProgress ProgressOf(const Turn& turn, const std::string& item) {
   return found != turn.state.progress.items.end() ? found->second : ItemProgress{};
 }
 
-/// The mate of a pair: the course's, otherwise another item that the learner knows; empty: none.
+/// The mate of a pair: the course's if the learner knows it, otherwise another known one of the
+/// step, the course's, any known one; empty: none.
 std::string MateOf(Turn& turn, const std::string& item) {
-  const auto mate = turn.course.mates.find(item);
-  if (mate != turn.course.mates.end() && mate->second != item &&
-      HasItem(turn.course, mate->second)) {
-    return mate->second;
-  }
-  std::vector<std::string> others;
-  for (const auto& [text, known] : turn.state.progress.items) {
-    if (text != item && known.introduced) others.push_back(text);
-  }
-  if (others.empty()) return {};
-  return others[NextRandom(turn.state.random) % others.size()];
+  const auto named = turn.course.mates.find(item);
+  const bool has_mate = named != turn.course.mates.end() && named->second != item &&
+                        HasItem(turn.course, named->second);
+  if (has_mate && ProgressOf(turn, named->second).introduced) return named->second;
+  const auto any_of = [&](const std::vector<std::string>& texts) {
+    std::vector<std::string> others;
+    for (const std::string& text : texts) {
+      if (text != item && ProgressOf(turn, text).introduced) others.push_back(text);
+    }
+    return others.empty() ? std::string() : others[NextRandom(turn.state.random) % others.size()];
+  };
+  const std::string of_step = any_of(ItemsOf(*LessonNow(turn), *StepNow(turn)));
+  if (!of_step.empty()) return of_step;
+  if (has_mate) return named->second;
+  std::vector<std::string> known;
+  for (const auto& [text, progress] : turn.state.progress.items) known.push_back(text);
+  return any_of(known);
 }
 
 /// Chooses the second of two, and which is shown.

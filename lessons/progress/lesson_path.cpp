@@ -13,9 +13,9 @@ bool IsDone(const Progress& progress, std::string_view lesson) {
   return std::find(progress.done.begin(), progress.done.end(), lesson) != progress.done.end();
 }
 
-/// Done, or without steps: then there is nothing to do.
+/// Done, without steps, or beside the course: then there is nothing to do.
 bool NeedsNothing(const Progress& progress, const Lesson& lesson) {
-  return lesson.steps.empty() || IsDone(progress, lesson.id);
+  return lesson.steps.empty() || lesson.optional || IsDone(progress, lesson.id);
 }
 
 bool NeedsDone(const Course& course, const Progress& progress, const Lesson& lesson) {
@@ -37,16 +37,22 @@ bool TraceFinished(const Course& course, const Step& step, std::string_view text
   const MasteryRule& rule = course.mastery;
   if (step.size) return EnoughRight(here.traced, rule.traces, 1);
   if (!PracticeOf(course, text).named) return Mastered(course, item);
-  return TracedEnough(rule, item);
+  return item.size_step > 0 || TracedEnough(rule, item);
 }
 
-bool RecogniseFinished(const Course& course, const Step& step, const StepItem& here,
-                       const ItemProgress& item) {
+bool RecogniseFinished(const Course& course, const Step& step, std::string_view text,
+                       const StepItem& here, const ItemProgress& item) {
   const MasteryRule& rule = course.mastery;
+  if (step.question == Question::kName && !IsTaught(course, text)) {
+    const auto count = static_cast<std::size_t>(std::max(1, rule.words));
+    return here.named.size() >= count &&
+           std::all_of(here.named.end() - static_cast<std::ptrdiff_t>(count), here.named.end(),
+                       [](bool right) { return right; });
+  }
   if (step.size || step.question != Question::kName) {
     return EnoughRight(here.named, rule.attempts, rule.recognised);
   }
-  return Mastered(course, item);
+  return SureForStep(course, step, item);
 }
 
 /// Prepares the test once more, after practice of what was named wrong.
@@ -84,7 +90,7 @@ bool ItemFinished(const Course& course, const Progress& progress, const Step& st
     case StepKind::kTrace:
       return TraceFinished(course, step, text, here->second, item);
     case StepKind::kRecognise:
-      return RecogniseFinished(course, step, here->second, item);
+      return RecogniseFinished(course, step, text, here->second, item);
     case StepKind::kTest:
       return !here->second.named.empty();
     case StepKind::kExplore:

@@ -59,7 +59,7 @@ namespace lesson_action {
 enum class Sentence {
   kWelcome,      ///< text: course title
   kWelcomeBack,  ///< text: lesson's title
-  kLesson,       ///< text: lesson's title; number, of
+  kLesson,       ///< text: lesson's title; number, of; of 0: beside the course
   kCourseText,   ///< text: as it stands in the lesson's file
   kExploreIt,    ///< a page to be felt, until "next"
   kReadIt,       ///< a text to be read, until "next"; text: the text
@@ -96,7 +96,8 @@ enum class Sentence {
   kReviewDue,   ///< number: items due
   kLessonDone,  ///< text: title
   kCourseDone,
-  kBreak,  ///< number: minutes worked
+  kOfferLesson,  ///< text: title of one beside the course; number
+  kBreak,        ///< number: minutes worked
   kNoHint,
   kNotAsked,     ///< text: an answer where nothing was asked
   kNotNow,       ///< a trace where none was awaited
@@ -143,6 +144,7 @@ struct LessonState {
   std::uint64_t random = 1;                             ///< seed; each choice advances it
   bool announced = false;                               ///< the present step has been begun aloud
   bool practising = false;                              ///< for a test that was not passed
+  bool offered = false;                ///< a lesson beside the course, in this session
   std::string lesson_announced;        ///< id of the lesson whose title was said last
   std::vector<std::string> reviews;    ///< items due, still to be asked
   std::vector<std::string> queue;      ///< items to be asked again soon, after a failure

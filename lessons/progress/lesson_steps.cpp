@@ -40,7 +40,7 @@ void Announce(Turn& turn, const Lesson& lesson, const Step& step) {
     state.lesson_announced = lesson.id;
     const auto index = LessonIndex(turn.course, lesson.id);
     SayCount(turn, Sentence::kLesson, lesson.title, static_cast<int>(index.value_or(0)) + 1,
-             static_cast<int>(turn.course.lessons.size()));
+             lesson.optional ? 0 : static_cast<int>(LessonsInOrder(turn.course)));
   }
   if (state.practising) return Say(turn, Sentence::kTestAgain);
   if (!step.say.empty()) Say(turn, Sentence::kCourseText, step.say);

@@ -58,6 +58,20 @@ void SayChange(Turn& turn, const std::string& item, const ItemProgress& before) 
     Say(turn, Sentence::kSure, item);
 }
 
+/// To who fails again and again at the largest size: a lesson beside the course, once a session.
+void OfferLesson(Turn& turn, const ItemProgress& before) {
+  LessonState& state = turn.state;
+  const bool begins_anew = before.introduced && !ProgressOf(turn, state.item).introduced;
+  if (!begins_anew || state.offered) return;
+  const std::vector<Lesson>& lessons = turn.course.lessons;
+  const auto beside = std::find_if(lessons.begin(), lessons.end(),
+                                   [](const Lesson& lesson) { return lesson.optional; });
+  if (beside == lessons.end() || beside->id == state.progress.lesson) return;
+  state.offered = true;
+  SayCount(turn, Sentence::kOfferLesson, beside->title,
+           static_cast<int>(beside - lessons.begin()) + 1, 0);
+}
+
 /// After a wrong answer: once more soon, a review at the session's beginning until it has gone a
 /// size up.
 void AskAgainLater(Turn& turn, const ItemProgress& before) {
@@ -115,6 +129,7 @@ void HandleTraced(Turn& turn, const lesson_event::Traced& traced) {
   if (!led) {
     Say(turn, good ? Sentence::kTraceGood : Sentence::kTraceBad, state.item, {}, coverage);
     SayChange(turn, state.item, before);
+    OfferLesson(turn, before);
   }
   GoOn(turn);
 }
@@ -142,6 +157,7 @@ void HandleAnswered(Turn& turn, const lesson_event::Answered& answered) {
     if (reply->right) Say(turn, Sentence::kRight, shown);
     if (!reply->right) Say(turn, Sentence::kWrong, shown, reply->answer);
     SayChange(turn, state.item, before);
+    OfferLesson(turn, before);
     if (!reply->right) AskAgainLater(turn, before);
   }
   GoOn(turn);

@@ -43,14 +43,15 @@ void StepBack(const Course& course, ItemProgress& item) {
   Forget(item);
 }
 
-/// Bytes of the character that begins at `at`.
-std::size_t CharacterLength(std::string_view text, std::size_t at) {
-  std::size_t length = 1;
-  while (at + length < text.size() &&
-         (static_cast<unsigned char>(text[at + length]) & 0xC0) == 0x80) {
-    ++length;
+/// The longest known item, not the text itself, with which the text goes on at `at`; empty: none.
+std::string PartAt(const Progress& progress, const std::string& text, std::size_t at) {
+  std::string part;
+  for (const auto& [item, known] : progress.items) {
+    const bool fits = item.size() > part.size() && item.size() < text.size() &&
+                      text.compare(at, item.size(), item) == 0;
+    if (fits) part = item;
   }
-  return length;
+  return part;
 }
 
 }  // namespace
@@ -88,28 +89,36 @@ bool Mastered(const Course& course, const ItemProgress& item) {
 
 bool PastFirstSize(const ItemProgress& item) { return item.sure || item.size_step > 0; }
 
+bool SureForStep(const Course& course, const Step& step, const ItemProgress& item) {
+  const int sizes = step.sure_sizes.value_or(course.mastery.sure_sizes);
+  return item.size_step >= AtLeastOne(sizes) || Mastered(course, item);
+}
+
+bool TracesCount(const Practice& practice, const ItemProgress& item) {
+  return practice.traced && (item.size_step == 0 || !practice.named);
+}
+
+std::vector<std::string> PartsOf(const Progress& progress, std::string_view item) {
+  std::string text(item);
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string part = PartAt(progress, text, at);
+    at += std::max<std::size_t>(1, part.size());
+    const bool is_new = std::find(parts.begin(), parts.end(), part) == parts.end();
+    if (!part.empty() && is_new) parts.push_back(part);
+  }
+  return parts;
+}
+
 std::size_t FirstSizeOf(const Course& course, const Progress& progress, std::string_view item) {
-  const Lesson* home = HomeOf(course, item);
-  if (home != nullptr &&
-      std::find(home->items.begin(), home->items.end(), item) != home->items.end()) {
-    return 0;
-  }
-  std::size_t step = LastSize(course);
-  bool known = false;
-  for (std::size_t at = 0; at < item.size();) {
-    const std::size_t length = CharacterLength(item, at);
-    std::string letter(item.substr(at, length));
-    if (length == 1 && letter[0] >= 'A' && letter[0] <= 'Z') {
-      letter[0] = static_cast<char>(letter[0] - 'A' + 'a');
-    }
-    const auto found = progress.items.find(letter);
-    if (found != progress.items.end() && letter != item) {
-      step = std::min(step, found->second.size_step);
-      known = true;
-    }
-    at += length;
-  }
-  return known ? step : 0;
+  if (IsTaught(course, item)) return 0;
+  const std::vector<std::string> parts = PartsOf(progress, item);
+  std::size_t step = parts.empty() ? 0 : LastSize(course);
+  for (const std::string& part : parts) step = std::min(step, progress.items.at(part).size_step);
+  return step;
 }
 
 double AskedSize(const Course& course, const Progress& progress, const Step* step,
@@ -144,7 +153,7 @@ void AddEvidence(const Course& course, const Practice& practice, const Trial& tr
     return;
   }
   item.sure = (!practice.named || NamedEnough(rule, item)) &&
-              (!practice.traced || TracedEnough(rule, item));
+              (!TracesCount(practice, item) || TracedEnough(rule, item));
   if (!item.sure) return;
   if (item.size_step >= LastSize(course)) {
     item.mastered = true;

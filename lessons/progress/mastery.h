@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lessons/course/course.h"
 #include "lessons/course/lesson_items.h"
@@ -12,7 +13,8 @@
 namespace moontrace {
 
 /// Whether an item is sure, and at what size. Evidence of an item is of its present size alone:
-/// the last `attempts` answers and the last `traces` traces, all unguided and unscaled.
+/// the last `attempts` answers and, at the first size, the last `traces` traces, all unguided and
+/// unscaled. A word that was named right is evidence of its letters.
 
 /// Size at a place of the course's ladder [m]; the last for a place beyond it; 12 mm for a course
 /// without sizes.
@@ -37,6 +39,17 @@ bool Mastered(const Course& course, const ItemProgress& item);
 
 /// Sure at the first size, now or once: so that the next item may enter.
 bool PastFirstSize(const ItemProgress& item);
+
+/// Sure at as many sizes as the step asks for, or at all that there are.
+bool SureForStep(const Course& course, const Step& step, const ItemProgress& item);
+
+/// Whether traces count for the item where it stands: it is practised by traces, and is at the
+/// first size or never named.
+bool TracesCount(const Practice& practice, const ItemProgress& item);
+
+/// The letters and signs known of which an item is made, each once: the longest first that fits, so
+/// that "the" in "then" is one. None for an item that is not made of others.
+std::vector<std::string> PartsOf(const Progress& progress, std::string_view item);
 
 /// Place of the ladder at which a new item begins: the first; for one that no lesson teaches (a
 /// word), the largest size at which a letter of it is still worked on.

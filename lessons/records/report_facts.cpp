@@ -97,7 +97,7 @@ void AddItems(const Course& course, const std::vector<Trial>& trials, const Prog
     fact.mastered = known.mastered;
     CountLast(course, trials, fact);
     MostTakenFor(progress, fact);
-    if (known.mastered) ++facts.mastered;
+    if (known.mastered && IsTaught(course, item)) ++facts.mastered;
     const bool below = known.size_step > 0 && !known.sure;  // the size above this one is behind it
     fact.size = SizeAt(course, known.size_step);
     if (fact.Weakness() > 0) facts.practise.push_back(fact);
@@ -178,7 +178,11 @@ ReportFacts FactsOf(const Course& course, const std::vector<Trial>& trials) {
     if (!trial.item.empty()) AddTrial(course, trial, facts);
   }
   const Progress progress = LearnAll(course, trials);
-  facts.lessons_done = progress.done.size();
+  facts.lessons_done = static_cast<std::size_t>(
+      std::count_if(progress.done.begin(), progress.done.end(), [&course](const std::string& id) {
+        const auto index = LessonIndex(course, id);
+        return index && !course.lessons[*index].optional;
+      }));
   AddItems(course, trials, progress, facts);
   AddConfusions(progress, facts);
   return facts;

@@ -61,8 +61,8 @@ struct ReportFacts {
   std::vector<ItemFact> sure;      ///< at any size; small sizes first, then in the course's order
   std::vector<ItemFact> practise;  ///< with a fault, at most three, the weakest first
   std::size_t items = 0;           ///< that the course teaches
-  std::size_t mastered = 0;
-  double size_reached = 0;  ///< smallest at which anything is sure [m]; 0: none
+  std::size_t mastered = 0;        ///< of the signs that the course teaches
+  double size_reached = 0;         ///< smallest at which anything is sure [m]; 0: none
   std::size_t lessons_done = 0;
   TrialSums alone, guided;
   std::size_t scaled = 0, simulated = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "lessons/course/lesson_items.h"
 #include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 
@@ -100,7 +101,7 @@ std::string LessonUnlisted(std::string_view id) {
 
 std::string CourseOutcome(const Course& course, std::size_t items) {
   return fmt::format("{}: {}, {} taught.", OneLine(course.title, 60),
-                     Counted(course.lessons.size(), "lesson", "lessons"),
+                     Counted(LessonsInOrder(course), "lesson", "lessons"),
                      Counted(items, "item", "items"));
 }
 
@@ -114,6 +115,7 @@ std::string CourseSizes(const Course& course) {
 std::string LessonLine(const Course& course, const Lesson& lesson) {
   const std::string steps = Counted(lesson.steps.size(), "step", "steps");
   const std::string id = OneLine(lesson.id, 40), title = OneLine(lesson.title, 80);
+  if (lesson.optional) return fmt::format("{}: {}. {}, beside the course.", id, title, steps);
   if (lesson.items.empty()) return fmt::format("{}: {}. {}.", id, title, steps);
   return fmt::format("{}: {}. {}. Teaches {}.", id, title, steps, Named(course, lesson.items));
 }
@@ -130,8 +132,9 @@ std::string HintLine(const Course& course, const std::string& item, std::string_
 std::string StepLine(const Course& course, const Step& step, std::size_t number) {
   std::string what = step.text.empty() ? Named(course, step.items) : InOneLine(step.text);
   if (what.empty()) what = "what is new";
-  const std::string size =
-      step.size ? fmt::format(" At {} mm.", Short(kMillimetres * *step.size, 2)) : "";
+  std::string size;
+  if (step.size) size = fmt::format(" At {} mm.", Short(kMillimetres * *step.size, 2));
+  if (step.sure_sizes) size = fmt::format(" Until sure at {} sizes.", *step.sure_sizes);
   return fmt::format("Step {}, {}: {}.{}", number, Doing(step), what, size);
 }
 

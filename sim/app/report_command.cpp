@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "lessons/course/lesson_items.h"
 #include "lessons/records/records.h"
 #include "lessons/records/report_facts.h"
 #include "lessons/records/trial_fields.h"
@@ -74,7 +75,7 @@ Json FactsJson(const LearnerEntry& learner, const Course& course, const ReportFa
             {"course", course.id},
             {"items", facts.items},
             {"mastered", facts.mastered},
-            {"lessons", course.lessons.size()},
+            {"lessons", LessonsInOrder(course)},
             {"lessons_done", facts.lessons_done},
             {"size_reached_mm", facts.size_reached > 0 ? Json(1e3 * facts.size_reached) : Json()},
             {"unguided", SumsJson(facts.alone)},

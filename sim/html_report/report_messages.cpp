@@ -162,15 +162,17 @@ ReportSection Help(const ReportFacts& facts) {
 
 ReportSection Conditions(const Course& course, const ReportFacts& facts) {
   const MasteryRule& rule = course.mastery;
-  return {"Conditions",
-          {fmt::format("Conditions: {}, {} to {}, {} on {}.", OneLine(course.title),
-                       Mm(SizeAt(course, 0)), Mm(SizeAt(course, LastSize(course))),
-                       Counted(facts.alone.trials + facts.guided.trials, "trial", "trials"),
-                       Counted(facts.days.size(), "day", "days")),
-           fmt::format("Sure means, without help and at true size: {} of the last {} named right, "
-                       "traces {} covered, with a mean error of at most {} groove widths.",
-                       Percent(rule.recognised), rule.attempts, Percent(rule.coverage),
-                       Short(rule.error_widths, 2))}};
+  return {
+      "Conditions",
+      {fmt::format("Conditions: {}, {} to {}, {} on {}.", OneLine(course.title),
+                   Mm(SizeAt(course, 0)), Mm(SizeAt(course, LastSize(course))),
+                   Counted(facts.alone.trials + facts.guided.trials, "trial", "trials"),
+                   Counted(facts.days.size(), "day", "days")),
+       fmt::format("Sure means, without help and at true size: {} of the last {} named right; at "
+                   "the largest size also traces {} covered, with a mean error of at most {} "
+                   "groove widths.",
+                   Percent(rule.recognised), rule.attempts, Percent(rule.coverage),
+                   Short(rule.error_widths, 2))}};
 }
 
 }  // namespace
@@ -198,8 +200,8 @@ std::string CourseOfReport(std::string_view course, std::string_view why) {
 std::string ReportOutcome(std::string_view learner, const Course& course,
                           const ReportFacts& facts) {
   return fmt::format("{}: {} of {} mastered, {} of {} done, {}.", OneLine(learner), facts.mastered,
-                     Counted(facts.items, "sign or word", "signs and words"), facts.lessons_done,
-                     Counted(course.lessons.size(), "lesson", "lessons"), OneLine(course.title));
+                     Counted(facts.items, "sign", "signs"), facts.lessons_done,
+                     Counted(LessonsInOrder(course), "lesson", "lessons"), OneLine(course.title));
 }
 
 std::string NotThePedagogy() {

@@ -99,6 +99,7 @@ std::string StillAsked() { return "Still asked: an answer, or say next."; }
 
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
                           std::size_t step, std::size_t steps) {
+  if (of == 0) return fmt::format("Step {} of {}: {}.", step, steps, OneLine(title));
   return fmt::format("Lesson {} of {}, step {} of {}: {}.", number, of, step, steps,
                      OneLine(title));
 }
@@ -302,7 +303,7 @@ std::string SimulatedEnded(int days, std::string_view lesson) {
 
 std::string SimulatedMastered(std::size_t mastered, std::size_t items, double size) {
   return fmt::format("Mastered at {:.4g} mm: {} of {} worked on.", 1e3 * size, mastered,
-                     Counted(items, "sign or word", "signs and words"));
+                     Counted(items, "sign", "signs"));
 }
 
 std::string SimulatedStuck(std::string_view lesson, std::string_view item) {

@@ -77,7 +77,7 @@ std::string Spelled(const std::vector<std::string>& names);
 std::string NothingTouched();
 std::string StillAsked();
 
-// Where we are in the course.
+// Where we are in the course; `of` 0: beside it.
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
                           std::size_t step, std::size_t steps);
 std::string Learner(std::string_view name, std::size_t trials, bool fresh);

@@ -187,7 +187,8 @@ std::string LearnSession::Status() const {
   });
   if (lesson == lessons.end()) return say::NoLessonNow();
   return say::WhereInCourse(lesson->title, static_cast<std::size_t>(lesson - lessons.begin()) + 1,
-                            lessons.size(), progress.step + 1, lesson->steps.size());
+                            lesson->optional ? 0 : LessonsInOrder(course_), progress.step + 1,
+                            lesson->steps.size());
 }
 
 void LearnSession::Letter(LearnWord word) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "lessons/course/lesson_items.h"
 #include "lessons/records/records.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/study/course_run.h"
@@ -49,9 +50,10 @@ std::string TitleOf(const Course& course, const std::string& id) {
 
 void SaySum(const CourseRunResult& result, const Course& course, Console& console) {
   std::size_t mastered = 0, items = 0;
-  for (const auto& item : result.progress.items) {
+  for (const auto& [text, item] : result.progress.items) {
+    if (!IsTaught(course, text)) continue;
     ++items;
-    if (item.second.mastered) ++mastered;
+    if (item.mastered) ++mastered;
   }
   console.Result(say::SimulatedMastered(mastered, items, course.sizes.back()));
   console.Remark(say::SimulatedProves());
@@ -82,7 +84,7 @@ int LearnSimulated(const LearnSimulatedOptions& options, const Course& course, C
     sizes.clear();
   };
   if (kept.history.empty()) {
-    console.Remark(say::SimulatedBegins(course.title, course.lessons.size()));
+    console.Remark(say::SimulatedBegins(course.title, LessonsInOrder(course)));
   } else {
     console.Remark(say::SimulatedGoesOn(kept.name, kept.history.size()));
   }

@@ -32,8 +32,11 @@ std::string OfCourse(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kWelcomeBack:
       return fmt::format("Welcome back, to: {}.", OneLine(sentence.text));
     case Sentence::kLesson:
+      if (sentence.of == 0) return fmt::format("Lesson: {}.", OneLine(sentence.text));
       return fmt::format("Lesson {} of {}: {}.", sentence.number, sentence.of,
                          OneLine(sentence.text));
+    case Sentence::kOfferLesson:
+      return fmt::format("Practice for the hands: say lesson {}.", sentence.number);
     case Sentence::kCourseText:
       return sentence.text;  // its lines are said one by one
     case Sentence::kTestBegins:

@@ -184,8 +184,7 @@ class CourseRun {
   void Name() {
     lesson_event::Answered answer;
     if (not_understood_) {  // it answers with something that it was taught
-      answer.text =
-          learner_.shapes(show_.script).NameTaught(felt_, learner_.day(), learner_.Guess()).label;
+      answer.text = learner_.shapes().NameTaught(felt_, learner_.day(), learner_.Guess()).label;
       answer.latency = kAnswering;
     } else {
       const double before = learner_.seconds();
@@ -200,7 +199,7 @@ class CourseRun {
   }
 
   std::string WhatItWas() {
-    Recogniser& shapes = learner_.shapes(show_.script);
+    Recogniser& shapes = learner_.shapes();
     const std::uint64_t guess = learner_.Guess();
     if (asked_.sentence == Sentence::kAskSame) {
       return shapes.AreSame(felt_, learner_.day(), guess) ? "same" : "different";
@@ -212,7 +211,7 @@ class CourseRun {
   }
 
   void Remember(const std::string& item) {
-    learner_.shapes(show_.script).Remember(item, felt_, learner_.day());
+    learner_.shapes().Remember(item, felt_, learner_.day());
     felt_.clear();
   }
 

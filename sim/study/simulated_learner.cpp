@@ -77,7 +77,11 @@ struct SimulatedLearner::Aim {
 
 SimulatedLearner::SimulatedLearner(const LearnerModel& model, const HandModel& hand,
                                    std::uint64_t seed, const DeviceProfile* device)
-    : model_(model), hand_(hand, SceneOptions{}, device), stiffness_(hand.stiffness), seed_(seed) {}
+    : model_(model),
+      hand_(hand, SceneOptions{}, device),
+      stiffness_(hand.stiffness),
+      shapes_(model.recognition),
+      seed_(seed) {}
 
 const TwoRateMemory* SimulatedLearner::Find(const std::string& item) const {
   const auto memory = by_item_.find(item);

@@ -42,11 +42,8 @@ class SimulatedLearner {
   /// Time passes without practice.
   void Wait(double days);
 
-  /// What it remembers of one script's signs; apart, so that it answers in the script it is asked
-  /// in.
-  Recogniser& shapes(const std::string& script = "") {
-    return shapes_.try_emplace(script, Recogniser(model_.recognition)).first->second;
-  }
+  /// What it remembers of signs: one memory, whatever script a page is in, which nobody tells it.
+  Recogniser& shapes() { return shapes_; }
   double day() const { return day_; }  ///< since the learner began
   /// Drawn anew each time: for guesses.
   std::uint64_t Guess() { return SeedOf(seed_, "guess" + std::to_string(++guesses_)); }
@@ -63,8 +60,8 @@ class SimulatedLearner {
 
   LearnerModel model_;
   FeltHand hand_;
-  double stiffness_ = 1;                      ///< of the hand [N/m]
-  std::map<std::string, Recogniser> shapes_;  ///< by script
+  double stiffness_ = 1;  ///< of the hand [N/m]
+  Recogniser shapes_;
   std::uint64_t seed_ = 1, works_ = 0, guesses_ = 0;
   TwoRateMemory general_;
   std::map<std::string, TwoRateMemory> by_item_;

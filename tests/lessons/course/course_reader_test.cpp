@@ -18,7 +18,7 @@ TEST(LoadCourse, TakesAShippedNameAFolderAndAFile) {
     EXPECT_EQ(course.title, "Learn Moon");
     EXPECT_DOUBLE_EQ(course.break_after, 1500);
     ASSERT_FALSE(course.lessons.empty());
-    EXPECT_EQ(course.lessons.front().id, "00-device");
+    EXPECT_EQ(course.lessons.front().id, "01-t-i");
   }
 }
 
@@ -74,6 +74,22 @@ TEST_F(CourseReader, ReadsWhatIsThere) {
   EXPECT_EQ(two.places.at("steps[1].items[1]").line, 11U);
   EXPECT_EQ(two.places.at("steps[1].items[1]").column, 15U);
   EXPECT_EQ(course.lessons[0].hints.at("i"), "upright");
+}
+
+TEST_F(CourseReader, ReadsALessonBesideTheCourseAndAtHowManySizesAStepIsSure) {
+  Write("two",
+        "title = \"A\"\noptional = true\nnew = [\"a\"]\n[[steps]]\nkind = \"recognise\"\n"
+        "sure_sizes = 3\n");
+  Course course = LoadCourse(folder_.string());
+  EXPECT_FALSE(course.lessons[0].optional);
+  EXPECT_TRUE(course.lessons[1].optional);
+  EXPECT_EQ(course.lessons[1].steps[0].sure_sizes, 3);
+  EXPECT_EQ(course.mastery.sure_sizes, 2);
+  Write("two", "title = \"A\"\nnew = [\"a\"]\n[[steps]]\nkind = \"trace\"\nsure_sizes = 3\n");
+  EXPECT_EQ(Faults(),
+            "two.toml:5:14: sure_sizes: only of recognise without size_mm; leave it out\n");
+  Write("two", "title = \"A\"\nnew = [\"a\"]\n[[steps]]\nkind = \"recognise\"\nsure_sizes = 0\n");
+  EXPECT_EQ(Faults(), "two.toml:5:14: sure_sizes: not from 1 to 100; correct it\n");
 }
 
 TEST_F(CourseReader, EachBrokenCourseGivesOneLineWithPlaceCauseAndNearestKey) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <random>
 #include <set>
 
@@ -31,9 +32,9 @@ TEST(LearnMoon, WhoIsNeverWrongFinishesItWithinTheTrialsThatTheReadmeNames) {
   int events = 0;
   const LessonRun run = GoThrough(1, 1, 20000, &events);
   EXPECT_EQ(run.state.await, Await::kEnd) << "at " << run.state.progress.lesson;
-  EXPECT_EQ(run.state.progress.done.size(), run.course.lessons.size());
-  // lessons/README.md: about 3700.
-  EXPECT_NEAR(events, 3700, 400);
+  EXPECT_EQ(run.state.progress.done.size(), LessonsInOrder(run.course));
+  // lessons/README.md: about 1900.
+  EXPECT_NEAR(events, 1900, 200);
   std::set<std::string> letters;
   for (char c = 'a'; c <= 'z'; ++c) letters.insert(std::string(1, c));
   std::map<std::string, std::set<double>> sizes;
@@ -42,8 +43,10 @@ TEST(LearnMoon, WhoIsNeverWrongFinishesItWithinTheTrialsThatTheReadmeNames) {
   }
   for (const std::string& letter : letters) {
     EXPECT_TRUE(run.state.progress.items.at(letter).mastered) << letter;
-    for (const double size : run.course.sizes)
+    // the first two by itself, smaller ones perhaps in words alone
+    for (const double size : {run.course.sizes[0], run.course.sizes[1]}) {
       EXPECT_EQ(sizes[letter].count(size), 1u) << letter << size;
+    }
   }
 }
 
@@ -52,25 +55,27 @@ TEST(SlowLearnMoon, WhoIsOftenWrongFinishesItToo) {
     int events = 0;
     const LessonRun run = GoThrough(right, 1, 60000, &events);
     EXPECT_EQ(run.state.await, Await::kEnd) << right << " at " << run.state.progress.lesson;
-    EXPECT_LT(events, right > 0.85 ? 7000 : 15000) << right;
+    std::printf("%g right: %d trials\n", right, events);
+    EXPECT_LT(events, right > 0.85 ? 2600 : 3600) << right;
   }
 }
 
 TEST(LearnMoon, WhoOnlyGuessesGetsNowhere) {
   LessonRun run(LoadCourse("learn-moon"), {}, 1);
   std::mt19937 random(1);
-  std::vector<std::string> lines = {"level", "upright", "rising", "falling"};
   run.Begin();
-  // Traces well, so that the names alone hold it up: four lines, five of five right, each.
+  // Traces well, so that the names alone hold it up: in the second lesson one of four letters, four
+  // of five right, at two sizes.
+  const std::vector<std::string> letters = {"t", "i", "l", "o"};
   for (int i = 0; i < 3000; ++i) {
     const bool named = run.state.await == Await::kAnswer;
     if (named) {
-      run.Answer(lines[random() % 4]);
+      run.Answer(letters[random() % 4]);
     } else {
       run.Work();
     }
   }
-  EXPECT_EQ(run.state.progress.lesson, "01-lines");
+  EXPECT_LE(run.state.progress.done.size(), 1u) << run.state.progress.lesson;
 }
 
 }  // namespace

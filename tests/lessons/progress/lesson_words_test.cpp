@@ -60,7 +60,7 @@ TEST_F(LessonWords, EveryWordIsAnsweredAtEveryState) {
     run_.Work();
   }
   EXPECT_EQ(run_.state.await, Await::kEnd);
-  EXPECT_GT(states, 9 * 150);
+  EXPECT_GT(states, 9 * 100);
 }
 
 TEST_F(LessonWords, AgainShowsAndAsksTheSame) {

@@ -92,7 +92,7 @@ TEST_F(NoNetwork, IsAskedForByNoWorkOnRecords) {
     learner.pseudonym = "bat";
     records.AddLearner(learner);
     Trial trial;
-    trial.lesson = "04-itlo";
+    trial.lesson = "01-t-i";
     trial.item = std::string("i");
     trial.time = 1'700'000'000;
     records.Add("bat", "learn-moon", trial);

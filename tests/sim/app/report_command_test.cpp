@@ -80,7 +80,7 @@ TEST_F(ReportCommand, TellsAllInPlainLines) {
   const Outcome outcome = Report({"bat"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
-            "bat: 0 of 3 signs and words mastered, 0 of 1 lesson done, Small & <quick>.\n"
+            "bat: 0 of 3 signs mastered, 0 of 1 lesson done, Small & <quick>.\n"
             "Sure: nothing yet.\n"
             "Practise l: traced well 0 of the last 2; now at 20 mm.\n"
             "Practise n: named right 8 of the last 10, traced well 0 of the last 1, taken for\n"
@@ -99,8 +99,9 @@ TEST_F(ReportCommand, TellsAllInPlainLines) {
             "Without help: 33 trials, 90 percent named right, 75 percent covered.\n"
             "With help: 3 trials, 100 percent covered; none of them counts above.\n"
             "Conditions: Small & <quick>, 20 mm to 10 mm, 36 trials on 3 days.\n"
-            "Sure means, without help and at true size: 85 percent of the last 5 named right,\n"
-            "traces 90 percent covered, with a mean error of at most 0.5 groove widths.\n");
+            "Sure means, without help and at true size: 80 percent of the last 5 named right;\n"
+            "at the largest size also traces 90 percent covered, with a mean error of at most\n"
+            "0.5 groove widths.\n");
   ExpectTextFace(outcome.out);
 }
 
@@ -246,7 +247,7 @@ TEST_F(ReportCommand, RefusesWhatIsNoUse) {
 TEST_F(ReportCommand, TakesTheCourseLastLearnt) {
   Trial trial;
   trial.time = kNoon + 90 * kDay;
-  trial.lesson = "04-itlo";
+  trial.lesson = "04-e-s";
   trial.item = "i";
   Records::Open(path_).Add("bat", "learn-moon", trial);
   const Outcome outcome = RunLine({"report", "bat", "--records", path_, "--json"});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
@@ -21,6 +22,7 @@ Course SmallCourse() {
   course.title = "Small";
   course.script = "moon";
   course.sizes = {0.040, 0.016, 0.006};
+  course.mastery.sure_sizes = 3;
   Lesson lesson;
   lesson.id = "01-lo";
   lesson.title = "L and O";
@@ -115,11 +117,37 @@ Course MoonTo(const std::string& last) {
   return course;
 }
 
+// What the first hour is to be: hand time is what the simulated learner needed, with the seconds to
+// listen and to answer.
+TEST(SlowCourseRun, NamesALetterInTenMinutesAndReadsAWordOnTheFirstDay) {
+  const Course course = MoonTo("03-n-a");
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    CourseRunSetup setup = SetupFor(course);
+    setup.seed = seed;
+    std::int64_t letter = 0, word = 0;
+    setup.keep = [&](const Trial& trial) {
+      if (trial.kind != StepKind::kRecognise || !trial.right || trial.guided()) return;
+      if (letter == 0) letter = trial.time - setup.begin;
+      if (word == 0 && trial.item == "it") word = trial.time - setup.begin;
+    };
+    const CourseRunResult result = RunCourse(setup);
+    std::printf(
+        "seed %d: a letter after %.1f minutes, a word after %.1f, three lessons in %d days\n",
+        static_cast<int>(seed), static_cast<double>(letter) / 60, static_cast<double>(word) / 60,
+        result.days);
+    EXPECT_TRUE(result.done);
+    EXPECT_GT(letter, 0);
+    EXPECT_LE(letter, 600) << seed;
+    EXPECT_GT(word, 0);
+    EXPECT_LT(word, 6 * 3600) << "on the first day, seed " << seed;
+  }
+}
+
 // From the device to the first letters and words; all of the course takes minutes, and is run where
 // MOONTRACE_WHOLE_COURSE is set.
 TEST(SlowCourseRun, LearnsMoonFromTheDeviceToAStory) {
   const bool whole = std::getenv("MOONTRACE_WHOLE_COURSE") != nullptr;
-  const Course course = whole ? LoadCourse("learn-moon") : MoonTo("04-itlo");
+  const Course course = whole ? LoadCourse("learn-moon") : MoonTo("02-l-o");
   CourseRunSetup setup = SetupFor(course);
   std::set<double> sizes;
   setup.keep = [&sizes](const Trial& trial) {
@@ -129,9 +157,10 @@ TEST(SlowCourseRun, LearnsMoonFromTheDeviceToAStory) {
   std::printf("%d days, %zu trials, %.0f s of work, at %s\n", result.days, result.trials,
               result.seconds, result.progress.lesson.c_str());
   EXPECT_TRUE(result.done);
-  for (const double size : course.sizes) EXPECT_EQ(sizes.count(size), 1U) << size;
+  const std::size_t reached = whole ? course.sizes.size() : 2;
+  for (std::size_t i = 0; i < reached; ++i) EXPECT_EQ(sizes.count(course.sizes[i]), 1U) << i;
   for (const char* letter : {"i", "t", "l", "o"}) {
-    EXPECT_TRUE(result.progress.items.at(letter).mastered) << letter;
+    EXPECT_GE(result.progress.items.at(letter).size_step, whole ? 4U : 2U) << letter;
   }
 }
 

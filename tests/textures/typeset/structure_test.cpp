@@ -21,7 +21,9 @@ Read ReadLine(std::string_view text) {
   const Script script = SmallScript();
   Folder folder(text, script);
   std::vector<FoldedChar> line;
-  EXPECT_TRUE(folder.NextLine(line));
+  for (std::vector<FoldedChar> part; folder.NextLine(part);) {
+    line.insert(line.end(), part.begin(), part.end());
+  }
   Read read;
   read.marks = TakeMarks(text, line);
   for (const FoldedChar& c : line) read.left += text.substr(c.begin, c.end - c.begin);
