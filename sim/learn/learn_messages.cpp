@@ -154,6 +154,15 @@ std::string DemonstrationCounts() {
   return "Nothing counts here, so a sign comes again until you say next: trials are kept as "
          "simulated and make no sign sure.";
 }
+std::string DemonstrationHelp() {
+  return "Words: next, pause, go, again, more time, quit. Or the answer, while I ask.";
+}
+std::string DemonstrationPauses() { return "A pause. Say go when you like."; }
+std::string DemonstrationGoesOn() { return "Going on."; }
+std::string DemonstrationSlower() { return "More time from now on."; }
+std::string DemonstrationUnknown(std::string_view given) {
+  return fmt::format("Not a word here: {}. A question mark tells them.", OneLine(given, 16));
+}
 std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));
 }
@@ -185,8 +194,8 @@ std::string DeviceProblem(std::string_view name, std::string_view problem) {
 std::string NoForceDevice() { return "No force device is here: nothing can be felt."; }
 std::vector<std::string> LearningWithoutDevice() {
   return {
-      "A demonstration works: moontrace learn --device simulated. The program's own hand traces "
-      "the pages; nothing is felt and nothing counts.",
+      "A demonstration works: moontrace learn --device simulated. It takes nine minutes, is told in "
+      "words, and keeps nothing.",
       "Printing works: moontrace learn --print lesson.svg writes a lesson's pages for swell "
       "paper in true size.",
       "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "

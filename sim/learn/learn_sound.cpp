@@ -35,9 +35,9 @@ PathSound SoundOf(const std::vector<IntendedStroke>& strokes, glm::dvec2 tip_P, 
 }
 
 void PathListener::Hear() {
-  const LoopSnapshot& now = lesson_.poll().newest();
+  const LoopSnapshot& now = running_.poll().newest();
   const bool heard =
-      !lesson_.stopped() && stage_.shown().told && now.page == stage_.session().felt().number;
+      !running_.stopped() && stage_.shown().told && now.page == stage_.session().felt().number;
   const bool touching = heard && now.depth > 0;
   const PathSound sound = SoundOf(stage_.trace().strokes(), now.tip_P, touching);
   sound_.Follow(sound);

@@ -13,8 +13,9 @@ namespace moontrace {
 class PathListener {
  public:
   /// All must outlive this.
-  PathListener(Sound& sound, const LearnParts& parts, const RunningLesson& lesson)
-      : sound_(sound), stage_(parts.stage), teller_(parts.teller), lesson_(lesson) {}
+  PathListener(Sound& sound, const LearnStage& stage, LearnTeller& teller,
+               const RunningStage& running)
+      : sound_(sound), stage_(stage), teller_(teller), running_(running) {}
   /// What happens on the path is also said as a line, except begin and end of touch, which the
   /// path's own tone has.
   void Hear();
@@ -23,7 +24,7 @@ class PathListener {
   Sound& sound_;
   const LearnStage& stage_;
   LearnTeller& teller_;
-  const RunningLesson& lesson_;
+  const RunningStage& running_;
   PathEvents events_;
 };
 

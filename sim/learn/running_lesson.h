@@ -22,16 +22,21 @@ struct LearnParts {
   LearnTeller& teller;
 };
 
-/// A lesson that runs, as its tutors, its view and its sounds meet it: how it stands, and what may
-/// be done to it. All in the lesson's thread.
-class RunningLesson {
+/// What moves on the page now, as sounds meet it.
+class RunningStage {
  public:
-  virtual ~RunningLesson() = default;
-  virtual const LessonState& state() const = 0;
+  virtual ~RunningStage() = default;
   /// As of the last look at the loop.
   virtual const LoopPoll& poll() const = 0;
   /// The force rests.
   virtual bool stopped() const = 0;
+};
+
+/// A lesson that runs, as its tutors and its view meet it: how it stands, and what may be done to
+/// it. All in the lesson's thread.
+class RunningLesson : public RunningStage {
+ public:
+  virtual const LessonState& state() const = 0;
   /// It has ended, or is about to.
   virtual bool over() const = 0;
   /// Lesson and step: one line.

@@ -1,0 +1,162 @@
+#include "sim/learn/demonstration.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/learn/learn_messages.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr double kAnswering = 30;       ///< an answer is awaited [s]
+constexpr double kMoreTime = 1.5;       ///< factor on every wait, each time it is asked for
+constexpr double kBeforeLine = 1.2;     ///< to notice that something is said [s]
+constexpr double kPerLetter = 1 / 15.;  ///< of speech, some 170 words a minute [s]
+/// Time passes in words: nothing waits longer.
+constexpr double kLongest = 600;  ///< [s]
+
+double SecondsFor(const std::string& line) {
+  return kBeforeLine + kPerLetter * static_cast<double>(line.size());
+}
+
+std::string Trimmed(const std::string& line) {
+  constexpr const char* kBlanks = " \t\r.!?";
+  const auto begin = line.find_first_not_of(kBlanks);
+  if (begin == std::string::npos) return line.find('?') == std::string::npos ? "" : "?";
+  return LowerCase(line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1));
+}
+
+/// The only word that is `given` or begins with it; empty: none, or several.
+std::string WordOf(const std::string& given) {
+  std::string found;
+  for (const std::string& word : DemonstrationWords()) {
+    if (word == given) return word;
+    if (word.compare(0, given.size(), given) != 0) continue;
+    if (!found.empty()) return {};
+    found = word;
+  }
+  return found;
+}
+
+}  // namespace
+
+const std::vector<std::string>& DemonstrationWords() {
+  static const std::vector<std::string> words = {"next",      "pause", "go",   "again",
+                                                 "more time", "stop",  "quit", "help"};
+  return words;
+}
+
+Demonstration::Demonstration(const std::vector<DemonstrationStep>& steps, LearnStage& stage,
+                             LearnTeller& teller)
+    : steps_(steps),
+      stage_(stage),
+      teller_(teller),
+      poll_(stage.session().loop(), stage.session().device()) {}
+
+void Demonstration::WaitFor(double seconds) {
+  const std::chrono::duration<double> wait(hurries_ ? 0 : std::min(pace_ * seconds, kLongest));
+  until_ = now_ + std::chrono::duration_cast<Clock::duration>(wait);
+}
+
+void Demonstration::Say(const std::string& line) {
+  teller_.Say(Priority::kText, line);
+  last_ = line;
+  WaitFor(SecondsFor(line));
+}
+
+void Demonstration::Look(Clock::time_point now) {
+  now_ = now;
+  poll_.Look(*this);
+  if (!begun_) {
+    begun_ = true;
+    NextStep();
+  }
+  while (!over_ && !paused_ && (now_ >= until_ || hurries_)) GoOn();
+  teller_.EndTurn();
+}
+
+/// The next thing of the step, or the next step.
+void Demonstration::GoOn() {
+  if (line_ < step().say.size()) return Say(step().say[line_++]);
+  if (!step().ask.empty() && !asked_) {
+    Say(step().ask);
+    asked_ = asking_ = true;
+    return WaitFor(kAnswering);
+  }
+  if (asking_) {
+    asking_ = false;
+    return Say(step().wrong);
+  }
+  ++at_;
+  NextStep();
+}
+
+void Demonstration::NextStep() {
+  line_ = 0;
+  asking_ = asked_ = false;
+  over_ = at_ >= steps_.size();
+  if (over_ || step().show.empty()) return;
+  lesson_action::Show show;
+  show.text = step().show;
+  show.size = step().size;
+  stage_.Show(show);
+}
+
+void Demonstration::Answer(const std::string& given) {
+  const std::vector<std::string>& answers = step().answers;
+  const bool right = std::find(answers.begin(), answers.end(), given) != answers.end();
+  asking_ = false;
+  if (right) teller_.Play(Earcon::kRight);
+  if (!right) teller_.Play(Earcon::kWrong);
+  Say(right ? step().right : step().wrong);
+}
+
+void Demonstration::Obey(const std::string& line) {
+  teller_.Interrupt();
+  const std::string given = Trimmed(line);
+  const std::string word = given == "?" ? "help" : given.empty() ? "" : WordOf(given);
+  const bool is_word = word == given || (given.size() > 1 && !word.empty());
+  if (given.empty()) {
+    teller_.Say(Priority::kText, paused_   ? say::DemonstrationPauses()
+                                 : asking_ ? step().ask
+                                           : say::DemonstrationGoesOn());
+  } else if (asking_ && !is_word) {
+    Answer(given);
+  } else if (word.empty()) {
+    teller_.Say(Priority::kText, say::DemonstrationUnknown(line));
+  } else {
+    Do(word);
+  }
+  teller_.EndTurn();
+}
+
+void Demonstration::Do(const std::string& word) {
+  if (word == "quit") {
+    over_ = true;
+  } else if (word == "help") {
+    teller_.Say(Priority::kText, say::DemonstrationHelp());
+  } else if (word == "again") {
+    teller_.Say(Priority::kText, last_);
+    WaitFor(asking_ ? kAnswering : SecondsFor(last_));
+  } else if (word == "pause" || word == "stop") {
+    if (!paused_) left_ = std::max(until_ - now_, Clock::duration(0));
+    paused_ = true;
+    teller_.Hush();
+    teller_.Say(Priority::kText, say::DemonstrationPauses());
+  } else if (word == "more time") {
+    pace_ = std::min(pace_ * kMoreTime, 8.0);
+    WaitFor(asking_ ? kAnswering : SecondsFor(last_));
+    teller_.Say(Priority::kText, say::DemonstrationSlower());
+  } else if (paused_) {  // go, next
+    paused_ = false;
+    until_ = now_ + left_;
+    teller_.Say(Priority::kText, say::DemonstrationGoesOn());
+  } else {
+    until_ = now_;
+    if (word == "go") teller_.Say(Priority::kText, say::DemonstrationGoesOn());
+  }
+}
+
+}  // namespace moontrace

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sim/learn/demonstration_script.h"
+#include "sim/learn/learn_stage.h"
+#include "sim/learn/learn_teller.h"
+#include "sim/learn/learn_words.h"
+#include "sim/learn/running_lesson.h"
+#include "sim/session/loop_poll.h"
+
+namespace moontrace {
+
+/// Goes through a demonstration by itself: a line at a time, as fast as it can be heard, with
+/// questions that are awaited half a minute. One thread.
+class Demonstration final : public RunningStage, private LoopListener {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// All must outlive this.
+  Demonstration(const std::vector<DemonstrationStep>& steps, LearnStage& stage,
+                LearnTeller& teller);
+
+  /// Says and shows what its time has come for. At the rate of polling, with the time.
+  void Look(Clock::time_point now);
+  /// A line that was typed; always answered by a line or by what comes next.
+  void Obey(const std::string& line);
+  /// Nobody will answer any more: nothing is waited for from now on.
+  void Hurry() {
+    hurries_ = true;
+    paused_ = false;
+  }
+  /// An answer is awaited.
+  bool asks() const { return asking_; }
+  bool over() const { return over_; }
+
+  const LoopPoll& poll() const override { return poll_; }
+  bool stopped() const override { return paused_; }
+
+ private:
+  const DemonstrationStep& step() const { return steps_[at_]; }
+  void GoOn();
+  void NextStep();
+  void Say(const std::string& line);
+  void Answer(const std::string& given);
+  void Do(const std::string& word);
+  void WaitFor(double seconds);
+
+  void Happened(const LoopEvent&, const std::string&) override {}  // nothing is felt here
+  void Reported(const std::string&, bool) override {}
+  void Stands(const LoopSnapshot&) override {}
+  void Felt(const LoopSample& sample) override { stage_.Add(sample, true); }
+
+  const std::vector<DemonstrationStep>& steps_;
+  LearnStage& stage_;
+  LearnTeller& teller_;
+  LoopPoll poll_;
+  std::size_t at_ = 0, line_ = 0;  ///< step, and the line of it that comes next
+  std::string last_;               ///< said last
+  Clock::time_point now_, until_;
+  Clock::duration left_{0};  ///< of the wait, while it is paused
+  double pace_ = 1;          ///< factor on what is waited for
+  bool begun_ = false, asking_ = false, asked_ = false;
+  bool paused_ = false, hurries_ = false, over_ = false;
+};
+
+/// The words that are understood, in the order in which they are told.
+const std::vector<std::string>& DemonstrationWords();
+
+}  // namespace moontrace

@@ -1,0 +1,170 @@
+// What who has no device is told: the shipped demonstration, by a clock of the test's own.
+#include "sim/learn/demonstration.h"
+
+#include <map>
+
+#include "sim/learn/learn_stage.h"
+#include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+namespace {
+
+using std::chrono::seconds;
+
+std::string FaultOf(const std::string& toml) {
+  try {
+    ParseDemonstration(toml, "demo.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(DemonstrationScript, EachFaultIsOneLineWithPlaceAndCure) {
+  EXPECT_EQ(FaultOf(""), "demo.toml:1:1: steps: none; give one [[steps]] at least");
+  EXPECT_EQ(FaultOf("[[steps]]\nsay = \"a\"\nright = \"yes\"\n"),
+            "demo.toml:3:9: right: nothing is asked; give ask, or leave it out");
+  EXPECT_EQ(FaultOf("[[steps]]\nask = \"a?\"\nanswers = []\nright = \"yes\"\nwrong = \"no\"\n"),
+            "demo.toml:3:11: answers: empty; give one answer at least");
+  EXPECT_EQ(FaultOf("[[steps]]\nsey = \"a\"\n").substr(0, 32), "demo.toml:2:1: unknown key 'sey'");
+  EXPECT_EQ(FaultOf("[[steps]]\nsay = \"a\"\nsize_mm = 0\n").substr(0, 23),
+            "demo.toml:3:11: size_mm");
+}
+
+/// Lines as they are written, with a clock that the test sets.
+class DemonstrationTest : public testing::Test {
+ protected:
+  DemonstrationTest()
+      : console_(in_, out_, err_),
+        teller_(console_, nullptr, nullptr),
+        stage_(Options(), console_),
+        demonstration_(steps_, stage_, teller_) {}
+  ~DemonstrationTest() override { stage_.session().loop().End(); }
+
+  static StageOptions Options() {
+    StageOptions options;
+    options.live.device = "simulated";
+    return options;
+  }
+  /// Looks each second until `text` has been said, or it is over; how long that took [s].
+  int Until(const std::string& text) {
+    int passed = 0;
+    for (; !demonstration_.over() && Said(text) == 0 && passed < 3600; ++passed) Pass(1);
+    return passed;
+  }
+  void Pass(int count) {
+    for (int i = 0; i < count; ++i) {
+      now_ += seconds(1);
+      demonstration_.Look(now_);
+    }
+  }
+  /// How often, in all that was said since Forget; lines are wrapped.
+  std::size_t Said(const std::string& text) const {
+    std::string said = out_.str().substr(from_);
+    for (char& c : said) c = c == '\n' ? ' ' : c;
+    std::size_t count = 0;
+    for (auto at = said.find(text); at != std::string::npos; at = said.find(text, at + 1)) ++count;
+    return count;
+  }
+  void Forget() { from_ = out_.str().size(); }
+
+  std::istringstream in_;
+  std::ostringstream out_, err_;
+  std::size_t from_ = 0;
+  Console console_;
+  LearnTeller teller_;
+  const std::vector<DemonstrationStep> steps_ = ShippedDemonstration();
+  LearnStage stage_;
+  Demonstration demonstration_;
+  Demonstration::Clock::time_point now_ = Demonstration::Clock::now();
+};
+
+TEST_F(DemonstrationTest, GoesOnByItselfForSomeNineMinutesAndSaysNothingTwice) {
+  const int passed = Until("Goodbye");
+  EXPECT_GT(passed, 8 * 60);
+  EXPECT_LT(passed, 10 * 60);
+  std::map<std::string, int> times;
+  for (const std::string& line : Lines(out_.str())) {
+    if (line.size() <= 20) continue;
+    EXPECT_EQ(++times[line], 1) << line;
+  }
+  Pass(20);
+  EXPECT_TRUE(demonstration_.over());
+}
+
+TEST_F(DemonstrationTest, AwaitsAnAnswerForHalfAMinute) {
+  Until("which letter is it");
+  EXPECT_TRUE(demonstration_.asks());
+  Pass(28);
+  EXPECT_EQ(Said("It is T: the level one"), 0U);
+  Pass(3);
+  EXPECT_EQ(Said("It is T: the level one"), 1U) << "told to who does not answer";
+  EXPECT_FALSE(demonstration_.asks());
+}
+
+TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
+  Until("which letter is it");
+  demonstration_.Obey(" T! ");
+  EXPECT_EQ(Said("Right, T."), 1U);
+  EXPECT_FALSE(demonstration_.asks());
+  Until("which letter is that?");
+  demonstration_.Obey("t");
+  EXPECT_EQ(Said("It is L"), 2U) << "once when it was shown, once now";
+  Until("what is the word?");
+  demonstration_.Obey("toil");
+  EXPECT_EQ(Said("Toil it is."), 1U);
+}
+
+TEST_F(DemonstrationTest, AWordOfTheLearnersIsAWordWhileSomethingIsAsked) {
+  Until("which letter is it");
+  demonstration_.Obey("more time");
+  Pass(40);
+  EXPECT_TRUE(demonstration_.asks()) << "45 seconds now";
+  demonstration_.Obey("again");
+  EXPECT_EQ(Said("One level line: which letter is it"), 2U);
+  demonstration_.Obey("pau");
+  Pass(3600);
+  EXPECT_TRUE(demonstration_.asks()) << "nothing passes in a pause";
+  demonstration_.Obey("go");
+  demonstration_.Obey("next");
+  Pass(1);
+  EXPECT_FALSE(demonstration_.asks());
+}
+
+TEST_F(DemonstrationTest, EveryLineIsAnswered) {
+  Pass(2);
+  for (const char* line : {"", "?", "help", "xyzzy", "next", "pause", "", "go", "go", "stop",
+                           "next", "again", "more time", "\t", "!!!", "\x1b[31m"}) {
+    Forget();
+    demonstration_.Obey(line);
+    Pass(1);
+    EXPECT_GT(out_.str().size(), from_) << line;
+    EXPECT_EQ(out_.str().find('\x1b'), std::string::npos);
+  }
+  demonstration_.Obey("quit");
+  EXPECT_TRUE(demonstration_.over());
+}
+
+TEST_F(DemonstrationTest, WhatIsSaidFitsWhatIsShownAndAsked) {
+  for (const DemonstrationStep& step : steps_) {
+    for (const std::string& answer : step.answers) {
+      EXPECT_EQ(answer.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), std::string::npos) << answer;
+    }
+    for (const std::string& line : step.say) EXPECT_LT(line.size(), 140u) << line;
+  }
+}
+
+/// Where nobody answers, nothing is waited for; the whole of it is kept beside the tests, to be
+/// read.
+TEST(LearnWithoutADevice, IsADemonstrationThatKeepsNothing) {
+  const Outcome outcome = RunLine({"learn", "--device", "simulated"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out, ReadAll(SourcePath("tests/data/demonstration.txt")));
+  ExpectTextFace(outcome.out);
+}
+
+}  // namespace
+}  // namespace moontrace
