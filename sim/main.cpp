@@ -1,4 +1,6 @@
+#include <unistd.h>
 #include <atomic>
+
 #include <csignal>  // POSIX: sigaction too, as a signal must end a wait for standard input
 #include <cstdlib>
 #include <iostream>
@@ -36,6 +38,8 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   moontrace::Console console(std::cin, std::cout, std::cerr, &stop_asked);
+  console.SetColumns([] { return moontrace::TerminalColumns(STDOUT_FILENO); },
+                     [] { return moontrace::TerminalColumns(STDERR_FILENO); });
   const int code = moontrace::RunCli(std::vector<std::string>(argv + 1, argv + argc), console);
   if (moontrace::ViewWindow::DisplayWasLost()) {
     std::cout.flush();

@@ -114,7 +114,7 @@ int RunCommand(const CommandCard& card, const Args& args, Console& console) {
   const std::unique_ptr<CLI::App> app = LineOf(card, options);
   const HelpAsked help = AsksForHelp(args);
   if (help != HelpAsked::kNo) {
-    console.out() << CommandHelp(card, SheetOf(*app), help == HelpAsked::kAll);
+    console.Help(CommandHelp(card, SheetOf(*app), help == HelpAsked::kAll));
     return exit_code::kGood;
   }
   Parse(*app, args);
@@ -196,7 +196,7 @@ const Command& FindCommand(const std::string& name) {
 int Help(const Args& args, Console& console) {
   const std::string what = args.empty() ? "help" : args.front();
   if (what == "help" || what == "version" || what == "--help") {
-    console.out() << ProgramHelp(Cards());
+    console.Help(ProgramHelp(Cards()));
   } else if (what == "test" || what == "packages") {
     console.Result(say::LaunchersWord(what));
   } else if (what == "--markdown") {
@@ -206,14 +206,14 @@ int Help(const Args& args, Console& console) {
   } else {
     const Command& command = FindCommand(what);
     const bool all = AsksForHelp(args) == HelpAsked::kAll;
-    console.out() << CommandHelp(command.card, command.sheet(command.card), all);
+    console.Help(CommandHelp(command.card, command.sheet(command.card), all));
   }
   return exit_code::kGood;
 }
 
 int Dispatch(const Args& args, Console& console) {
   if (args.empty()) {
-    console.out() << Introduction();
+    console.Help(Introduction());
     return exit_code::kGood;
   }
   const std::string& first = args.front();

@@ -6,7 +6,6 @@
 #include <map>
 #include <sstream>
 
-#include "sim/console/line_wrap.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
 
@@ -73,8 +72,10 @@ Grouped ByGroup(const CommandSheet& sheet) {
   return groups;
 }
 
+std::string Line(std::string_view text) { return std::string(text) + '\n'; }
+
 std::string OptionLine(const OptionSheet& option) {
-  return Wrapped(fmt::format("{}: {}", Titled(option), option.description));
+  return Line(fmt::format("{}: {}", Titled(option), option.description));
 }
 
 /// In Markdown a bar would end a table's cell.
@@ -103,39 +104,38 @@ std::string KeyOf(const std::string& heading, const std::vector<const OptionShee
 }  // namespace
 
 std::string Introduction() {
-  return Wrapped(
+  return Line(
              "Moontrace: learn, read and write Moon, the raised script of lines and curves, by "
              "touch.") +
-         Wrapped("To begin, type one of these and Enter:") +
-         Wrapped("moontrace demo: a word is traced at four sizes; a minute, no device needed.") +
-         Wrapped(
-             "moontrace learn: lessons. It says what a force device is for and works without.") +
-         Wrapped("moontrace page \"good morning\": your own words in Moon, sign by sign.") +
-         Wrapped("moontrace help: all commands. moontrace help learn: one of them.");
+         Line("To begin, type one of these and Enter:") +
+         Line("moontrace demo: a word is traced at four sizes; a minute, no device needed.") +
+         Line("moontrace learn: lessons. It says what a force device is for and works without.") +
+         Line("moontrace page \"good morning\": your own words in Moon, sign by sign.") +
+         Line("moontrace help: all commands. moontrace help learn: one of them.");
 }
 
 std::string ProgramHelp(const std::vector<CommandCard>& cards) {
-  std::string help = Wrapped("Usage: moontrace COMMAND [TEXT] [--file F | -] [options]");
+  std::string help = Line("Usage: moontrace COMMAND [TEXT] [--file F | -] [options]");
   const Audience* former = nullptr;
   for (const CommandCard& card : cards) {
     if (former == nullptr || *former != card.audience) {
       help += fmt::format("\n{}:\n", HeadingOf(card.audience));
     }
     former = &card.audience;
-    help += Wrapped(fmt::format("{}: {}.", card.name, card.purpose));
+    help += Line(fmt::format("{}: {}.", card.name, card.purpose));
   }
   return help + "\n" +
-         Wrapped(
+         Line(
              "One command: moontrace help COMMAND, or moontrace COMMAND --help-all for every "
              "option. The version: moontrace version. In a clone, ./moontrace test runs the "
              "tests.") +
-         Wrapped(kExitCodes);
+         Line(kExitCodes);
 }
 
 std::string CommandHelp(const CommandCard& card, const CommandSheet& sheet, bool all) {
   const std::vector<std::string> common = Words(card.common);
-  std::string help = Wrapped(fmt::format("moontrace {}: {}.", sheet.name, sheet.purpose)) +
-                     Wrapped("Usage: " + Usage(sheet));
+  std::string help = Line(fmt::format("moontrace {}: {}.", sheet.name, sheet.purpose)) +
+                     Line("Usage: " + Usage(sheet));
   if (all || common.empty()) {
     for (const auto& [heading, options] : ByGroup(sheet)) {
       if (!common.empty() && heading != kOwn) help += fmt::format("\n{}:\n", heading);
@@ -156,8 +156,8 @@ std::string CommandHelp(const CommandCard& card, const CommandSheet& sheet, bool
     others += LowerCase(heading);
   }
   return help + "\n" +
-         Wrapped(fmt::format("moontrace {} --help-all tells {} options more, of: {}.", sheet.name,
-                             sheet.options.size() - common.size(), others));
+         Line(fmt::format("moontrace {} --help-all tells {} options more, of: {}.", sheet.name,
+                          sheet.options.size() - common.size(), others));
 }
 
 std::string Reference(const std::vector<CommandCard>& cards,

@@ -1,6 +1,8 @@
 #include "sim/console/console.h"
 
 #include <fmt/core.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,6 +22,10 @@ double Now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+std::string Broken(std::string_view lines, const Console::Columns& columns) {
+  return columns ? Wrapped(lines, columns()) : Wrapped(lines);
+}
+
 std::string StillWorking(double done) {
   return fmt::format("Still working: {} percent done.", static_cast<int>(std::floor(100 * done)));
 }
@@ -32,11 +38,21 @@ Console::Console(std::istream& in, std::ostream& out, std::ostream& err,
 
 void Console::Spoke() { last_spoke_ = Now(); }
 
+std::size_t TerminalColumns(int file_descriptor) {
+  constexpr std::size_t kUsual = 80, kFewest = 20;
+  if (isatty(file_descriptor) == 0) return 0;  // a pipe or a file: whoever reads it breaks it
+  winsize size{};
+  const bool known = ioctl(file_descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? std::max<std::size_t>(kFewest, size.ws_col) : kUsual;
+}
+
 void Console::Result(std::string_view line) {
   if (json_) return;
-  out_ << Wrapped(line);
+  out_ << Broken(line, out_columns_);
   Spoke();
 }
+
+void Console::Help(std::string_view lines) { out_ << Broken(lines, out_columns_); }
 
 void Console::Path(std::string_view path) {
   if (json_) return;
@@ -46,7 +62,7 @@ void Console::Path(std::string_view path) {
 
 void Console::Remark(std::string_view line) {
   if (quiet_) return;
-  err_ << Wrapped(line);
+  err_ << Broken(line, err_columns_);
   Spoke();
 }
 

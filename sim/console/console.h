@@ -1,10 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace moontrace {
 
@@ -36,8 +39,11 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// The text interface: plain lines of at most 80 characters, results on one stream, messages on
-/// another.
+/// Columns to which lines of an output are broken; 0: not at all.
+std::size_t TerminalColumns(int file_descriptor);
+
+/// The text interface: plain lines, results on one stream, messages on another. Lines are broken
+/// between words to 80 characters, or to what SetColumns says.
 class Console {
  public:
   Console(std::istream& in, std::ostream& out, std::ostream& err,
@@ -49,7 +55,16 @@ class Console {
     quiet_ = quiet;
   }
 
+  /// Asked before each line, since a terminal's width may change: 80 where nothing is set, 0 where
+  /// lines are not to be broken.
+  using Columns = std::function<std::size_t()>;
+  void SetColumns(Columns out, Columns err) {
+    out_columns_ = std::move(out);
+    err_columns_ = std::move(err);
+  }
+
   void Result(std::string_view line);  ///< on stdout, wrapped at words
+  void Help(std::string_view lines);   ///< likewise, several lines; with `--json` too
   /// On stdout, wrapped: progress, which is no result. Not with `--quiet`.
   void Happening(std::string_view line) {
     if (!quiet_) Result(line);
@@ -77,6 +92,7 @@ class Console {
   std::ostream& out_;
   std::ostream& err_;
   const std::atomic<bool>* stop_;
+  Columns out_columns_, err_columns_;
   bool json_ = false;
   bool quiet_ = false;
   double last_spoke_;  ///< [s], of a clock that never goes back; <chrono> takes long to compile

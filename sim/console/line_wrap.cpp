@@ -6,7 +6,10 @@
 
 namespace moontrace {
 
-std::string Wrapped(std::string_view text, std::size_t columns) {
+namespace {
+
+std::string WrappedLine(std::string_view text, std::size_t columns) {
+  if (columns == 0) return std::string(text) + '\n';
   std::string lines;
   std::size_t used = 0;
   while (!text.empty()) {
@@ -26,6 +29,48 @@ std::string Wrapped(std::string_view text, std::size_t columns) {
     used += length;
   }
   return lines + '\n';
+}
+
+bool BeginsASentence(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '"' || c == '\'';
+}
+
+}  // namespace
+
+std::string Wrapped(std::string_view text, std::size_t columns) {
+  std::string lines;
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    lines += WrappedLine(text.substr(0, end), columns);
+    if (end == std::string_view::npos || end + 1 == text.size()) return lines;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::vector<std::string> Sentences(std::string_view text) {
+  std::vector<std::string> sentences(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& now = sentences.back();
+    const bool blank = text[i] == ' ' || text[i] == '\n';
+    if (!blank) {
+      now += text[i];
+      continue;
+    }
+    if (now.empty() || now.back() == ' ') continue;
+    const std::size_t mark = now.find_last_not_of("\"'");
+    const bool ends = mark != std::string::npos &&
+                      std::string_view(".!?").find(now[mark]) != std::string_view::npos;
+    const std::size_t next = text.find_first_not_of(" \n", i);
+    const bool begins = next != std::string_view::npos && BeginsASentence(text[next]);
+    if (ends && begins) {
+      sentences.emplace_back();
+    } else {
+      now += ' ';
+    }
+  }
+  while (!sentences.back().empty() && sentences.back().back() == ' ') sentences.back().pop_back();
+  if (sentences.back().empty()) sentences.pop_back();
+  return sentences;
 }
 
 }  // namespace moontrace

@@ -1,8 +1,8 @@
 #include "sim/learn/demonstration_script.h"
 
 #include <cstddef>
-#include <sstream>
 
+#include "sim/console/line_wrap.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
@@ -14,21 +14,12 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 
-std::vector<std::string> LinesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    if (!line.empty()) lines.push_back(line);
-  }
-  return lines;
-}
-
 DemonstrationStep StepOf(const TomlTable& table) {
   DemonstrationStep step;
   step.show = table.String("show", "");
   const double size_mm = table.Number("size_mm", kMillimetres * step.size);
   step.size = InRange(table, "size_mm", size_mm, 1, 200) / kMillimetres;
-  step.say = LinesOf(table.String("say", ""));
+  step.say = Sentences(table.String("say", ""));
   step.ask = table.String("ask", "");
   if (step.ask.empty()) {
     for (const char* key : {"answers", "right", "wrong"}) {

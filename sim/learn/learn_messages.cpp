@@ -194,7 +194,8 @@ std::string DeviceProblem(std::string_view name, std::string_view problem) {
 std::string NoForceDevice() { return "No force device is here: nothing can be felt."; }
 std::vector<std::string> LearningWithoutDevice() {
   return {
-      "A demonstration works: moontrace learn --device simulated. It takes nine minutes, is told in "
+      "A demonstration works: moontrace learn --device simulated. It takes nine minutes, is told "
+      "in "
       "words, and keeps nothing.",
       "Printing works: moontrace learn --print lesson.svg writes a lesson's pages for swell "
       "paper in true size.",

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <ctime>
-#include <sstream>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "sim/console/line_wrap.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/session/loop_messages.h"
 #include "textures/base/error.h"
@@ -21,14 +21,6 @@ using lesson_action::Await;
 
 constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
 constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
-
-/// Texts of lessons have several.
-std::vector<std::string> LinesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 }  // namespace
 
@@ -98,7 +90,7 @@ void LearnSession::Do(const lesson_action::Say& sentence) {
   std::string text;
   if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
   if (text.empty()) text = say::LessonSentence(course_, sentence);
-  for (const std::string& line : LinesOf(text)) {
+  for (const std::string& line : Sentences(text)) {
     teller_.Say(PriorityOf(sentence.sentence), OneLine(line, 1000));
   }
   if (const auto earcon = EarconOf(sentence.sentence)) teller_.Play(*earcon);

@@ -33,9 +33,11 @@ inline bool HasTerminals() {
 /// A command line that runs in a process of its own at a pseudo-terminal, as a person's does.
 class PtySession {
  public:
-  explicit PtySession(const std::vector<std::string>& args) {
-    EXPECT_EQ(openpty(&master_, &slave_, nullptr, nullptr, nullptr), 0);
+  explicit PtySession(const std::vector<std::string>& args, unsigned short columns = 80) {
+    const winsize size{24, columns, 0, 0};
+    EXPECT_EQ(openpty(&master_, &slave_, nullptr, nullptr, &size), 0);
     tcgetattr(slave_, &usual_);
+    std::cout.flush();  // or the child would write it again
     child_ = fork();
     if (child_ != 0) return;
     setsid();
@@ -43,6 +45,8 @@ class PtySession {
     close(master_);
     close(slave_);
     Console console(std::cin, std::cout, std::cerr);
+    console.SetColumns([] { return TerminalColumns(STDOUT_FILENO); },
+                       [] { return TerminalColumns(STDERR_FILENO); });
     const int code = RunCli(args, console);
     std::cout.flush();
     _exit(code);

@@ -1,10 +1,12 @@
 // What who has no device is told: the shipped demonstration, by a clock of the test's own.
 #include "sim/learn/demonstration.h"
 
+#include <algorithm>
 #include <map>
 
 #include "sim/learn/learn_stage.h"
 #include "tests/sim/cli_fixture.h"
+#include "tests/sim/pty_fixture.h"
 #include "tests/source_path.h"
 #include "textures/base/error.h"
 
@@ -154,6 +156,23 @@ TEST_F(DemonstrationTest, WhatIsSaidFitsWhatIsShownAndAsked) {
     }
     for (const std::string& line : step.say) EXPECT_LT(line.size(), 140u) << line;
   }
+}
+
+// A Braille display of forty cells: no line is longer, and no word is cut.
+TEST(LearnWithoutADevice, FitsATerminalOfFortyColumns) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session({"learn", "--device", "simulated"}, 40);
+  session.ReadFor(300);
+  session.Send("\x04");  // the end of input: nothing is waited for
+  EXPECT_EQ(session.Wait(), 0);
+  std::string words, kept = ReadAll(SourcePath("tests/data/demonstration.txt"));
+  for (std::string line : Lines(session.all())) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    EXPECT_LE(Characters(line), 40U) << line;
+    words += line + ' ';
+  }
+  std::replace(kept.begin(), kept.end(), '\n', ' ');
+  EXPECT_EQ(words, kept);
 }
 
 /// Where nobody answers, nothing is waited for; the whole of it is kept beside the tests, to be

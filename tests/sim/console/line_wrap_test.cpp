@@ -1,0 +1,54 @@
+#include "sim/console/line_wrap.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "sim/console/console.h"
+
+namespace moontrace {
+namespace {
+
+using List = std::vector<std::string>;
+
+TEST(Wrapped, BreaksBetweenWordsWhereTheNextWouldPassTheColumns) {
+  EXPECT_EQ(Wrapped("one two three", 7), "one two\nthree\n");
+  EXPECT_EQ(Wrapped("one two three", 6), "one\ntwo\nthree\n");
+  EXPECT_EQ(Wrapped("unbreakable", 4), "unbreakable\n") << "a long word stands alone";
+  EXPECT_EQ(Wrapped("caf\u00e9s t\u00eate", 10), "caf\u00e9s t\u00eate\n")
+      << "characters, not bytes";
+  EXPECT_EQ(Wrapped("one two three", 0), "one two three\n") << "not at all";
+  EXPECT_EQ(Wrapped(""), "\n");
+}
+
+TEST(Wrapped, KeepsTheLinesOfAText) {
+  EXPECT_EQ(Wrapped("one two\n\nthree four\n", 8), "one two\n\nthree\nfour\n");
+  EXPECT_EQ(Wrapped("one\ntwo\n", 0), "one\ntwo\n");
+}
+
+TEST(Sentences, EndAtAMarkBeforeASpaceAndACapital) {
+  EXPECT_EQ(Sentences("Feel it. It is\nupright! Is it?  Yes."),
+            (List{"Feel it.", "It is upright!", "Is it?", "Yes."}));
+  EXPECT_EQ(Sentences("It is 0.6 of that, e.g. here."), (List{"It is 0.6 of that, e.g. here."}));
+  EXPECT_EQ(Sentences("\"Come in.\" She did. 9 May."),
+            (List{"\"Come in.\"", "She did.", "9 May."}));
+  EXPECT_EQ(Sentences("no mark\n"), (List{"no mark"}));
+  EXPECT_EQ(Sentences(" \n "), List{});
+}
+
+TEST(Console, BreaksLinesToWhatItIsTold) {
+  std::istringstream in;
+  std::ostringstream out, err;
+  Console console(in, out, err);
+  std::size_t columns = 10;
+  console.SetColumns([&columns] { return columns; }, [] { return std::size_t{0}; });
+  console.Result("a line of words");
+  columns = 0;  // the window was made wider
+  console.Result("a line of words");
+  console.Remark("a line of words");
+  EXPECT_EQ(out.str(), "a line of\nwords\na line of words\n");
+  EXPECT_EQ(err.str(), "a line of words\n");
+}
+
+}  // namespace
+}  // namespace moontrace
