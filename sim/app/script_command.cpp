@@ -233,8 +233,12 @@ int Convert(const ScriptOptions& options, Script script, Console& console) {
   }
   const std::string rules = fs::path(options.to).replace_extension(".toml").string();
   const WrittenScript written = Written(script, options.to);
-  WriteWhole(options.to, written.svg);
-  WriteWhole(rules, written.toml);
+  // neither stands there without the other where one cannot be written
+  OutputFile font_file(options.to), rules_file(rules);
+  font_file.Append(written.svg);
+  rules_file.Append(written.toml);
+  font_file.Finish();
+  rules_file.Finish();
   if (options.output.json) {
     console.Json(Dump(Json{{"font", options.to},
                            {"rules", rules},

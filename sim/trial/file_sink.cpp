@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "textures/base/error.h"
+#include "textures/base/file_writing.h"
 
 namespace moontrace {
 namespace {
@@ -17,7 +18,9 @@ constexpr std::size_t kBufferBytes = std::size_t{256} * 1024;
 }
 
 FileSink::FileSink(std::string path) : path_(std::move(path)), buffer_(kBufferBytes) {
-  file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  do {
+    file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (file_ < 0 && errno == EINTR);
   if (file_ < 0) Fail(errno);
 }
 
@@ -45,21 +48,13 @@ void FileSink::Write(std::string_view bytes) {
 }
 
 void FileSink::Flush() {
-  std::size_t done = 0;
-  while (done < used_) {
-    const ssize_t count = ::write(file_, buffer_.data() + done, used_ - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) Fail(errno);
-    if (count == 0) Fail(ENOSPC);
-    done += static_cast<std::size_t>(count);
-  }
+  if (!WriteAll(file_, {buffer_.data(), used_})) Fail(errno);
   used_ = 0;
 }
 
 void FileSink::Close() {
   Flush();
-  // Some file systems know no fsync and say EINVAL or ENOTSUP; all others report what went wrong.
-  if (::fsync(file_) != 0 && errno != EINVAL && errno != ENOTSUP) Fail(errno);
+  if (!SyncFile(file_)) Fail(errno);
   const int file = std::exchange(file_, -1);
   if (::close(file) != 0 && errno != EINTR) Fail(errno);
 }

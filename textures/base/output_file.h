@@ -1,19 +1,22 @@
 #pragma once
 
-#include <cstdio>
 #include <string>
 #include <string_view>
 
+#include "textures/base/file_descriptor.h"
+
 namespace moontrace {
 
-/// Makes a folder where there is none. Throws LackError.
+/// Makes a folder, with those above it, where there is none; it outlasts a power cut. Throws
+/// LackError.
 void MakeFolder(const std::string& folder);
 
 /// Throws LackError, one line, where WriteWhole cannot write. Leaves nothing behind.
 void RequireWritable(const std::string& path);
 
 /// A file that is written part by part: first beside its place, then renamed by Finish, so that
-/// nothing half-written is left; without Finish what was written goes. Behind a symbolic link the
+/// nothing half-written is left, not even by a power cut: the bytes are on disk before the name is,
+/// and both when Finish returns. Without Finish what was written goes. Behind a symbolic link the
 /// file that it names is written; what is there and no file (a folder, a pipe, a device) is left
 /// alone. All throw LackError.
 class OutputFile {
@@ -27,10 +30,12 @@ class OutputFile {
 
  private:
   std::string partial() const { return place_ + ".partial"; }
+  void Flush();
   [[noreturn]] void Fail() const;
 
   std::string path_, place_;
-  std::FILE* file_;
+  FileDescriptor file_;
+  std::string buffer_;
   bool placed_ = false;
 };
 
