@@ -19,6 +19,8 @@
 #include <utility>
 
 #include "textures/base/error.h"
+#include "textures/base/file_descriptor.h"
+#include "textures/base/file_writing.h"
 #include "textures/base/output_file.h"
 #include "textures/base/text_file.h"
 
@@ -34,28 +36,20 @@ constexpr auto kGlance = std::chrono::milliseconds(50);
   throw LackError(fmt::format("cannot write {}: {}", path, std::strerror(error)));
 }
 
-/// An open file, closed by the destructor.
-class OpenFile {
- public:
-  OpenFile(const std::string& path, int flags)
-      : path_(path), file_(::open(path.c_str(), flags, 0644)) {
-    if (file_ < 0) CannotWrite(path, errno);
+FileDescriptor Opened(const std::string& path, int flags) {
+  constexpr mode_t kRights = 0644;
+  for (;;) {
+    FileDescriptor file(::open(path.c_str(), flags | O_WRONLY | O_CREAT | O_CLOEXEC, kRights));
+    if (file) return file;
+    if (errno != EINTR) CannotWrite(path, errno);
   }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() { ::close(file_); }
-  int get() const { return file_; }
-  /// Appends in one write; a line that was cut short is dropped when the file is read again.
-  void Append(const std::string& text) const {
-    if (::write(file_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
-      CannotWrite(path_, errno != 0 ? errno : ENOSPC);
-    }
-  }
+}
 
- private:
-  std::string path_;
-  int file_ = -1;
-};
+/// How many bytes of a part are whole lines. After a power cut the last write may have left the
+/// length of what it added without the bytes: zeros, which no row holds.
+std::size_t WholeLines(std::string_view text) {
+  return text.substr(0, text.find('\0')).rfind('\n') + 1;  // 0 where there is none
+}
 
 /// The rows of one learner while they grow.
 class Part {
@@ -63,10 +57,14 @@ class Part {
   Part(const std::string& folder, const StudyProtocol& protocol, const StudyPlace& place)
       : path_(fmt::format("{}/{}-{}.csv", folder, protocol.conditions[place.condition].name,
                           place.seed)) {
-    if (!fs::exists(path_)) return;
+    std::error_code error;
+    const bool there = fs::exists(path_, error);
+    if (error) CannotWrite(path_, error.value());
+    if (!there) return;
     const std::string text = ReadTextFile(path_, kMostBytes);
-    const std::size_t whole = text.rfind('\n') + 1;  // 0 where there is none
-    if (whole < text.size()) fs::resize_file(path_, whole);
+    const std::size_t whole = WholeLines(text);
+    if (whole < text.size()) fs::resize_file(path_, whole, error);
+    if (error) CannotWrite(path_, error.value());
     rows_ = ParseRows(std::string_view(text).substr(0, whole), path_);
     begun_ = whole > 0;
     for (const StudyRow& row : rows_) {
@@ -78,21 +76,28 @@ class Part {
   }
   const std::vector<StudyRow>& rows() const { return rows_; }
   void Open() {
-    file_ = std::make_unique<OpenFile>(path_, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC);
-    if (!begun_) file_->Append(StudyHeader());
+    file_ = Opened(path_, O_APPEND);
+    if (!SyncFolder(FolderOf(path_))) CannotWrite(path_, errno);
+    if (!begun_) Append(StudyHeader());
   }
+  /// The row is on disk when this returns.
   void Add(StudyRow row) {
     row.line = FormatRow(row);
-    file_->Append(row.line);
+    Append(row.line);
     rows_.push_back(std::move(row));
   }
-  void Close() { file_.reset(); }
+  void Close() { file_.Close(); }
 
  private:
+  /// A line that was cut short is dropped when the file is read again.
+  void Append(const std::string& line) const {
+    if (!WriteAll(file_.get(), line) || !SyncFile(file_.get())) CannotWrite(path_, errno);
+  }
+
   std::string path_;
   std::vector<StudyRow> rows_;
   bool begun_ = false;
-  std::unique_ptr<OpenFile> file_;
+  FileDescriptor file_;
 };
 
 /// Ends all threads' work at the next trial.
@@ -222,7 +227,7 @@ std::vector<StudyRow> RunStudy(const StudyProtocol& protocol, const StudyOutput&
   const std::string folder = output.path + ".parts";
   MakeFolder(folder);
   {
-    const OpenFile lock(folder + "/lock", O_WRONLY | O_CREAT | O_CLOEXEC);
+    const FileDescriptor lock = Opened(folder + "/lock", 0);
     if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
       throw LackError(fmt::format(
           "{}: another run writes it: wait for it, or give another --output", output.path));
