@@ -36,8 +36,10 @@ void CheckRecordFolder(const std::string& folder);
 
 /// Writes a trial folder: trial.json, model.xml, samples.f64, events.jsonl (design section 5).
 /// Writes to a sibling folder `DIR.partial` and renames on Finish: nothing half-written is left
-/// under the final name, a failed recording is removed. Throws LackError (unwritable folder, full
-/// disk: what, where) and InputError (the folder exists and is not empty). Add is called between
+/// under the final name, not even by a power cut, and a failed recording is removed. What a killed
+/// one left in `DIR.partial` is replaced; one that runs holds a lock on it. Throws LackError
+/// (unwritable folder, full disk: what, where) and InputError (the folder exists and is not empty,
+/// another recording runs, `DIR.partial` holds what no recording wrote). Add is called between
 /// ticks, never in one.
 class Recorder {
  public:

@@ -1,8 +1,11 @@
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstdio>
@@ -10,8 +13,11 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "sim/physics/build_info.h"
 #include "sim/trial/file_sink.h"
@@ -19,6 +25,8 @@
 #include "sim/trial/record_columns.h"
 #include "sim/trial/trial_sheet.h"
 #include "textures/base/error.h"
+#include "textures/base/file_descriptor.h"
+#include "textures/base/file_writing.h"
 
 namespace moontrace {
 namespace {
@@ -43,17 +51,13 @@ std::string NowUtc() {
   throw InputError(folder + ": exists and is not an empty folder; name another one");
 }
 
-/// Syncs the names made or changed in a folder. Not every file system can do that, so errors are
-/// ignored; the files themselves have been synced with every error checked.
-void SyncFolder(const std::string& path) {
-  const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  ::fsync(folder);
-  ::close(folder);
+[[noreturn]] void FailLive(const std::string& folder) {
+  throw InputError(folder + ".partial: another recording runs; let it end or name another folder");
 }
 
-[[noreturn]] void FailPartial(const std::string& folder) {
-  throw InputError(folder + ".partial: exists, another recording runs or was killed; remove it");
+[[noreturn]] void FailForeign(const std::string& folder) {
+  throw InputError(folder +
+                   ".partial: exists and is no recording's; move it or name another folder");
 }
 
 /// The folder's whole path, if nothing is in it.
@@ -72,14 +76,64 @@ std::filesystem::path FreePath(const std::string& folder) {
   return path;
 }
 
+constexpr std::array<std::string_view, 5> kRecordFiles{"trial.json", "model.xml", "samples.f64",
+                                                       "events.jsonl", "samples.csv"};
+
+/// The files of a folder, if it holds nothing but what a recording writes; what may be somebody's
+/// own is never removed. None: it holds something else, or cannot be read.
+std::optional<std::vector<std::filesystem::path>> LeftByARecording(const std::string& partial) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(partial, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    const bool ours =
+        std::find(kRecordFiles.begin(), kRecordFiles.end(), name) != kRecordFiles.end();
+    if (!ours || !std::filesystem::is_regular_file(entry->symlink_status(error)))
+      return std::nullopt;
+    files.push_back(entry->path());
+  }
+  if (error) return std::nullopt;
+  return files;
+}
+
+/// Opens `DIR.partial` and locks it for as long as the file that is returned lives: so one that a
+/// killed program left behind is told from one that is being written. `fresh`: it was made just
+/// now. Where a file system knows no locks only that is certain to be nobody's.
+FileDescriptor Locked(const std::string& folder, const std::string& partial, bool fresh) {
+  FileDescriptor opened(::open(partial.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (!opened) {
+    if (errno == ENOTDIR || errno == ELOOP) FailForeign(folder);
+    FailUnwritable(folder + ".partial", errno);
+  }
+  const bool locked = ::flock(opened.get(), LOCK_EX | LOCK_NB) == 0;
+  if (!locked && (!fresh || errno == EWOULDBLOCK)) FailLive(folder);
+  return opened;
+}
+
+/// Whether a path still leads to an open folder: its recording may have ended meanwhile.
+bool LeadsTo(const std::string& path, const FileDescriptor& opened) {
+  struct stat there {};
+  struct stat held {};
+  return ::lstat(path.c_str(), &there) == 0 && ::fstat(opened.get(), &held) == 0 &&
+         there.st_dev == held.st_dev && there.st_ino == held.st_ino;
+}
+
 /// `DIR.partial`: removed with all it holds unless it became `DIR`.
 class PartialFolder {
  public:
   explicit PartialFolder(const std::string& folder)
       : folder_(folder), final_(FreePath(folder).string()), partial_(final_ + ".partial") {
-    if (::mkdir(partial_.c_str(), 0777) == 0) return;
-    if (errno != EEXIST) FailUnwritable(folder + ".partial", errno);
-    FailPartial(folder);
+    const bool made = ::mkdir(partial_.c_str(), 0777) == 0;
+    if (!made && errno != EEXIST) FailUnwritable(folder + ".partial", errno);
+    try {
+      lock_ = Locked(folder, partial_, made);
+    } catch (const LackError&) {
+      if (made) ::rmdir(partial_.c_str());
+      throw;
+    }
+    if (!LeadsTo(partial_, lock_)) FailLive(folder);
+    if (!made) Clear();
   }
   ~PartialFolder() { Remove(); }
   PartialFolder(const PartialFolder&) = delete;
@@ -97,20 +151,34 @@ class PartialFolder {
     partial_.clear();
   }
 
+  /// The whole record under its name, on disk when this returns.
   void Publish() {
-    SyncFolder(partial_);
+    if (!SyncFile(lock_.get())) FailUnwritable(folder_ + ".partial", errno);
     if (std::rename(partial_.c_str(), final_.c_str()) != 0) {
       if (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR) FailTaken(folder_);
       FailUnwritable(folder_, errno);
     }
     partial_.clear();
-    SyncFolder(std::filesystem::path(final_).parent_path().string());
+    if (!SyncFolder(FolderOf(final_))) FailUnwritable(folder_, errno);
   }
 
  private:
+  /// Takes away what a recording that was killed had written.
+  void Clear() const {
+    const auto left = LeftByARecording(partial_);
+    if (!left) FailForeign(folder_);
+    std::error_code error;
+    for (const std::filesystem::path& file : *left) {
+      if (!std::filesystem::remove(file, error) && error) {
+        FailUnwritable(folder_ + ".partial", error.value());
+      }
+    }
+  }
+
   std::string folder_;  ///< as the caller named it, for messages
   std::string final_;
   std::string partial_;  ///< empty once there is nothing to remove
+  FileDescriptor lock_;
 };
 
 void WriteWhole(const std::string& path, std::string_view text) {
@@ -147,7 +215,9 @@ std::uint64_t WriteCsv(const std::string& samples_path, const std::string& csv_p
 void CheckRecordFolder(const std::string& folder) {
   std::error_code error;
   const std::string partial = FreePath(folder).string() + ".partial";
-  if (std::filesystem::exists(partial, error)) FailPartial(folder);
+  if (!std::filesystem::exists(std::filesystem::symlink_status(partial, error))) return;
+  const FileDescriptor unused = Locked(folder, partial, false);
+  if (!LeftByARecording(partial)) FailForeign(folder);
 }
 
 struct Recorder::Impl {

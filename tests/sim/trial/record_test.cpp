@@ -4,6 +4,8 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -224,9 +226,44 @@ TEST_F(RecordTest, DoesNotReplaceWhatAppearedMeanwhile) {
 
 TEST_F(RecordTest, RefusesToDisturbAnotherRecording) {
   Recorder first(folder_, HeadFor(field_), scene_);
-  ExpectOneLineWith(OpenRefusal(folder_), "another recording runs or was killed");
+  ExpectOneLineWith(OpenRefusal(folder_), "another recording runs");
+  ExpectOneLineWith(LineOf<InputError>([&] { CheckRecordFolder(folder_); }),
+                    "another recording runs");
   first.Finish("{}", false);
   EXPECT_TRUE(ReadRecord(folder_).rows.empty());
+}
+
+TEST_F(RecordTest, ReplacesWhatAKilledOneLeftBehind) {
+  const pid_t child = fork();
+  if (child == 0) {
+    Recorder recorder(folder_, HeadFor(field_), scene_);
+    for (int i = 0; i < 5000; ++i) recorder.Add({});
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_TRUE(fs::exists(folder_ + ".partial/samples.f64"));
+  CheckRecordFolder(folder_);
+  RecordTicks(folder_, field_, scene_, 0, 10);
+  EXPECT_EQ(ReadRecord(folder_).rows.size(), 10U);
+  EXPECT_EQ(NamesIn(temp_.path()), std::vector<std::string>{"trial"});
+}
+
+TEST_F(RecordTest, ReplacesNothingThatNoRecordingWrote) {
+  fs::create_directory(folder_ + ".partial");
+  WriteBytes(folder_ + ".partial/samples.f64", "x");
+  WriteBytes(folder_ + ".partial/mine", "x");
+  const std::string words = "is no recording's; move it or name another folder";
+  ExpectOneLineWith(OpenRefusal(folder_), words);
+  ExpectOneLineWith(LineOf<InputError>([&] { CheckRecordFolder(folder_); }), words);
+  EXPECT_EQ(ReadBytes(folder_ + ".partial/mine"), "x");
+  EXPECT_EQ(ReadBytes(folder_ + ".partial/samples.f64"), "x");
+  fs::remove_all(folder_ + ".partial");
+  fs::create_directory(temp_ / "elsewhere");
+  fs::create_directory_symlink(temp_ / "elsewhere", folder_ + ".partial");
+  ExpectOneLineWith(OpenRefusal(folder_), words);
+  EXPECT_TRUE(fs::is_empty(temp_ / "elsewhere"));
 }
 
 TEST_F(RecordTest, NamesAFolderThatCannotBeWritten) {
