@@ -143,6 +143,46 @@ TEST(SlowCourseRun, NamesALetterInTenMinutesAndReadsAWordOnTheFirstDay) {
   }
 }
 
+/// Goes on from `trials` for a day, as a program that was started anew, and adds to them.
+CourseRunResult AnotherDay(const Course& course, std::uint64_t seed, std::vector<Trial>& trials) {
+  CourseRunSetup setup = SetupFor(course);
+  setup.seed = seed;
+  setup.days = 1;
+  setup.history = trials;
+  setup.keep = [&trials](const Trial& trial) { trials.push_back(trial); };
+  return RunCourse(setup);
+}
+
+// It was stuck at once, for ever, with any seed: it remembered nothing, and was asked what it felt.
+TEST(CourseRun, RemembersFromItsRecordsWhatItHadFelt) {
+  const Course course = MoonTo("01-t-i");
+  std::vector<Trial> trials;
+  AnotherDay(course, 1, trials);
+  const std::size_t first = trials.size();
+  // a run of another seed is another hand, with the same past
+  const CourseRunResult second = AnotherDay(course, 2, trials);
+  EXPECT_FALSE(second.stuck);
+  EXPECT_GT(trials.size(), first + 20);
+}
+
+TEST(SlowCourseRun, StartedAnewEachDayIsDoneAsSoonAsInOneRun) {
+  const Course course = MoonTo("02-l-o");
+  CourseRunSetup whole = SetupFor(course);
+  const int days = RunCourse(whole).days;
+  for (std::uint64_t seed = 1; seed <= 7; ++seed) {
+    std::vector<Trial> trials;
+    CourseRunResult result;
+    int needed = 0;
+    while (!result.done && !result.stuck && needed < 100) {
+      result = AnotherDay(course, seed, trials);
+      ++needed;
+    }
+    EXPECT_TRUE(result.done) << "seed " << seed;
+    std::printf("seed %d: %d days, in one run %d\n", static_cast<int>(seed), needed, days);
+    EXPECT_LE(needed, 2 * days) << "seed " << seed;  // another hand is not just as quick
+  }
+}
+
 // From the device to the first letters and words; all of the course takes minutes, and is run where
 // MOONTRACE_WHOLE_COURSE is set.
 TEST(SlowCourseRun, LearnsMoonFromTheDeviceToAStory) {
