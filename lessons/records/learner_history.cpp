@@ -236,6 +236,10 @@ void RequirePseudonym(std::string_view pseudonym) {
                   OneLine(pseudonym), kLongestPseudonym));
 }
 
+std::string ShownPseudonym(std::string_view pseudonym) {
+  return OneLine(pseudonym, 4 * kLongestPseudonym);  // a character takes 4 bytes at most
+}
+
 std::string HistoryToJson(const LearnerHistory& history) {
   const LearnerEntry& learner = history.learner;
   const Json head{{"format", kFormat},

@@ -34,12 +34,16 @@ struct RecordedTrial {
 /// All that the records know of one learner.
 struct LearnerHistory {
   LearnerEntry learner;
-  std::vector<RecordedTrial> trials;  ///< in order of time, as added
+  std::vector<RecordedTrial> trials;  ///< in the order in which they were added
   std::vector<RecordedEvent> events;  ///< likewise
 };
 
 /// Throws InputError unless it is 1 to 60 printable characters without slashes, not only blanks.
 void RequirePseudonym(std::string_view pseudonym);
+
+/// A pseudonym as it may stand in a line for people. AddLearner takes none with control characters,
+/// but a file from elsewhere may hold one: each shows as "?"; a longer one is cut.
+std::string ShownPseudonym(std::string_view pseudonym);
 
 /// As JSON (UTF-8, a line for each trial and event): "format": "moontrace-learner", "version".
 std::string HistoryToJson(const LearnerHistory& history);

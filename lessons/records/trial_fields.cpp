@@ -81,9 +81,14 @@ TrialField Field(const char* name) {
   return {name, KindOf<Type>(), Get<kMember>, Set<kMember>};
 }
 
+/// A text that a spreadsheet would take for a formula gets an apostrophe before it, which makes it
+/// a text there (OWASP, CSV injection).
 std::string Cell(std::string_view text) {
-  if (text.find_first_of("\",\r\n") == std::string_view::npos) return std::string(text);
-  std::string cell = "\"";
+  const bool formula =
+      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+  std::string cell = formula ? "'" : "";
+  if (text.find_first_of("\",\r\n") == std::string_view::npos) return cell.append(text);
+  cell.insert(0, "\"");
   for (const char c : text) cell.append(c == '"' ? "\"\"" : std::string(1, c));
   return cell + "\"";
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "lessons/records/learner_history.h"
 #include "lessons/records/report_facts.h"
 #include "sim/console/wording.h"
 #include "textures/base/text_file.h"
@@ -30,7 +31,7 @@ std::string OnlyWith(std::string_view option, std::string_view action) {
 std::string NoSuchLearner(std::string_view given, std::string_view nearest) {
   return fmt::format("no learner \"{}\" in the records: {}\"moontrace records list\" names them",
                      OneLine(given),
-                     nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest));
+                     nearest.empty() ? "" : fmt::format("did you mean {}? ", ShownPseudonym(nearest)));
 }
 
 std::string LearnersOutcome(std::size_t count) {
@@ -38,7 +39,7 @@ std::string LearnersOutcome(std::size_t count) {
 }
 
 std::string LearnerLine(const LearnerEntry& learner, std::size_t trials) {
-  return fmt::format("{}: {}{}, tracks {}, since {}", learner.pseudonym,
+  return fmt::format("{}: {}{}, tracks {}, since {}", ShownPseudonym(learner.pseudonym),
                      Counted(trials, "trial", "trials"), learner.simulated ? ", simulated" : "",
                      learner.keeps_tracks ? "kept" : "not kept", DayOf(learner.since));
 }
@@ -49,27 +50,27 @@ std::string Exported(bool anonymous) {
 }
 
 std::string Imported(std::string_view name, std::size_t trials) {
-  return fmt::format("Imported: {} of {}.", Counted(trials, "row", "rows"), name);
+  return fmt::format("Imported: {} of {}.", Counted(trials, "row", "rows"), ShownPseudonym(name));
 }
 
 std::string EraseNeedsYes(std::string_view name) {
-  return fmt::format("nothing erased: add --yes to erase {} without being asked", OneLine(name));
+  return fmt::format("nothing erased: add --yes to erase {} without being asked", ShownPseudonym(name));
 }
 
 std::string AskErase(std::string_view name) {
-  return fmt::format("All of {} will be gone for ever. To erase it, type the name:", name);
+  return fmt::format("All of {} will be gone for ever. To erase it, type the name:", ShownPseudonym(name));
 }
 
 std::string NotErased(std::string_view name) {
-  return fmt::format("nothing erased: that was not the name {}", OneLine(name));
+  return fmt::format("nothing erased: that was not the name {}", ShownPseudonym(name));
 }
 
 std::string Erased(std::string_view name) {
-  return fmt::format("Erased: {}. No byte is left in the records.", name);
+  return fmt::format("Erased: {}. No byte is left in the records.", ShownPseudonym(name));
 }
 
 std::string ConsentNow(std::string_view name, bool yes) {
-  return fmt::format("{}: raw tracks of the hand are {}.", name,
+  return fmt::format("{}: raw tracks of the hand are {}.", ShownPseudonym(name),
                      yes ? "kept from now on" : "not kept; those that were there are erased");
 }
 

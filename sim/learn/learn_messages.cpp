@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "lessons/records/learner_history.h"
 #include "sim/console/wording.h"
 #include "sim/learn/learn_path.h"
 #include "sim/tutor/word_messages.h"
@@ -115,7 +116,10 @@ std::string TakenForKept(std::string_view given, std::string_view kept) {
 
 std::string AskLearner() { return "Who learns? Type a name of your choice and Enter."; }
 std::string AskWhich(const std::vector<std::string>& names) {
-  return fmt::format("Who learns: {}, or a new name?", Joined(names, ", "));
+  std::vector<std::string> shown;
+  shown.reserve(names.size());
+  for (const std::string& name : names) shown.push_back(ShownPseudonym(name));
+  return fmt::format("Who learns: {}, or a new name?", Joined(shown, ", "));
 }
 std::string NoLearner() { return "nobody said who learns: give a name with --learner NAME"; }
 std::string AskConsent() {
@@ -284,7 +288,7 @@ std::string SimulatedBegins(std::string_view course, std::size_t lessons) {
 }
 
 std::string SimulatedGoesOn(std::string_view learner, std::size_t trials) {
-  return fmt::format("{} goes on after {}.", learner, Counted(trials, "trial", "trials"));
+  return fmt::format("{} goes on after {}.", ShownPseudonym(learner), Counted(trials, "trial", "trials"));
 }
 
 std::string SimulatedLesson(std::string_view title, int day, std::size_t trials) {
@@ -326,7 +330,8 @@ std::string SimulatedProves() {
 }
 
 std::string NotSimulated(std::string_view learner) {
-  return fmt::format("{} is a person in these records: choose another --learner name", learner);
+  return fmt::format("{} is a person in these records: choose another --learner name",
+                     ShownPseudonym(learner));
 }
 
 }  // namespace moontrace::say

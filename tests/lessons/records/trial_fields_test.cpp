@@ -73,5 +73,27 @@ TEST(TrialsCsv, HasARowForEachTrialWithAllDigits) {
             "0,0,0,0,0,0,0,0\r\n");
 }
 
+// A spreadsheet runs a cell that begins so as a formula (OWASP, CSV injection).
+TEST(TrialsCsv, HasNoTextThatASpreadsheetWouldRun) {
+  Trial trial;
+  trial.lesson = "1";
+  trial.item = "-";
+  trial.answer = "=cmd|' /C calc'!A0";
+  trial.log_jerk = -5.25;
+  std::string csv = TrialsToCsv("@bat", "+1", {trial});
+  csv.erase(0, csv.find("\r\n") + 2);
+  EXPECT_EQ(csv.substr(0, csv.find(",1,")), "'@bat,'+1,0");
+  EXPECT_NE(csv.find(",'-,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",'=cmd|' /C calc'!A0,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",-5.25,"), std::string::npos) << csv;  // a number is none
+  for (const std::string begin : {"\t=1", "\r=1"}) {
+    trial.answer = begin;
+    csv = TrialsToCsv("bat", "c", {trial});
+    EXPECT_NE(csv.find("'" + begin), std::string::npos) << csv;
+  }
+  trial.answer = "=\"x\",1";
+  EXPECT_NE(TrialsToCsv("bat", "c", {trial}).find(",\"'=\"\"x\"\",1\","), std::string::npos);
+}
+
 }  // namespace
 }  // namespace moontrace

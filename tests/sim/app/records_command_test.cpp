@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "lessons/records/database.h"
 #include "lessons/records/records.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/sim/pty_fixture.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 namespace {
@@ -63,6 +65,33 @@ TEST_F(RecordsCommand, ListsLearners) {
   EXPECT_EQ(json["learners"][0]["trials"], 2);
   EXPECT_EQ(json["learners"][0]["courses"][0], "learn-moon");
   EXPECT_EQ(json["learners"][1]["simulated"], true);
+}
+
+// A file from elsewhere may hold what AddLearner refuses: nothing of it reaches the terminal.
+TEST_F(RecordsCommand, ShowsEscapeCodesAndLineEndsInANameAsQuestionMarks) {
+  Database(path_, true)
+      .Run(
+          "UPDATE learner SET pseudonym = 'b' || char(27) || '[2J' || char(10) || char(0x9b) || 'x'"
+          " WHERE pseudonym = 'bat'");
+  const Outcome list = Line({"list"});
+  EXPECT_NE(list.out.find("\nb?[2J??x: 2 trials"), std::string::npos) << list.out;
+  ExpectTextFace(list.out);
+  const std::string name = "b\x1b[2J\n\xc2\x9bx";
+  for (const Outcome& outcome :
+       {Line({"erase", "b?[2J??x", "--yes"}), Line({"consent", name, "yes"}), Line({"erase", name}),
+        Line({"erase", name, "--yes"})}) {
+    ExpectTextFace(outcome.out);
+    EXPECT_EQ(Lines(outcome.err).size(), outcome.code == 0 ? 0U : 1U);
+    for (const std::string& line : Lines(outcome.err)) EXPECT_EQ(line, OneLine(line, 1000));
+  }
+  EXPECT_EQ(Line({"list"}).out.find("b?"), std::string::npos);
+}
+
+TEST_F(RecordsCommand, RefusesAVersionBelowZeroByOneLine) {
+  Database(path_, true).Run("PRAGMA user_version = -1");
+  ExpectRefused(Line({"list"}), 3, "not a records file");
+  ExpectRefused(RunLine({"learn", "--learner", "bat", "--records", path_}), 3,
+                "not a records file");
 }
 
 TEST_F(RecordsCommand, ExportsAndImportsTheSame) {
