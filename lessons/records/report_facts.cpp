@@ -125,18 +125,23 @@ void AddConfusions(const Progress& progress, ReportFacts& facts) {
       [](const ConfusionFact& a, const ConfusionFact& b) { return a.times > b.times; });
 }
 
+/// A day may come again behind a later one, where the clock was set back.
+DayFact& Today(const std::string& day, ReportFacts& facts) {
+  const auto same = [&day](const DayFact& fact) { return fact.day == day; };
+  const auto found = std::find_if(facts.days.rbegin(), facts.days.rend(), same);
+  if (found != facts.days.rend()) return *found;
+  facts.days.emplace_back();
+  facts.days.back().day = day;
+  return facts.days.back();
+}
+
 void AddTrial(const Course& course, const Trial& trial, ReportFacts& facts) {
   if (trial.simulated) ++facts.simulated;
   if (trial.scaled) {
     ++facts.scaled;
     return;
   }
-  const std::string day = DayOf(trial.time);
-  if (facts.days.empty() || facts.days.back().day != day) {
-    facts.days.emplace_back();
-    facts.days.back().day = day;
-  }
-  DayFact& today = facts.days.back();
+  DayFact& today = Today(DayOf(trial.time), facts);
   Count(course, trial, trial.guided() ? facts.guided : facts.alone);
   Count(course, trial, trial.guided() ? today.guided : today.alone);
   if (trial.guided() || !IsNaming(trial)) return;

@@ -69,10 +69,10 @@ struct ReportFacts {
   std::vector<ConfusionFact> confusions;  ///< most frequent first
   /// Shown -> answered -> times, right ones too; unguided, unscaled answers of one item.
   std::map<std::string, std::map<std::string, int>> matrix;
-  std::vector<DayFact> days;  ///< in order
+  std::vector<DayFact> days;  ///< in the order in which they first came
 };
 
-/// `trials`: of this course, in order of time.
+/// `trials`: of this course, in the order in which they were added.
 ReportFacts FactsOf(const Course& course, const std::vector<Trial>& trials);
 
 /// The day of a Unix time [s], where the user lives: "2026-11-21".

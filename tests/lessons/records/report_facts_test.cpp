@@ -154,5 +154,14 @@ TEST_F(ReportFactsTest, CallSureWhatTheCourseCallsSure) {
   EXPECT_EQ(facts.items, 2U);
 }
 
+TEST_F(ReportFactsTest, CountADayOnceThoughTheClockWasSetBack) {
+  const ReportFacts facts = FactsOf(SmallCourse(), {Named("b", "b", kNoon + kDay), Named("b", "b"),
+                                                    Named("j", "j", kNoon + kDay)});
+  ASSERT_EQ(facts.days.size(), 2U);
+  EXPECT_EQ(facts.days[0].day, "2023-11-15");
+  EXPECT_EQ(facts.days[0].alone.answers, 2U);
+  EXPECT_EQ(facts.days[1].alone.answers, 1U);
+}
+
 }  // namespace
 }  // namespace moontrace
