@@ -15,6 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <utility>
 #endif
 
 namespace moontrace {
@@ -33,6 +34,7 @@ namespace {
 // A report waits for a trial that is being written, and the other way round; both take
 // milliseconds.
 constexpr int kBusyMilliseconds = 2000;
+constexpr int kLongestText = 1 << 20;  // [bytes]
 
 /// errno of the last failure; SQLite's own copy may come from a later call of its clean-up.
 int SystemError(sqlite3* file) {
@@ -66,6 +68,7 @@ int SystemError(sqlite3* file) {
       throw InputError(path + ": not a records file; name another by --records");
     case SQLITE_CORRUPT:
     case SQLITE_MISMATCH:
+    case SQLITE_TOOBIG:
       throw InputError(path + kDamaged);
     case SQLITE_NOMEM:
       throw std::bad_alloc();
@@ -147,6 +150,7 @@ double Statement::Real(int column) const {
 std::string Statement::Text(int column) const {
   const unsigned char* text = sqlite3_column_text(statement_.get(), column);
   const int bytes = sqlite3_column_bytes(statement_.get(), column);
+  if (bytes > kLongestText) throw InputError(*path_ + kDamaged);
   return text == nullptr
              ? std::string()
              : std::string(reinterpret_cast<const char*>(text), static_cast<std::size_t>(bytes));
@@ -162,13 +166,8 @@ std::vector<double> Statement::Numbers(int column) const {
 
 void Database::Close::operator()(sqlite3* file) const noexcept { sqlite3_close_v2(file); }
 
-Database::Database(const std::string& path, bool write)
-    // absolute, so that no path is taken for SQLite's own names such as ":memory:"
-    : path_(std::make_unique<const std::string>(std::filesystem::absolute(path).string())) {
+Database::Database(std::unique_ptr<const std::string> path, int flags) : path_(std::move(path)) {
   sqlite3* opened = nullptr;
-  // Also for reading it is opened to be written where that is allowed: what a killed program left
-  // half-done must be taken back before anything can be read.
-  const int flags = SQLITE_OPEN_READWRITE | (write ? SQLITE_OPEN_CREATE : 0);
   const int code = sqlite3_open_v2(path_->c_str(), &opened, flags, nullptr);
   file_.reset(opened);
   Require(*path_, opened, code);
@@ -178,13 +177,30 @@ Database::Database(const std::string& path, bool write)
   sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+}
+
+Database::Database(const std::string& path, bool write)
+    // absolute, so that no path is taken for SQLite's own names such as ":memory:". Also for
+    // reading it is opened to be written where that is allowed: what a killed program left
+    // half-done must be taken back before anything can be read.
+    : Database(std::make_unique<const std::string>(std::filesystem::absolute(path).string()),
+               SQLITE_OPEN_READWRITE | (write ? SQLITE_OPEN_CREATE : 0)) {
+  // EXTRA: a commit in a journal's mode is its journal's removal, and only this has the folder
+  // synced after it; with FULL a power cut could bring the journal, and what was before, back.
   // temp_store: data being rearranged must not reach a folder for temporary files
-  Run("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON; PRAGMA foreign_keys = ON;"
+  Run("PRAGMA synchronous = EXTRA; PRAGMA secure_delete = ON; PRAGMA foreign_keys = ON;"
       "PRAGMA temp_store = MEMORY; PRAGMA cell_size_check = ON");
-  if (write && sqlite3_db_readonly(opened, "main") == 1) Fail(*path_, opened, SQLITE_READONLY);
+  if (write && sqlite3_db_readonly(file_.get(), "main") == 1) {
+    Fail(*path_, file_.get(), SQLITE_READONLY);
+  }
   // A rollback journal, not a log: then one file holds all, and can be read where nothing may be
   // written.
   Run(write ? "PRAGMA journal_mode = DELETE" : "PRAGMA query_only = ON");
+}
+
+Database Database::InMemory() {
+  return {std::make_unique<const std::string>(":memory:"),
+          SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE};
 }
 
 void Database::Run(const std::string& sql) const {
@@ -214,7 +230,9 @@ std::string Statement::Text(int) const { return {}; }
 std::vector<double> Statement::Numbers(int) const { return {}; }
 
 void Database::Close::operator()(sqlite3*) const noexcept {}
+Database::Database(std::unique_ptr<const std::string> path, int) { RequireAvailable(*path); }
 Database::Database(const std::string& path, bool) { RequireAvailable(path); }
+Database Database::InMemory() { return {std::make_unique<const std::string>(), 0}; }
 void Database::Run(const std::string&) const {}
 std::int64_t Database::LastRow() const { return 0; }
 bool Database::Available() { return false; }

@@ -26,6 +26,7 @@ class Statement {
   bool IsNull(int column) const;
   std::int64_t Integer(int column) const;
   double Real(int column) const;  ///< 0 for what is not finite
+  /// Throws InputError where it is longer than 1 MiB: no text of ours is.
   std::string Text(int column) const;
   std::vector<double> Numbers(int column) const;
 
@@ -43,9 +44,12 @@ class Statement {
 /// A SQLite file; database.cpp is the only source that uses SQLite. Every error is thrown as one
 /// line that begins with the path: InputError for what is wrong with the file (not a database,
 /// damaged), LackError for what is wrong with the machine (no permission, no room, in use, built
-/// without SQLite). What is deleted is overwritten by zeros; a commit returns when the disk has it.
+/// without SQLite). What is deleted is overwritten by zeros; a commit returns when the disk has it,
+/// so that a power cut takes nothing back. Views and triggers of the file do nothing.
 class Database {
  public:
+  /// An empty one that is no file and goes with this.
+  static Database InMemory();
   /// `write`: makes the file where there is none. Otherwise only a transaction that a killed
   /// program left unfinished is undone.
   Database(const std::string& path, bool write);
@@ -71,6 +75,8 @@ class Database {
   struct Close {
     void operator()(sqlite3* file) const noexcept;
   };
+  Database(std::unique_ptr<const std::string> path, int flags);
+
   std::unique_ptr<const std::string> path_;  // at an address that statements may keep
   std::unique_ptr<sqlite3, Close> file_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "lessons/records/records_schema.h"
 #include "lessons/records/trial_fields.h"
 #include "textures/base/error.h"
+#include "textures/base/file_writing.h"
 #include "textures/base/overload.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
@@ -55,9 +57,16 @@ TrialField::Value FieldValue(const Statement& statement, int column, const Trial
 }  // namespace
 
 struct Records::Impl {
+  /// A trial whose commit failed at its very end may be in the file all the same.
+  struct Doubtful {
+    std::int64_t learner = 0, row = 0;
+    RecordedTrial trial;
+  };
+
   std::string path;
   std::unique_ptr<WriterLock> lock;  // released after the file is closed
   Database file;
+  std::optional<Doubtful> doubtful;
 
   Impl(const std::string& records, bool write)
       : path(records),
@@ -81,7 +90,7 @@ struct Records::Impl {
   }
 
   void RequireOurs() const {
-    if (file.Number("PRAGMA application_id") != kRecordsApplication) {
+    if (file.Number("PRAGMA application_id") != kRecordsApplication || Version() < 1) {
       throw InputError(path + ": not a records file; name another by --records");
     }
     if (Version() > RecordsVersion()) {
@@ -89,6 +98,12 @@ struct Records::Impl {
           fmt::format("{}: of a newer Moontrace (version {} of records, here {}); "
                       "update this program",
                       path, Version(), RecordsVersion()));
+    }
+    // a view in a table's place, a column with a rule of its own: no file of ours
+    if (SchemaOf(file) != RecordsSchema(Version())) {
+      throw InputError(path +
+                       ": the records are damaged (their tables are others); put a copy in their "
+                       "place, or import an export");
     }
     if (file.Bytes() <= kQuicklyRead) {
       file.Check();
@@ -132,19 +147,49 @@ struct Records::Impl {
     return file.LastRow();
   }
 
-  void AddTrial(std::int64_t learner, const RecordedTrial& row) const {
+  std::int64_t AddTrial(std::int64_t learner, const RecordedTrial& row) const {
     Statement insert = file.Prepare(InsertTrial());
     insert.Bind(1, learner).Bind(2, Clean(row.course));
     int index = 2;
     for (const TrialField& field : TrialFields()) BindField(insert, ++index, field.get(row.trial));
     insert.Step();
     const std::int64_t trial = file.LastRow();
-    if (row.track.empty()) return;
+    if (row.track.empty()) return trial;
     file.Prepare("INSERT INTO track SELECT ?, ? FROM learner WHERE id = ? AND keeps_tracks")
         .Bind(1, trial)
         .Bind(2, row.track)
         .Bind(3, learner)
         .Step();
+    return trial;
+  }
+
+  /// Whether the trial is the one whose commit failed last, and is there nevertheless: SQLite says
+  /// so, too, where all is written and only the folder could not be synced.
+  bool IsThere(std::int64_t learner, const RecordedTrial& row) const {
+    if (!doubtful || doubtful->learner != learner || doubtful->trial.course != row.course ||
+        doubtful->trial.track != row.track) {
+      return false;
+    }
+    for (const TrialField& field : TrialFields()) {
+      if (field.get(doubtful->trial.trial) != field.get(row.trial)) return false;
+    }
+    Statement find = file.Prepare("SELECT 1 FROM trial WHERE id = ? AND learner = ?");
+    find.Bind(1, doubtful->row).Bind(2, learner);
+    return find.Step();
+  }
+
+  /// One that is tried again once more is added once only.
+  void Add(std::int64_t learner, const RecordedTrial& row) {
+    if (IsThere(learner, row)) {
+      if (!SyncFolder(FolderOf(path))) {
+        throw LackError(path + ": the records' folder cannot be synced; check the disk");
+      }
+      return doubtful.reset();
+    }
+    Transaction transaction(file);
+    doubtful = Doubtful{learner, AddTrial(learner, row), row};
+    transaction.Commit();
+    doubtful.reset();
   }
 
   void AddEvent(std::int64_t learner, const RecordedEvent& event) const {
@@ -157,7 +202,7 @@ struct Records::Impl {
   }
 
   Statement TrialsOf(std::int64_t learner) const {
-    Statement rows = file.Prepare(SelectTrials() + " WHERE learner = ? ORDER BY time_unix_s, id");
+    Statement rows = file.Prepare(SelectTrials() + " WHERE learner = ? ORDER BY id");
     rows.Bind(1, learner);
     return rows;
   }
@@ -206,6 +251,7 @@ std::string Records::DefaultPath() {
 
 Records Records::Open(const std::string& path) {
   Database::RequireAvailable(path);
+  RequireNoLink(path);
   MakeRecordsFile(path);
   auto impl = std::make_unique<Impl>(path, true);
   if (!impl->IsEmpty()) impl->RequireOurs();
@@ -216,6 +262,7 @@ Records Records::Open(const std::string& path) {
 }
 
 Records Records::OpenToRead(const std::string& path) {
+  RequireNoLink(path);
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     throw InputError(path + ": no records there yet; learn first or name another by --records");
@@ -278,10 +325,7 @@ void Records::SetConsent(const std::string& pseudonym, bool keeps_tracks,
 
 void Records::Add(const std::string& pseudonym, const std::string& course, const Trial& trial,
                   const std::vector<double>& track) {
-  const std::int64_t id = impl_->IdOf(pseudonym);
-  Transaction transaction(impl_->file);
-  impl_->AddTrial(id, {course, trial, track});
-  transaction.Commit();
+  impl_->Add(impl_->IdOf(pseudonym), {course, trial, track});
 }
 
 void Records::AddEvent(const std::string& pseudonym, const RecordedEvent& event) {
@@ -309,10 +353,17 @@ std::vector<std::string> Records::Courses(const std::string& pseudonym) const {
   return courses;
 }
 
+std::string Records::LastCourse(const std::string& pseudonym) const {
+  Statement last =
+      impl_->file.Prepare("SELECT course FROM trial WHERE learner = ? ORDER BY id DESC LIMIT 1");
+  last.Bind(1, impl_->IdOf(pseudonym));
+  return last.Step() ? last.Text(0) : std::string();
+}
+
 std::vector<RecordedEvent> Records::Events(const std::string& pseudonym) const {
   std::vector<RecordedEvent> events;
   Statement rows = impl_->file.Prepare(
-      "SELECT time_unix_s, kind, text FROM event WHERE learner = ? ORDER BY time_unix_s, id");
+      "SELECT time_unix_s, kind, text FROM event WHERE learner = ? ORDER BY id");
   rows.Bind(1, impl_->IdOf(pseudonym));
   while (rows.Step()) events.push_back({rows.Integer(0), rows.Text(1), rows.Text(2)});
   return events;

@@ -11,8 +11,9 @@
 namespace moontrace {
 
 /// Learners' records in one SQLite file of the user's data folder. Nothing leaves the machine.
-/// Every Add is one transaction, on disk when it returns: a process that is killed at any instant
-/// loses no finished trial. One thread at a time; a second program is refused while one writes.
+/// Every Add is one transaction, on disk when it returns: neither a process that is killed at any
+/// instant nor a machine whose power is cut loses a finished trial. One thread at a time; a second
+/// program is refused while one writes, by whatever name it knows the file.
 ///
 /// Throws LackError: no SQLite in this build, no permission, read-only, disk full, used by another
 /// program; InputError: no records file, of a newer version, damaged. Then nothing was changed.
@@ -35,13 +36,15 @@ class Records {
   void SetConsent(const std::string& pseudonym, bool keeps_tracks, const std::string& consent);
 
   /// `track`: raw samples as a blob (record.h's columns); dropped where the learner has not
-  /// consented.
+  /// consented. After an error the same trial may be added again: it is there once.
   void Add(const std::string& pseudonym, const std::string& course, const Trial& trial,
            const std::vector<double>& track = {});
   void AddEvent(const std::string& pseudonym, const RecordedEvent& event);
-  /// In order of time, as added.
+  /// In the order in which they were added, whatever the clock said.
   std::vector<Trial> Trials(const std::string& pseudonym, const std::string& course = {}) const;
   std::vector<std::string> Courses(const std::string& pseudonym) const;
+  /// That of the trial added last; empty: there is none.
+  std::string LastCourse(const std::string& pseudonym) const;
   std::vector<RecordedEvent> Events(const std::string& pseudonym) const;
 
   /// All that is known of a learner as JSON text (UTF-8), which HistoryFromJson reads.

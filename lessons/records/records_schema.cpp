@@ -1,8 +1,36 @@
 #include "lessons/records/records_schema.h"
 
+#include <cctype>
+#include <cstddef>
+#include <string_view>
+
+#include "lessons/records/database.h"
 #include "lessons/records/trial_fields.h"
 
 namespace moontrace {
+
+namespace {
+
+/// SQL with one blank between words and none elsewhere: the steps' layout is none of the file's.
+std::string Squeezed(std::string_view sql) {
+  const auto is_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  std::string squeezed;
+  bool blank = false;
+  for (const char c : sql) {
+    if (std::isspace(static_cast<unsigned char>(c)) != 0) {
+      blank = true;
+      continue;
+    }
+    if (blank && !squeezed.empty() && is_word(squeezed.back()) && is_word(c)) squeezed += ' ';
+    blank = false;
+    squeezed += c;
+  }
+  return squeezed;
+}
+
+}  // namespace
 
 const std::vector<std::string>& RecordsSteps() {
   static const std::vector<std::string> steps{
@@ -64,6 +92,25 @@ const std::vector<std::string>& RecordsSteps() {
 }
 
 std::int64_t RecordsVersion() { return static_cast<std::int64_t>(RecordsSteps().size()); }
+
+std::vector<std::string> SchemaOf(const Database& file) {
+  std::vector<std::string> all;
+  // what SQLite makes for itself, an index of UNIQUE say, has names that nobody else may give
+  Statement rows = file.Prepare(
+      "SELECT type, name, coalesce(sql, '') FROM sqlite_schema "
+      "WHERE name NOT LIKE 'sqlite\\_%' ESCAPE '\\' ORDER BY name, type");
+  while (rows.Step())
+    all.push_back(rows.Text(0) + " " + rows.Text(1) + " " + Squeezed(rows.Text(2)));
+  return all;
+}
+
+std::vector<std::string> RecordsSchema(std::int64_t version) {
+  const Database made = Database::InMemory();
+  for (std::int64_t step = 0; step < version; ++step) {
+    made.Run(RecordsSteps()[static_cast<std::size_t>(step)]);
+  }
+  return SchemaOf(made);
+}
 
 std::string InsertTrial() {
   std::string names = "INSERT INTO trial (learner, course";

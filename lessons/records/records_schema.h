@@ -6,6 +6,8 @@
 
 namespace moontrace {
 
+class Database;
+
 /// In the head of the file, so that no other database is taken for one: "MOON".
 inline constexpr std::int64_t kRecordsApplication = 0x4d4f4f4e;
 
@@ -15,6 +17,12 @@ const std::vector<std::string>& RecordsSteps();
 
 /// The version that this program writes: the number of steps.
 std::int64_t RecordsVersion();
+
+/// Tables and indices of a file, each by its SQL without spaces that mean nothing, in the order of
+/// their names.
+std::vector<std::string> SchemaOf(const Database& file);
+/// The same of version `version` of the records.
+std::vector<std::string> RecordsSchema(std::int64_t version);
 
 /// "INSERT INTO trial ..." with two values before those of TrialFields: learner, course.
 std::string InsertTrial();

@@ -27,16 +27,8 @@ constexpr std::size_t kMostSaid = 10;  // confusions and days in words; a page h
 
 /// The course asked for, otherwise that of the newest trial.
 Course CourseOf(const ReportOptions& options, const Records& records) {
-  std::string name = options.course;
-  if (name.empty()) {
-    std::int64_t newest = 0;
-    for (const std::string& course : records.Courses(options.learner)) {
-      const std::int64_t last = records.Trials(options.learner, course).back().time;
-      if (!name.empty() && last < newest) continue;
-      newest = last;
-      name = course;
-    }
-  }
+  const std::string name =
+      options.course.empty() ? records.LastCourse(options.learner) : options.course;
   if (name.empty()) throw InputError(say::NoTrialsYet(options.learner));
   if (!options.course.empty()) return LoadCourse(name);
   try {

@@ -130,6 +130,46 @@ TEST_F(RecordsRefusal, OfAFileWithADamagedPage) {
   EXPECT_EQ(Records::Open(path_).Trials("bat").size(), 20U);
 }
 
+TEST_F(RecordsRefusal, OfAVersionThatNoProgramWrote) {
+  Fill();
+  for (const char* version : {"-1", "0", "-2147483648"}) {
+    Database(path_, true).Run(std::string("PRAGMA user_version = ") + version);
+    ExpectRefused("not a records file");
+  }
+}
+
+// What SQL of a stranger's runs when it is read or written: no schema but ours is taken.
+TEST_F(RecordsRefusal, OfATableOrColumnThatIsNotOurs) {
+  const char* const hostile[] = {
+      "CREATE VIEW spy AS SELECT * FROM learner",
+      "ALTER TABLE trial RENAME TO old; CREATE VIEW trial AS SELECT * FROM old",
+      "CREATE TRIGGER t AFTER INSERT ON trial BEGIN DELETE FROM trial; END",
+      "CREATE TABLE more (x)",
+      "ALTER TABLE learner ADD COLUMN more TEXT",
+      "DROP INDEX trial_of_learner",
+      "DROP INDEX trial_of_learner; CREATE INDEX trial_of_learner ON trial (abs(learner))",
+      "DROP TABLE event; CREATE TABLE event (id INTEGER PRIMARY KEY, learner INTEGER NOT NULL, "
+      "time_unix_s INTEGER AS (randomblob(900000000)), kind TEXT NOT NULL, text TEXT NOT NULL)",
+      "DROP TABLE event; CREATE VIRTUAL TABLE event USING fts5(learner, time_unix_s, kind, text)",
+  };
+  for (const char* sql : hostile) {
+    fs::remove(path_);
+    Fill();
+    try {
+      Database(path_, true).Run(sql);
+    } catch (const InputError&) {
+      continue;  // this SQLite knows no such table
+    }
+    ExpectRefused("the records are damaged (their tables are others)");
+  }
+}
+
+TEST_F(RecordsRefusal, OfATextTooLongToBeOurs) {
+  Fill();
+  Database(path_, true).Run("UPDATE trial SET answer = printf('%.*c', 2000000, 'a') WHERE id = 3");
+  ExpectRefused("the records are damaged");
+}
+
 TEST_F(RecordsRefusal, OfATrialThatNoProgramWrote) {
   Fill();
   Database(path_, true).Run("UPDATE trial SET kind = 'trance' WHERE id = 7");
@@ -155,6 +195,42 @@ TEST_F(RecordsRefusal, OfASecondWriter) {
   // and the first one goes on
   first.Add("bat", "c", NumberedTrial(1));
   EXPECT_EQ(first.Trials("bat").size(), 1U);
+}
+
+// Another name of the same file has a lock file of its own: the file itself is what is locked.
+TEST_F(RecordsRefusal, OfASecondWriterByAnotherNameOfTheFile) {
+  Records first = Records::Open(path_);
+  first.AddLearner(Named("bat"));
+  const std::string other = (folder_ / "other.sqlite").string();
+  fs::create_hard_link(path_, other);
+  const std::string line = other + ": another program writes these records; close it and try again";
+  EXPECT_EQ(RefusalOf<LackError>([&] { Records::Open(other); }), line);
+  EXPECT_EQ(InChild([&] {
+              Records::Open(other);
+              return std::string("opened");
+            }),
+            line);
+  first.Add("bat", "c", NumberedTrial(1));
+  EXPECT_EQ(first.Trials("bat").size(), 1U);
+}
+
+TEST_F(RecordsRefusal, OfASymbolicLinkToTheFileOrItsLock) {
+  Fill(1);
+  const std::string link = (folder_ / "link.sqlite").string();
+  fs::create_symlink(path_, link);
+  const std::string line = link + ": is a symbolic link; name the file that it leads to";
+  EXPECT_EQ(RefusalOf<InputError>([&] { Records::Open(link); }), line);
+  EXPECT_EQ(RefusalOf<InputError>([&] { Records::OpenToRead(link); }), line);
+  // one that leads nowhere would be made there
+  const std::string away = (folder_ / "away.sqlite").string();
+  fs::create_symlink("elsewhere.sqlite", away);
+  RefusalOf<InputError>([&] { Records::Open(away); });
+  EXPECT_FALSE(fs::exists(folder_ / "elsewhere.sqlite"));
+  fs::remove(path_ + "-lock");
+  fs::create_symlink("victim", path_ + "-lock");
+  EXPECT_EQ(RefusalOf<InputError>([&] { Records::Open(path_); }),
+            path_ + "-lock: is a symbolic link; name the file that it leads to");
+  EXPECT_FALSE(fs::exists(folder_ / "victim"));
 }
 
 TEST_F(RecordsRefusal, EndsWithTheFirstWriter) {
