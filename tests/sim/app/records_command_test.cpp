@@ -90,8 +90,8 @@ TEST_F(RecordsCommand, ShowsEscapeCodesAndLineEndsInANameAsQuestionMarks) {
 TEST_F(RecordsCommand, RefusesAVersionBelowZeroByOneLine) {
   Database(path_, true).Run("PRAGMA user_version = -1");
   ExpectRefused(Line({"list"}), 3, "not a records file");
-  ExpectRefused(RunLine({"learn", "--learner", "bat", "--records", path_}), 3,
-                "not a records file");
+  const std::vector<std::string> learn{"learn", "--learner", "bat", "--device", "simulated"};
+  ExpectRefused(RunLine(With(learn, {"--records", path_})), 3, "not a records file");
 }
 
 TEST_F(RecordsCommand, ExportsAndImportsTheSame) {
