@@ -249,6 +249,8 @@ class PathReader {
   }
 
   void AddArc(bool relative) {
+    SkipSpaceAndComma();
+    const std::size_t start = offset_;
     SvgArc arc;
     arc.from = at_;
     arc.radii.x = std::abs(Number());
@@ -265,6 +267,9 @@ class PathReader {
     const bool round = std::abs(arc.radii.x - arc.radii.y) <= kRoundness * arc.radii.x;
     if (round) arc.turn = 0;
     const EllipseArc ellipse = ByCenter(arc);
+    if (std::max(ellipse.radii.x, ellipse.radii.y) > limits_.greatest) {
+      Fail(start, "arc grows beyond 100 em to reach its end; write radii that reach it");
+    }
     if (!round) {
       AddFitted(CurveOf(ellipse), arc.to);
       return;

@@ -20,7 +20,7 @@ struct Subpath {
 /// What a path may cost and how closely curves are followed, in the path's own units.
 struct PathLimits {
   double tolerance = 1;           ///< greatest distance between a curve and its arcs, > 0
-  double greatest = 100000;       ///< greatest magnitude of a coordinate or radius
+  double greatest = 100000;       ///< greatest magnitude of a coordinate, or of a radius once grown
   std::size_t commands = 100000;  ///< still allowed; counted down from path to path
   std::size_t pieces = 200000;    ///< likewise, after curves became arcs
 };

@@ -232,6 +232,10 @@ TEST(ParseSvgPath, NamesPlaceCauseAndCureOfABrokenPath) {
            Broken{"M90000 0l90000 0", 14,
                   "point beyond 100 em; move the drawing to the letter box"},
            Broken{"M0 0A1 1 0 2 1 5 5", 11, "an arc flag is neither 0 nor 1; write one of these"},
+           // To reach its end 200 half heights away the ellipse grows 100 times, to 5.5 million
+           // wide.
+           Broken{"M500 0A55000 50 0 0 1 500 10000", 7,
+                  "arc grows beyond 100 em to reach its end; write radii that reach it"},
            Broken{"M0 0L1 1Z 5 5", 10, "a number after Z; write a command before it"},
        }) {
     try {
