@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "sim/physics/mjcf_sizes.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 
@@ -14,11 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kGreatestFile = std::size_t{64} << 20;  ///< of an include [bytes]
+constexpr std::size_t kGreatestIncluded = std::size_t{64} << 20;  ///< all includes [bytes]
 constexpr std::size_t kGreatestIncludes = 1000;
 
 pugi::xml_node ParseInto(pugi::xml_document& document, const std::string& xml,
                          const std::string& name) {
+  RequireFewTags(xml, name);
   // white space and comments stay, so that MuJoCo's line numbers are nearly the file's
   constexpr unsigned kKeep = pugi::parse_default | pugi::parse_ws_pcdata | pugi::parse_comments;
   const pugi::xml_parse_result result = document.load_buffer(xml.data(), xml.size(), kKeep);
@@ -50,8 +52,12 @@ class Includes {
       }
       pugi::xml_document part;
       const std::string where = name_ + ": included " + OneLine(path.string(), 200);
-      const pugi::xml_node children =
-          ParseInto(part, ReadTextFile(path.string(), kGreatestFile), where);
+      const std::string text = ReadTextFile(path.string(), kGreatestIncluded);
+      bytes_ += text.size();
+      if (bytes_ > kGreatestIncluded) {
+        throw InputError(where + ": all includes together hold more than 64 MB; include less");
+      }
+      const pugi::xml_node children = ParseInto(part, text, where);
       pugi::xml_node parent = include.parent();
       for (const pugi::xml_node& child : children.children()) {
         parent.insert_copy_before(child, include);
@@ -64,6 +70,7 @@ class Includes {
   const std::string& folder_;
   const std::string& name_;
   std::set<fs::path> seen_;
+  std::size_t bytes_ = 0;  ///< of all of them
 };
 
 bool ReadsFiles(const pugi::xml_node& root) {
@@ -123,6 +130,7 @@ Mjcf PrepareMjcf(const std::string& xml, const std::string& folder, const std::s
                      ">, not <mujoco>");
   }
   Includes(folder, name).Expand(root);
+  RequireModestSizes(root, folder, name);
   if (!folder.empty() && ReadsFiles(root)) {
     AnchorFolder(root, "meshdir", folder);
     AnchorFolder(root, "texturedir", folder);
