@@ -1,5 +1,6 @@
 // Any bytes either are keys for words or are refused by an InputError of one line; Escape stops
-// whatever they say, and every key gives a line that is read, asked or not.
+// whatever they say, and every key gives a line that is read, asked or not. Bytes behind the first
+// zero byte are what is typed then.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -12,9 +13,10 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace moontrace;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const std::size_t zero = bytes.find('\0');
   KeyMap keys = UsualKeys();
   try {
-    keys = ParseKeys(bytes, "fuzz.toml");
+    keys = ParseKeys(bytes.substr(0, zero), "fuzz.toml");
   } catch (const InputError& error) {
     const std::string_view line = error.what();
     if (line.empty() || line.find('\n') != std::string_view::npos) std::abort();
@@ -23,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (escape == keys.end() || escape->second != "stop") std::abort();
   KeyLines lines(keys);
   bool asked = false;
-  for (const std::string& key : ReadKeys(bytes)) {
+  const std::string_view typed = zero == std::string_view::npos ? bytes : bytes.substr(zero + 1);
+  for (const std::string& key : ReadKeys(typed)) {
     asked = !asked;
     const KeyLines::Result result = lines.Take(key, asked);
     if (result.line && result.line->find('\n') != std::string::npos) std::abort();
