@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 constexpr int kMostTrials = 10000;
-constexpr int kMostLearners = 100000;
+constexpr int kMostLearners = 100000;  ///< of all conditions together
 constexpr std::size_t kMostNames = 1000;
 
 int Count(const TomlTable& table, const char* key, std::int64_t otherwise, int most) {
@@ -185,6 +185,11 @@ StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
   if (root.Has("transfer")) ReadTransfer(root.Table("transfer"), protocol);
   if (root.Has("staircase")) protocol.staircase = ReadStaircase(root.Table("staircase"));
   ReadConditions(root, protocol);
+  const double together = 1.0 * protocol.learners * static_cast<double>(protocol.conditions.size());
+  if (together > kMostLearners) {
+    root.Fail("learners", fmt::format("{} in all conditions together: give at most {}", together,
+                                      kMostLearners));
+  }
   root.FailUnknown();
   return protocol;
 }

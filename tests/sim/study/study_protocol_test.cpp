@@ -95,6 +95,13 @@ TEST(StudyProtocol, SaysWhereAndWhatIsWrong) {
             std::string::npos);
 }
 
+TEST(StudyProtocol, BoundsLearnersOfAllConditionsTogether) {
+  const std::string second = "\n[[conditions]]\nname = \"alone\"\n";
+  EXPECT_EQ(ErrorOf("learners = 50000\n" + kText + second), "");
+  EXPECT_EQ(ErrorOf("learners = 50001\n" + kText + second),
+            "s.toml:1:12: learners: 100002 in all conditions together: give at most 100000");
+}
+
 TEST(StudyProtocol, AnotherFileIsAnotherStudy) {
   EXPECT_NE(ParseStudy(kText, "a").digest, ParseStudy(With("= 5", "= 6"), "a").digest);
   EXPECT_EQ(ParseStudy(kText, "a").digest, ParseStudy(kText, "b").digest);
