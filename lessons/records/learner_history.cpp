@@ -11,6 +11,7 @@
 
 #include "lessons/records/trial_fields.h"
 #include "textures/base/error.h"
+#include "textures/base/json_cost.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/overload.h"
 #include "textures/base/text_file.h"
@@ -30,7 +31,7 @@ constexpr std::size_t kGreatestText = std::size_t{256} << 20U;
 constexpr std::size_t kGreatestValues = 20'000'000;
 constexpr std::size_t kLongestPseudonym = 60;
 constexpr std::size_t kLongestWords = 10'000;  // [bytes], of one text in an export
-constexpr int kGreatestDepth = 5;              // {"trials": [{"track": [number]}]}
+constexpr std::size_t kGreatestDepth = 5;      // {"trials": [{"track": [number]}]}
 constexpr const char* kCure = "use an unaltered export";
 
 Json JsonOf(const TrialField::Value& value, TrialField::Kind kind) {
@@ -82,16 +83,13 @@ ReadJson Parse(std::string_view text, const std::string& name) {
     throw InputError(fmt::format("{}: more than {} MB; exports without tracks are smaller", name,
                                  kGreatestText >> 20U));
   }
-  std::size_t values = 0;
-  const auto check = [&](int depth, nlohmann::json::parse_event_t, ReadJson&) {
-    if (depth > kGreatestDepth)
-      Refuse(name, fmt::format("nested more than {} deep", kGreatestDepth));
-    if (++values > kGreatestValues)
-      Refuse(name, fmt::format("more than {} values", kGreatestValues));
-    return true;
-  };
+  const JsonCost cost = CostOf(text);
+  if (cost.depth > kGreatestDepth)
+    Refuse(name, fmt::format("nested more than {} deep", kGreatestDepth));
+  if (cost.values > kGreatestValues)
+    Refuse(name, fmt::format("more than {} values", kGreatestValues));
   try {
-    return ReadJson::parse(text, check);
+    return ReadJson::parse(text);
   } catch (const ReadJson::parse_error& error) {
     const TextPlace place = PlaceOf(text, error.byte == 0 ? 0 : error.byte - 1);
     Refuse(fmt::format("{}:{}:{}", name, place.line, place.column), "not JSON");

@@ -9,6 +9,7 @@
 #include "sim/trial/record_columns.h"
 #include "textures/base/digest.h"
 #include "textures/base/error.h"
+#include "textures/base/json_cost.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -18,27 +19,23 @@ using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr unsigned kSchemaVersion = 1;
-constexpr int kGreatestDepth = 64;
+constexpr std::size_t kGreatestDepth = 64;
 constexpr std::size_t kGreatestValues = 1'000'000;
 constexpr double kNoBound = std::numeric_limits<double>::max();
 constexpr std::string_view kCure = "use an unaltered copy";
 
 /// Parses with bounds on nesting (dump and destructors recurse) and on values (each costs many
 /// times its text).
-Json ParseBounded(std::string_view text, const std::string& where, int greatest_depth) {
-  std::size_t values = 0;
-  const auto check = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > greatest_depth) {
-      throw InputError(
-          fmt::format("{}: nested more than {} deep; {}", where, greatest_depth, kCure));
-    }
-    if (++values > kGreatestValues) {
-      throw InputError(fmt::format("{}: more than {} values; {}", where, kGreatestValues, kCure));
-    }
-    return true;
-  };
+Json ParseBounded(std::string_view text, const std::string& where, std::size_t greatest_depth) {
+  const JsonCost cost = CostOf(text);
+  if (cost.depth > greatest_depth) {
+    throw InputError(fmt::format("{}: nested more than {} deep; {}", where, greatest_depth, kCure));
+  }
+  if (cost.values > kGreatestValues) {
+    throw InputError(fmt::format("{}: more than {} values; {}", where, kGreatestValues, kCure));
+  }
   try {
-    return Json::parse(text, check);
+    return Json::parse(text);
   } catch (const Json::parse_error& error) {
     const TextPlace place = PlaceOf(text, error.byte == 0 ? 0 : error.byte - 1);
     throw InputError(fmt::format("{}:{}:{}: not JSON; {}", where, place.line, place.column, kCure));

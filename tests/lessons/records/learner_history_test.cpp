@@ -95,6 +95,11 @@ TEST(LearnerExport, IsBoundedInDepthAndLength) {
             "f.json: nested more than 5 deep; use an unaltered export");
   EXPECT_EQ(Refused(With("gut gemacht", std::string(20'000, 'a'))),
             "f.json: event 1: \"text\" is longer than 10000 bytes; use an unaltered export");
+  // a list of objects is read in time that grows with its length only
+  std::string objects = "[{}";
+  for (int i = 0; i < 500'000; ++i) objects += ",{}";
+  EXPECT_EQ(Refused(objects + "]"),
+            "f.json: not an export of a learner; make one by records export");
   // an object of very many members is refused in time that grows with its length only
   std::string many = "{\"format\":\"moontrace-learner\",\"version\":1";
   for (int i = 0; i < 100'000; ++i) many += ",\"" + std::to_string(i) + "\":0";

@@ -228,6 +228,10 @@ TEST(TrialSheet, IsBoundedInNestingAndNumberOfValues) {
   std::string wide = "[0";
   for (int i = 0; i < 1100000; ++i) wide += ",0";
   EXPECT_THROW(ParseTrial(wide + "]", "T"), InputError);
+  // a list of objects is read in time that grows with its length only
+  std::string objects = "[{}";
+  for (int i = 0; i < 300'000; ++i) objects += ",{}";
+  EXPECT_THROW(ParseTrial(objects + "]", "T"), InputError);
 }
 
 TEST(FormatEvent, IsOneLineOfJsonWhateverTheText) {
