@@ -6,10 +6,13 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "devices/core/mailbox.h"
+#include "devices/guardian/guardian.h"
+#include "devices/helper/priority.h"
 #include "devices/hid/hid_port.h"
 
 namespace moontrace {
@@ -36,6 +39,14 @@ void BeginThread(const char* name) noexcept {
   pthread_setname_np(pthread_self(), name);
 }
 
+std::vector<std::vector<std::uint8_t>> BytesOf(const std::vector<HidReport>& reports) {
+  std::vector<std::vector<std::uint8_t>> bytes;
+  for (const HidReport& report : reports) {
+    bytes.emplace_back(report.span().begin(), report.span().end());
+  }
+  return bytes;
+}
+
 }  // namespace
 
 std::span<const std::uint8_t> HidReport::span() const noexcept {
@@ -51,7 +62,11 @@ struct HidLink::Impl {
         inputs(std::max<std::size_t>(options.inputs.size(), 1)),
         newest(inputs.size()),
         counts(inputs.size(), 0),
-        outputs(options.outputs) {}
+        outputs(options.outputs) {
+    if (options.release.empty()) return;
+    guardian.emplace(
+        GuardedDevice{path, options.name, BytesOf(options.release), BytesOf(options.farewell)});
+  }
 
   struct Output {
     Mailbox<HidReport> box;
@@ -65,8 +80,12 @@ struct HidLink::Impl {
   void WriteAll() noexcept;
   bool Send(const HidReport& report) noexcept;
   void Collect(double now) noexcept;
+  void CollectAnew() noexcept;
   bool SendDue(double now) noexcept;
-  void SayFarewell() noexcept;
+  bool SendForce(const HidReport& report) noexcept;
+  void TellPushes() noexcept;
+  bool SayFarewell() noexcept;
+  void WriteUntilClosed() noexcept;
 
   const HidLinkOptions options;
   HidHandle reading, writing;
@@ -78,6 +97,10 @@ struct HidLink::Impl {
 
   std::vector<Output> outputs;
   double put_at = -1, renewed_at = -1;  // the writing thread's [s]
+
+  std::optional<Guardian> guardian;
+  std::uint64_t releases = 0;  // of the guardian, as the writing thread last saw
+  std::atomic<bool> guardian_ended{false};
 
   std::atomic<bool> alive{true};
   std::atomic<bool> closing{false};
@@ -126,6 +149,7 @@ void HidLink::Impl::ReadAll() noexcept {
 }
 
 bool HidLink::Impl::Send(const HidReport& report) noexcept {
+  if (guardian && guardian->IsDying()) return false;
   write_began.store(Now(), std::memory_order_relaxed);
   const bool taken = writing.Write(report.span());
   write_began.store(0, std::memory_order_relaxed);
@@ -133,10 +157,25 @@ bool HidLink::Impl::Send(const HidReport& report) noexcept {
   return taken;
 }
 
+/// The guardian has commanded zero: what the device has is no longer what was sent last, and the
+/// next force counts even if it is the same.
+void HidLink::Impl::CollectAnew() noexcept {
+  const std::uint64_t count = guardian->Releases();
+  if (count == releases) return;
+  releases = count;
+  for (Output& output : outputs) {
+    output.sent_at = -1;
+    output.due = false;  // from before it: too old
+  }
+  renewed_at = -1;
+}
+
 void HidLink::Impl::Collect(double now) noexcept {
+  if (guardian) CollectAnew();
   for (Output& output : outputs) {
     if (output.box.Take(output.wanted)) {
       put_at = now;
+      if (guardian) guardian->Beat(now);
       output.due = output.due || output.sent_at < 0 || !SameBytes(output.wanted, output.sent);
     }
     const bool is_fresh = put_at >= 0 && now - put_at < options.stale_after;
@@ -145,14 +184,29 @@ void HidLink::Impl::Collect(double now) noexcept {
   }
 }
 
+/// The guardian knows of a force before the device does.
+bool HidLink::Impl::SendForce(const HidReport& report) noexcept {
+  if (guardian && report.pushes) guardian->SetPushes(true);
+  return Send(report);
+}
+
+void HidLink::Impl::TellPushes() noexcept {
+  if (!guardian) return;
+  guardian->SetPushes(
+      std::ranges::any_of(outputs, [](const Output& output) { return output.sent.pushes; }));
+}
+
 bool HidLink::Impl::SendDue(double now) noexcept {
+  bool has_sent = false;
   for (Output& output : outputs) {
     if (!output.due) continue;
-    if (!Send(output.wanted)) return false;
+    if (!SendForce(output.wanted)) return false;
     output.sent = output.wanted;
     output.sent_at = now;
     output.due = false;
+    has_sent = true;
   }
+  if (has_sent) TellPushes();
   const bool is_fresh = put_at >= 0 && now - put_at < options.stale_after;
   if (is_fresh && now - renewed_at >= options.renew_every) {
     renewed_at = now;
@@ -163,25 +217,44 @@ bool HidLink::Impl::SendDue(double now) noexcept {
   return true;
 }
 
-void HidLink::Impl::SayFarewell() noexcept {
+/// False if not all of it was taken in time.
+bool HidLink::Impl::SayFarewell() noexcept {
   const double began = Now();
   Collect(began);
   for (const Output& output : outputs) {
-    if (output.due && (Now() - began > kFarewellTime || !Send(output.wanted))) return;
+    if (output.due && (Now() - began > kFarewellTime || !SendForce(output.wanted))) return false;
   }
   for (const HidReport& report : options.farewell) {
-    if (Now() - began > kFarewellTime || !Send(report)) return;
+    if (Now() - began > kFarewellTime || !Send(report)) return false;
   }
+  return true;
 }
 
 void HidLink::Impl::WriteAll() noexcept {
+  if (!guardian) {
+    WriteUntilClosed();
+    if (alive.load(std::memory_order_relaxed)) SayFarewell();
+    return;
+  }
+  LifeNote note(guardian->ProgramLife());
+  WriteUntilClosed();
+  // What the program could not say itself the guardian says: it takes this for a death.
+  if (alive.load(std::memory_order_relaxed) && SayFarewell()) note.End();
+}
+
+void HidLink::Impl::WriteUntilClosed() noexcept {
   while (!closing.load(std::memory_order_acquire)) {
     const double now = Now();
     Collect(now);
     if (!SendDue(now)) return;
+    if (guardian && !guardian->IsAlive()) {  // killed: no force without one
+      SayFarewell();
+      guardian_ended.store(true, std::memory_order_relaxed);
+      alive.store(false, std::memory_order_relaxed);
+      return;
+    }
     std::this_thread::sleep_for(kPoll);
   }
-  if (alive.load(std::memory_order_relaxed)) SayFarewell();
 }
 
 HidLink::HidLink(const std::string& path, HidLinkOptions options)
@@ -193,6 +266,7 @@ HidLink::HidLink(const std::string& path, HidLinkOptions options)
   }).detach();
   std::thread([impl = impl_] {
     BeginThread("hid-write");
+    RunAhead(kCarriesForces);  // else the guardian lets go of forces that are held up
     impl->WriteAll();
     impl->running.fetch_sub(1, std::memory_order_release);
   }).detach();
@@ -210,14 +284,28 @@ bool HidLink::Take(std::size_t input, HidReport& report) noexcept {
   return impl_->inputs[input].Take(report);
 }
 
-void HidLink::Put(std::size_t place, std::span<const std::uint8_t> report) noexcept {
+void HidLink::Put(std::size_t place, std::span<const std::uint8_t> report, bool pushes) noexcept {
   HidReport out;
+  out.pushes = pushes;
   out.size = static_cast<std::uint16_t>(std::min(report.size(), HidReport::kMostBytes));
   std::copy_n(report.begin(), out.size, out.bytes.begin());
+  put_at_ = Now();
   impl_->outputs[place].box.Put(out);
 }
 
+bool HidLink::WasLetGo() noexcept {
+  if (!impl_->guardian) return false;
+  const std::uint64_t releases = impl_->guardian->Releases();
+  if (releases == releases_) return false;
+  releases_ = releases;
+  return Now() - put_at_ < Guardian::kLongestSilence;
+}
+
 bool HidLink::IsAlive() const noexcept { return impl_->alive.load(std::memory_order_relaxed); }
+
+std::string HidLink::WhyLost() const {
+  return impl_->guardian_ended.load(std::memory_order_relaxed) ? "its guardian process ended" : "";
+}
 
 std::uint32_t HidLink::Strays() const noexcept {
   return impl_->strays.load(std::memory_order_relaxed);

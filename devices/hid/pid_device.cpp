@@ -27,6 +27,7 @@ constexpr std::size_t kEnablePlace = 2;  // of the link's outputs, after the two
 
 /// Everything that is known once the device is open.
 struct Plan {
+  std::string name;
   PidLayout layout;
   StickLayout stick;
   PidSetup setup;
@@ -38,11 +39,25 @@ struct Plan {
   std::array<int, 2> motor_of_axis{-1, -1};  ///< of frame D: 0 HID's X, 1 HID's Y, -1 none
 };
 
+/// Zero force, and every effect is stopped; the next start and force undo it.
+std::vector<HidReport> ReleaseOf(const Plan& plan) {
+  std::vector<HidReport> release;
+  for (const int block : plan.setup.blocks) {
+    if (block != 0) release.push_back(EncodeConstantForce(plan.layout, block, 0));
+  }
+  for (const int block : plan.setup.blocks) {
+    if (block != 0) release.push_back(EncodeOperation(plan.layout, block, pid::kStop));
+  }
+  return release;
+}
+
 HidLinkOptions LinkOptions(const Plan& plan) {
   HidLinkOptions options;
+  options.name = plan.name;
   options.inputs = plan.inputs;
   options.outputs = kEnablePlace + 1;
   options.renew_every = kRenewEvery;
+  options.release = ReleaseOf(plan);
   for (const int block : plan.setup.blocks) {
     if (block == 0) continue;
     options.renewed.push_back(EncodeOperation(plan.layout, block, pid::kStart));
@@ -73,19 +88,20 @@ class PidDevice final : public Device {
         is_ready_(IsReady(plan_.setup.state)) {
     // Once more through the link: a state reported between set-up and here would be missed.
     if (plan_.layout.control.command.Offers(pid::kEnable)) {
-      link_.Put(kEnablePlace, EncodeControl(plan_.layout, pid::kEnable).span());
+      link_.Put(kEnablePlace, EncodeControl(plan_.layout, pid::kEnable).span(), false);
     }
   }
 
   ~PidDevice() override { SendForce(glm::dvec3(0, 0, 0)); }
 
   DeviceLimits Limits() const noexcept override { return plan_.limits; }
+  std::string WhyLost() override { return link_.WhyLost(); }
 
   DeviceStatus Read(DeviceState& state) noexcept override {
     const bool is_fresh = TakeReports();
     CheckLink();
     if (is_lost_) return DeviceStatus::kLost;
-    if (!is_ready_) return DeviceStatus::kNotReady;
+    if (!is_ready_ || link_.WasLetGo()) return DeviceStatus::kNotReady;
     if (!is_fresh) return DeviceStatus::kNoNewData;
     state = Decode();
     return DeviceStatus::kOk;
@@ -176,7 +192,8 @@ class PidDevice final : public Device {
       if (motor < 0) continue;
       const auto m = static_cast<std::size_t>(motor);
       const double share = sign[i] * f_D[static_cast<int>(i)] / plan_.map.full_force;
-      link_.Put(m, EncodeConstantForce(plan_.layout, plan_.setup.blocks[m], share).span());
+      const HidReport report = EncodeConstantForce(plan_.layout, plan_.setup.blocks[m], share);
+      link_.Put(m, report.span(), share != 0);
     }
   }
 
@@ -197,6 +214,7 @@ int MotorFor(const AxisMap& axis, const PidLayout& layout) {
 Plan MakePlan(const HidInfo& info, const DeviceProfile& profile, double tick, double press) {
   const HidDescriptor descriptor = ParseHidDescriptor(ReportDescriptorOf(info.path));
   Plan plan;
+  plan.name = profile.name;
   plan.layout = FindPidLayout(descriptor);
   plan.stick = FindStick(descriptor, profile.stick);
   if (!descriptor.is_numbered || !PidReportsFit(plan.layout)) {

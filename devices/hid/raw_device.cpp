@@ -25,23 +25,26 @@ HidReport ToReport(const RawOutput& output) {
   return report;
 }
 
-HidLinkOptions LinkOptions() {
+HidLinkOptions LinkOptions(const std::string& name) {
   HidLinkOptions options;
   options.inputs = {kRawInputNumber};
   options.repeat_every = kKeepAlive;
-  options.farewell = {ToReport({})};
+  options.farewell = options.release = {ToReport({})};
+  options.name = name;
   return options;
 }
 
 class RawDevice final : public Device {
  public:
-  RawDevice(const std::string& path, const DeviceLimits& limits)
-      : limits_(limits), link_(path, LinkOptions()) {}
+  RawDevice(const std::string& path, const std::string& name, const DeviceLimits& limits)
+      : limits_(limits), link_(path, LinkOptions(name)) {}
 
   DeviceLimits Limits() const noexcept override { return limits_; }
+  std::string WhyLost() override { return link_.WhyLost(); }
 
   DeviceStatus Read(DeviceState& state) noexcept override {
     if (IsLost()) return Lose();
+    if (link_.WasLetGo()) return NotReady();
     HidReport report;
     if (!link_.Take(0, report)) return is_ready_ ? DeviceStatus::kNoNewData : NotReady();
     const std::optional<RawInput> input = DecodeRawInput(report.span());
@@ -67,7 +70,7 @@ class RawDevice final : public Device {
       const bool may = limits_.pushes[i] && std::isfinite(f_D[i]);
       output.f_D[i] = may ? std::clamp(f_D[i], -limits_.peak_force, limits_.peak_force) : 0;
     }
-    link_.Put(0, EncodeRawOutput(output));
+    link_.Put(0, EncodeRawOutput(output), output.f_D != glm::dvec3(0, 0, 0));
     return DeviceStatus::kOk;
   }
 
@@ -85,7 +88,9 @@ class RawDevice final : public Device {
     LetGo();
     return DeviceStatus::kNotReady;
   }
-  void LetGo() noexcept { link_.Put(0, EncodeRawOutput({sequence_out_++, false, {0, 0, 0}})); }
+  void LetGo() noexcept {
+    link_.Put(0, EncodeRawOutput({sequence_out_++, false, {0, 0, 0}}), false);
+  }
 
   const DeviceLimits limits_;
   HidLink link_;
@@ -152,7 +157,7 @@ DeviceProfile WithHello(DeviceProfile profile, const RawHello& hello) {
 std::unique_ptr<Device> MakeRawDevice(const HidInfo& info, const DeviceProfile& profile,
                                       double tick) {
   const DeviceProfile full = WithHello(profile, ReadRawHello(info.path));
-  return std::make_unique<RawDevice>(info.path, LimitsOf(full, tick));
+  return std::make_unique<RawDevice>(info.path, profile.name, LimitsOf(full, tick));
 }
 
 }  // namespace moontrace

@@ -21,27 +21,30 @@ constexpr double kLongestWrite = 0.25;  // a device that takes nothing for so lo
 constexpr double kFastestTurn = 50;  // [rad/s]
 constexpr double kLeap = 0.1;        // [rad]
 
-HidLinkOptions LinkOptions(const ArmGeometry& arm) {
-  const ArmOutput zero = EncodeArm(arm, {});
+HidLinkOptions LinkOptions(const DeviceProfile& profile) {
+  const ArmOutput zero = EncodeArm(profile.arm, {});
   HidReport report;
   report.size = static_cast<std::uint16_t>(zero.size);
   std::copy_n(zero.bytes.begin(), zero.size, report.bytes.begin());
   HidLinkOptions options;
   options.repeat_every = kKeepAlive;
-  options.farewell = {report};
+  options.farewell = options.release = {report};
+  options.name = profile.name;
   return options;
 }
 
 class WoodenHaptics final : public Device, public NeedsHoming {
  public:
   WoodenHaptics(const std::string& path, const DeviceProfile& profile, const DeviceLimits& limits)
-      : arm_(profile.arm), limits_(limits), link_(path, LinkOptions(arm_)), homing_(arm_) {}
+      : arm_(profile.arm), limits_(limits), link_(path, LinkOptions(profile)), homing_(arm_) {}
 
   DeviceLimits Limits() const noexcept override { return limits_; }
+  std::string WhyLost() override { return link_.WhyLost(); }
   HomingStep NextStep() const noexcept override { return step_.load(std::memory_order_relaxed); }
 
   DeviceStatus Read(DeviceState& state) noexcept override {
     if (IsLost()) return Lose();
+    if (link_.WasLetGo()) return DeviceStatus::kNotReady;
     HidReport report;
     if (!link_.Take(0, report)) return NothingNew();
     const std::optional<ArmReport> input = DecodeArm(arm_, report.span());
@@ -102,7 +105,7 @@ class WoodenHaptics final : public Device, public NeedsHoming {
     return false;
   }
   void Send(const ArmCurrents& currents) noexcept {
-    link_.Put(0, EncodeArm(arm_, currents).span());
+    link_.Put(0, EncodeArm(arm_, currents).span(), currents != ArmCurrents{});
   }
 
   const ArmGeometry arm_;

@@ -1,9 +1,7 @@
 #include "devices/plugin/plugin_process.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -15,11 +13,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <new>
-#include <system_error>
 
 #include "devices/core/device_error.h"
+#include "devices/helper/priority.h"
 #include "devices/plugin/trusted_file.h"
 
 namespace moontrace {
@@ -33,47 +30,11 @@ using Clock = std::chrono::steady_clock;
 constexpr int kWatchEvery = 5;  // [ms]
 constexpr auto kLongestOpening = std::chrono::seconds(10);
 constexpr auto kLongestClosing = std::chrono::milliseconds(500);
-constexpr std::size_t kMemoryBytes = 2 * kPageBytes;
 
 [[noreturn]] void Fail(const char* what) {
   throw DeviceError(
       fmt::format("the helper of a plug-in cannot be started: {}: {}", what, std::strerror(errno)));
 }
-
-/// A copy beyond the numbers that the helper is started with, so that none is overwritten.
-FileDescriptor Aside(const FileDescriptor& fd) {
-  return FileDescriptor(fcntl(fd.get(), F_DUPFD_CLOEXEC, kLifeline + 1));
-}
-
-/// What the helper is started with: its files, default signals, and a process group of its own, so
-/// that Ctrl-C or Ctrl-Z stops the program and leaves the helper to command zero.
-class SpawnSettings {
- public:
-  SpawnSettings() {
-    posix_spawn_file_actions_init(&actions);
-    posix_spawnattr_init(&attributes);
-    sigset_t signals;
-    sigfillset(&signals);
-    posix_spawnattr_setsigdefault(&attributes, &signals);
-    sigemptyset(&signals);
-    posix_spawnattr_setsigmask(&attributes, &signals);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(
-        &attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    // What a vendor's driver prints is no result of ours.
-    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  }
-  ~SpawnSettings() {
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-};
 
 std::string InWords(int status) {
   if (WIFSIGNALED(status)) {
@@ -95,56 +56,19 @@ std::string Cleaned(const std::array<char, 256>& text) {
 
 }  // namespace
 
-void PluginProcess::Unmap::operator()(void* memory) const noexcept { munmap(memory, kMemoryBytes); }
-
-void PluginProcess::ShareMemory() {
-  memory_file_ = FileDescriptor(memfd_create("moontrace-plugin", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  // Sealed, since touching memory of a file that was cut short kills the process.
-  if (!memory_file_ || ftruncate(memory_file_.get(), kMemoryBytes) != 0 ||
-      fcntl(memory_file_.get(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
-    Fail("shared memory");
-  }
-  void* place =
-      mmap(nullptr, kMemoryBytes, PROT_READ | PROT_WRITE, MAP_SHARED, memory_file_.get(), 0);
-  if (place == MAP_FAILED) Fail("shared memory");
-  memory_.reset(place);
-  auto* helper_place = static_cast<std::byte*>(place) + kPageBytes;
-  program_ = new (place) ProgramPage;
-  helper_ = new (helper_place) HelperPage;
-  if (mprotect(helper_place, kPageBytes, PROT_READ) != 0) Fail("shared memory");
-  // The tick must not wait for memory that is paged in late; a failure only costs time.
-  mlock(place, kMemoryBytes);
-}
-
-void PluginProcess::Start(const std::string& host, const FileDescriptor& plugin,
-                          const FileDescriptor& lifeline) {
-  const FileDescriptor memory = Aside(memory_file_);
-  const FileDescriptor file = Aside(plugin);
-  const FileDescriptor line = Aside(lifeline);
-  if (!memory || !file || !line) Fail("open files");
-  SpawnSettings settings;
-  posix_spawn_file_actions_adddup2(&settings.actions, memory.get(), kMemoryFile);
-  posix_spawn_file_actions_adddup2(&settings.actions, file.get(), kPluginFile);
-  posix_spawn_file_actions_adddup2(&settings.actions, line.get(), kLifeline);
-  std::string name = "moontrace-plugin-host";
-  char* arguments[] = {name.data(), nullptr};
-  errno =
-      posix_spawn(&pid_, host.c_str(), &settings.actions, &settings.attributes, arguments, environ);
-  if (errno != 0) {
-    pid_ = -1;
-    Fail(host.c_str());
-  }
-}
-
-PluginProcess::PluginProcess(const std::string& host, const std::string& path) {
+PluginProcess::PluginProcess(const std::string& host, const std::string& path)
+    : memory_("moontrace-plugin", 2 * kPageBytes),
+      program_(new (memory_.data()) ProgramPage),
+      helper_(new (memory_.data() + kPageBytes) HelperPage) {
+  if (mprotect(memory_.data() + kPageBytes, kPageBytes, PROT_READ) != 0) Fail("shared memory");
   const FileDescriptor plugin = OpenTrusted(path);
-  ShareMemory();
   int ends[2] = {-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) Fail("socket");
   lifeline_ = FileDescriptor(ends[0]);
   {
     const FileDescriptor far_end(ends[1]);
-    Start(host, plugin, far_end);
+    const int files[] = {memory_.file(), plugin.get(), far_end.get()};
+    pid_ = StartHelper(host, files, HelperOutput::kErrors);
   }
   try {
     AwaitOpening(path);
@@ -167,8 +91,9 @@ bool PluginProcess::HasEnded(int milliseconds) const noexcept {
 }
 
 int PluginProcess::Reap() noexcept {
-  // It may live on with its end of the lifeline closed; if it has ended, this does no harm.
-  kill(pid_, SIGKILL);
+  // It may live on with its end of the lifeline closed; if it has ended, this does no harm. With it
+  // goes whatever the plug-in has started: the helper leads a group of its own.
+  kill(-pid_, SIGKILL);
   int status = 0;
   // Not for ever: a driver may block the process within the kernel.
   for (int tries = 0; tries < 1000 && waitpid(pid_, &status, WNOHANG) == 0; ++tries) {
@@ -197,6 +122,9 @@ void PluginProcess::AwaitOpening(const std::string& path) {
 }
 
 void PluginProcess::Watch() {
+  // By it the helper knows at once that the program died, and a thread dies when it is run.
+  const LifeNote note(program_->life);
+  RunAhead(kCarriesForces);
   std::uint64_t beats = 0;
   Clock::time_point heard = Clock::now();
   Clock::time_point closing = Clock::time_point::max();
@@ -227,16 +155,6 @@ std::string PluginProcess::HowItEnded() const {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return {};
-}
-
-std::string PluginHostPath() {
-  std::error_code ignored;
-  const std::filesystem::path program =
-      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-  const std::filesystem::path installed =
-      program.parent_path() / MOONTRACE_LIBEXEC / "moontrace-plugin-host";
-  if (std::filesystem::exists(installed, ignored)) return installed.string();
-  return MOONTRACE_PLUGIN_HOST;
 }
 
 }  // namespace moontrace

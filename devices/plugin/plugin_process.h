@@ -4,10 +4,10 @@
 
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <thread>
 
+#include "devices/helper/helper_process.h"
 #include "devices/plugin/wire/plugin_wire.h"
 #include "textures/base/file_descriptor.h"
 
@@ -42,20 +42,14 @@ class PluginProcess {
   }
 
  private:
-  struct Unmap {
-    void operator()(void* memory) const noexcept;
-  };
-  void ShareMemory();
-  void Start(const std::string& host, const FileDescriptor& plugin, const FileDescriptor& lifeline);
   void AwaitOpening(const std::string& path);
   void Watch();
   bool HasEnded(int milliseconds) const noexcept;
   int Reap() noexcept;
 
-  FileDescriptor memory_file_;
-  std::unique_ptr<void, Unmap> memory_;
-  plugin_wire::ProgramPage* program_ = nullptr;
-  const plugin_wire::HelperPage* helper_ = nullptr;
+  SharedMemory memory_;
+  plugin_wire::ProgramPage* program_;
+  const plugin_wire::HelperPage* helper_;
   std::uint64_t seen_ = 0;
   FileDescriptor lifeline_;
   ::pid_t pid_ = -1;
@@ -66,7 +60,7 @@ class PluginProcess {
   std::thread watcher_;
 };
 
-/// Where the helper program is: ../libexec beside the installed program, else where it was built.
-std::string PluginHostPath();
+/// Where the helper program is.
+inline std::string PluginHostPath() { return HelperPath("moontrace-plugin-host"); }
 
 }  // namespace moontrace

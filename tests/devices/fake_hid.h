@@ -39,6 +39,13 @@ class FakeHid {
   FakeHid(const FakeHid&) = delete;
   FakeHid& operator=(const FakeHid&) = delete;
 
+  /// When the log's time 0 was, steady clock [s].
+  static double Began() {
+    using Function = double (*)();
+    const auto began = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, "moontrace_fake_hid_began"));
+    return began != nullptr ? began() : 0;
+  }
+
   /// One line of the log.
   struct Line {
     double time = 0;  ///< [ms]

@@ -1,12 +1,11 @@
 // The helper process in which a plug-in device runs (devices/plugin/plugin_device.h starts it):
-// reads and writes the device at its rate, lets go when the program is silent, ends when the
-// program ends.
+// reads and writes the device at its rate and is its guardian: it lets go at once when the program
+// is silent for 20 ms or dies, as soon as the plug-in's own call returns, and ends with it.
 
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <sched.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,16 +17,20 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
+#include "devices/helper/priority.h"
 #include "devices/plugin/wire/plugin_wire.h"
 
 namespace moontrace::plugin_wire {
 namespace {
+
+constexpr double kPaceTime = 0.5;      // over which a plug-in's pace is told [s]
+constexpr double kSlowest = 2;         // of its own periods, in the mean
+constexpr double kLeastSlow = 0.0005;  // what is sooner is no matter [s]
 
 std::atomic<bool> asked_to_end{false};
 
@@ -58,7 +61,7 @@ void WatchLifeline() {
   }
   asked_to_end.store(true);
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  _exit(0);
+  kill(0, SIGKILL);  // and with it what the plug-in has started
 }
 
 const moontrace_device& LoadPlugin() {
@@ -127,11 +130,13 @@ class OpenDevice {
     const double period = 1 / page_.description.rate;
     double next = Now();
     while (!asked_to_end.load(std::memory_order_relaxed)) {
+      const double began = Now();
       ReadOnce();
       WriteOnce();
+      WatchPace(began, Now(), period);
       page_.beats.fetch_add(1, std::memory_order_release);
       next = std::max(next + period, Now());  // what was missed is not made up for
-      SleepUntil(next);
+      WaitUntil(next);
     }
   }
 
@@ -162,24 +167,48 @@ class OpenDevice {
   void WriteOnce() {
     const double now = Now();
     if (program_.command.Take(command_, seen_)) heard_ = now;
-    const bool silent = now - heard_ > kProgramSilence;
+    const bool silent = now - heard_ >= kProgramSilence;
     double force[3] = {0, 0, 0};
     for (std::size_t i = 0; i < 3 && !silent && AllFinite(command_.force.data()); ++i) {
       const double peak = page_.description.peak_force;
       const bool pushes = ((page_.description.pushes >> i) & 1u) != 0;
       if (pushes) force[i] = std::clamp(command_.force[i], -peak, peak);
     }
+    pushes_ = force[0] != 0 || force[1] != 0 || force[2] != 0;
     const int status = device_.write(self_, force);
     if (status != MOONTRACE_OK && status != MOONTRACE_NOT_READY) {
       throw std::runtime_error("lost its device");
     }
   }
 
-  static void SleepUntil(double time) noexcept {
-    const double whole = std::floor(time);
-    const timespec until = {static_cast<std::time_t>(whole),
-                            static_cast<long>((time - whole) * 1e9)};
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+  /// A plug-in whose calls take far longer than the period it promises renders forces that are not
+  /// stable, and lets go late. Time outside of its calls, on a busy machine say, does not count.
+  void WatchPace(double began, double ended, double period) {
+    if (rounds_ == 0) pace_since_ = began;
+    ++rounds_;
+    in_calls_ += ended - began;
+    if (ended - pace_since_ < kPaceTime) return;
+    const double mean = in_calls_ / rounds_;
+    if (mean > std::max(kSlowest * period, kLeastSlow)) {
+      throw std::runtime_error(
+          fmt::format("reads and writes {:.0f} times a second, not {:.0f} as it describes: correct "
+                      "the rate in describe, or make read and write return sooner",
+                      1 / mean, 1 / period));
+    }
+    rounds_ = 0;
+    in_calls_ = 0;
+  }
+
+  /// Until a round is due. The program's death ends it at once; its silence is answered when it is
+  /// long enough, however slow the device's rounds are.
+  void WaitUntil(double next) {
+    while (!asked_to_end.load(std::memory_order_relaxed)) {
+      const double until = pushes_ ? std::min(next, heard_ + kProgramSilence) : next;
+      const Life life = AwaitEnd(program_.life, until);
+      if (life == Life::kDying || life == Life::kDied) asked_to_end.store(true);
+      if (Now() >= next) return;
+      if (pushes_ && Now() >= heard_ + kProgramSilence) WriteOnce();
+    }
   }
 
   const moontrace_device& device_;
@@ -189,6 +218,9 @@ class OpenDevice {
   Command command_;
   std::uint64_t seen_ = 0;
   double heard_ = -1;  ///< when the newest command came [s]
+  bool pushes_ = false;
+  double pace_since_ = 0, in_calls_ = 0;  ///< since when the pace is watched, and of it [s]
+  int rounds_ = 0;
 };
 
 void BehaveAsHelper() {
@@ -198,10 +230,7 @@ void BehaveAsHelper() {
   sigaction(SIGINT, &action, nullptr);
   std::signal(SIGHUP, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
-  // Real-time where it is allowed; where not, the device is late as the machine is busy.
-  sched_param priority = {};
-  priority.sched_priority = sched_get_priority_min(SCHED_FIFO);
-  sched_setscheduler(0, SCHED_FIFO, &priority);
+  RunAhead(kLetsGo);  // where not, the device is late as the machine is busy
 }
 
 void RunHelper(const ProgramPage& program, HelperPage& page) {
@@ -235,6 +264,10 @@ int main() {
   if (program == nullptr || helper == nullptr) return 4;
   BehaveAsHelper();
   std::thread(WatchLifeline).detach();
-  RunHelper(*static_cast<const ProgramPage*>(program), *static_cast<HelperPage*>(helper));
+  const auto& page = *static_cast<const ProgramPage*>(program);
+  RunHelper(page, *static_cast<HelperPage*>(helper));
+  // What the plug-in has started ends too; while the program lives, it sees to that.
+  const moontrace::Life life = moontrace::LifeOf(page.life);
+  if (life == moontrace::Life::kDying || life == moontrace::Life::kDied) kill(0, SIGKILL);
   return 0;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "devices/helper/thread_life.h"
 #include "devices/moontrace_device.h"
 #include "devices/plugin/wire/shared_value.h"
 
@@ -51,6 +52,7 @@ enum class Phase : std::uint32_t {
 
 /// Written by the program.
 struct ProgramPage {
+  LifeWord life;  ///< of a thread that lives as long as the helper is needed
   SharedValue<Command> command;
 };
 

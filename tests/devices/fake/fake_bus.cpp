@@ -64,7 +64,7 @@ void Bus::Build() {
   began = Now();
   fault = ReadFault();
   if (log != nullptr) std::fclose(log);
-  const std::string log_path = Environment("MOONTRACE_FAKE_LOG");
+  const std::string log_path = is_owner ? Environment("MOONTRACE_FAKE_LOG") : "";
   log = log_path.empty() ? nullptr : std::fopen(log_path.c_str(), "w");
   std::string kinds = Environment("MOONTRACE_FAKE_HID");
   for (std::size_t begin = 0; begin < kinds.size();) {
@@ -72,6 +72,9 @@ void Bus::Build() {
     auto port = std::make_unique<Port>();
     port->kind = kinds.substr(begin, end - begin);
     port->path = "/dev/hidraw-fake" + std::to_string(ports.size());
+    const auto same = std::count_if(ports.begin(), ports.end(),
+                                    [&](const auto& other) { return other->kind == port->kind; });
+    port->name = port->kind + (same > 0 ? "-" + std::to_string(same + 1) : "");
     begin = end + 1;
     if (MakeEmulator(port->kind) == nullptr) {
       std::fprintf(stderr, "MOONTRACE_FAKE_HID: no kind '%s'\n", port->kind.c_str());
@@ -81,7 +84,7 @@ void Bus::Build() {
     if (fault.kind == "wrong-descriptor") {
       port->identity.descriptor.resize(port->identity.descriptor.size() * 2 / 3);
     }
-    WriteDescriptor(*port, folder);
+    if (is_owner) WriteDescriptor(*port, folder);
     ports.push_back(std::move(port));
   }
 }
@@ -93,9 +96,9 @@ Port* Bus::At(const std::string& path) {
   return nullptr;
 }
 
-void Bus::Log(const Port& port, const char* what, Bytes bytes) {
+void Bus::Log(const Port& port, const char* what, Bytes bytes, double time) {
   if (log == nullptr) return;
-  std::fprintf(log, "%.3f %s %s", (Now() - began) * 1e3, port.kind.c_str(), what);
+  std::fprintf(log, "%.3f %s %s", (time - began) * 1e3, port.name.c_str(), what);
   for (const std::uint8_t byte : bytes) std::fprintf(log, " %02x", byte);
   std::fputc('\n', log);
   std::fflush(log);
@@ -144,7 +147,7 @@ void Bus::Settle(Port& port) {
   port.emulator->Advance(now - port.plugged, [&](Bytes report) { Deliver(port, report); });
   const glm::dvec3 force = port.emulator->Force();
   if (log != nullptr && force != port.force) {
-    std::fprintf(log, "%.3f %s force %.6f %.6f %.6f\n", (now - began) * 1e3, port.kind.c_str(),
+    std::fprintf(log, "%.3f %s force %.6f %.6f %.6f\n", (now - began) * 1e3, port.name.c_str(),
                  force.x, force.y, force.z);
     std::fflush(log);
   }

@@ -28,6 +28,7 @@ struct Fault {
 /// One place where a device is plugged in.
 struct Port {
   std::string kind, path;
+  std::string name;  // in the log: the kind, then kind-2, kind-3
   std::unique_ptr<Emulator> emulator;
   Identity identity;
   double plugged = 0;  // [s] on the clock
@@ -52,10 +53,12 @@ struct Bus {
   std::FILE* log = nullptr;
   double began = 0;
   bool is_built = false;
+  bool is_owner = true;  // else devices are another process' and only their list is here
 
   void Build();
   Port* At(const std::string& path);
-  void Log(const Port& port, const char* what, Bytes bytes);
+  /// A call that the host made at `time` on the clock [s].
+  void Log(const Port& port, const char* what, Bytes bytes, double time);
   void Settle(Port& port);
   void Break(Port& port);
   void Deliver(Port& port, Bytes report);
@@ -72,4 +75,5 @@ struct hid_device_ {
   int plugging = 0;
   std::deque<moontrace::fake::Report> queue;
   std::wstring error = L"Success";
+  int connection = -1;  ///< to the owner of the bus, if that is another process
 };

@@ -70,10 +70,10 @@ TEST(HidLink, SendsAnOutputOnceWhenItIsPutAgainUnchanged) {
   {
     HidLink link(ThePath(), Options());
     for (int i = 0; i < 50; ++i) {
-      link.Put(0, ConstantForce(100));
+      link.Put(0, ConstantForce(100), true);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    link.Put(0, ConstantForce(200));
+    link.Put(0, ConstantForce(200), true);
   }
   const auto sent = fake.Log("out", kConstant);
   ASSERT_EQ(sent.size(), 2u);
@@ -87,7 +87,7 @@ TEST(HidLink, RepeatsAnUnchangedOutputWhileTheTickLives) {
   options.repeat_every = 0.005;
   HidLink link(ThePath(), options);
   EXPECT_TRUE(ComesTrue([&] {
-    link.Put(0, ConstantForce(100));
+    link.Put(0, ConstantForce(100), true);
     return fake.Log("out", kConstant).size() > 5;
   }));
 }
@@ -100,7 +100,7 @@ TEST(HidLink, RenewsAndRepeatsNothingWhenTheTickHangs) {
   options.renew_every = 0.002;
   HidLink link(ThePath(), options);
   ASSERT_TRUE(ComesTrue([&] {
-    link.Put(0, ConstantForce(100));
+    link.Put(0, ConstantForce(100), true);
     return fake.Log("out", kOperation).size() > 5 && fake.Log("out", kConstant).size() > 5;
   }));
   // From here the tick puts nothing: sooner or later the number of reports stands still.
@@ -118,7 +118,7 @@ TEST(HidLink, SendsWhatIsPutAndItsFarewellLast) {
     auto options = Options();
     options.farewell = {ReportOf({kOperation, 1, 3, 0}), ReportOf({12, 2})};
     HidLink link(ThePath(), options);
-    link.Put(0, ConstantForce(0));
+    link.Put(0, ConstantForce(0), false);
   }
   const auto sent = fake.Log("out");
   ASSERT_EQ(sent.size(), 3u);
@@ -152,7 +152,7 @@ TEST(HidLink, LeavesADeafDeviceToItsThread) {
   const auto began = Clock::now();
   {
     HidLink link(ThePath(), Options());
-    link.Put(0, ConstantForce(100));
+    link.Put(0, ConstantForce(100), true);
     ASSERT_TRUE(ComesTrue([&] { return link.WaitingWrite() > 0.01; }));
   }
   // Not a measurement: a destructor that waited for the write would take 5 s.
@@ -164,7 +164,7 @@ TEST(HidLink, OutlivesAFlood) {
   HidLink link(ThePath(), Options());
   HidReport report;
   ASSERT_TRUE(ComesTrue([&] { return link.Take(0, report) && report.count > 1000; }));
-  link.Put(0, ConstantForce(100));
+  link.Put(0, ConstantForce(100), true);
   EXPECT_TRUE(ComesTrue([&] { return !fake.Log("out", kConstant).empty(); }));
 }
 

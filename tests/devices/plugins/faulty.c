@@ -1,6 +1,7 @@
 /* The template's device with one fault, chosen when it is compiled: FAULT is one of the names
    below. A fault strikes on read number 200, so that the device works before. What write gets goes
-   to the file that MOONTRACE_TEST_FORCES names, so that a test can see the last command. */
+   to the file that MOONTRACE_TEST_FORCES names, so that a test can see the last command; with the
+   time before it [s] to the one that MOONTRACE_TEST_TIMES names. */
 #define moontrace_device_entry template_entry
 #include "template.c"
 #undef moontrace_device_entry
@@ -9,6 +10,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
 #define NONE 0
@@ -26,6 +28,7 @@
 
 static int reads = 0;
 static int forces = -1;
+static int times = -1;
 
 static int faulty_describe(struct moontrace_description* d) {
   const int result = describe(d);
@@ -35,12 +38,16 @@ static int faulty_describe(struct moontrace_description* d) {
 
 static void* faulty_open(char* error, size_t size) {
   const char* path = getenv("MOONTRACE_TEST_FORCES");
+  const char* times_path = getenv("MOONTRACE_TEST_TIMES");
   if (FAULT == CRASH_AT_OPEN) abort();
   if (FAULT == REFUSE) {
     snprintf(error, size, "no arm found: plug it in");
     return NULL;
   }
   if (path != NULL) forces = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
+  if (times_path != NULL) {
+    times = open(times_path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
+  }
   return open_device(error, size);
 }
 
@@ -74,7 +81,13 @@ static int faulty_read(void* self, struct moontrace_reading* reading) {
 }
 
 static int faulty_write(void* self, const double force[3]) {
+  struct timespec now;
+  double timed[4];
   if (forces >= 0 && write(forces, force, 3 * sizeof *force) < 0) return MOONTRACE_LOST;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  timed[0] = now.tv_sec + 1e-9 * now.tv_nsec;
+  memcpy(timed + 1, force, 3 * sizeof *force);
+  if (times >= 0 && write(times, timed, sizeof timed) < 0) return MOONTRACE_LOST;
   return write_device(self, force);
 }
 
