@@ -78,6 +78,12 @@ class Parser {
         "report descriptor, byte {}: {}: the device's firmware is at fault, update it", at, what));
   }
 
+  /// Pads over Bluetooth list that many, sticks that push a hundredth of it.
+  [[noreturn]] static void FailByUsages(std::size_t at) {
+    throw DeviceError(fmt::format(
+        "report descriptor, byte {}: has too many usages: it is no force-feedback device", at));
+  }
+
   /// False for a long item, which nobody has defined: skipped.
   bool Next(Item& item) {
     const std::uint32_t prefix = bytes_[at_];
@@ -137,7 +143,7 @@ class Parser {
       if (locals_.set_has_one) return;
       locals_.set_has_one = true;
     }
-    if (locals_.usages.size() == kMostUsages) Fail(item.at, "has too many usages");
+    if (locals_.usages.size() == kMostUsages) FailByUsages(item.at);
     locals_.usages.push_back(usage);
   }
 
@@ -198,7 +204,7 @@ class Parser {
     std::size_t n = locals_.usages.size();
     if (is_variable) n = std::min<std::size_t>(n, globals_.count);
     all_usages_ += n;
-    if (all_usages_ > kMostAllUsages) Fail(item.at, "has too many usages");
+    if (all_usages_ > kMostAllUsages) FailByUsages(item.at);
     std::vector<HidUsage> usages;
     usages.reserve(n);
     for (std::size_t i = 0; i < n; ++i) usages.push_back(Full(locals_.usages[i]));

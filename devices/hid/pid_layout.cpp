@@ -209,6 +209,12 @@ PidLayout FindPidLayout(const HidDescriptor& descriptor) {
   FindOperations(descriptor, layout);
   FindPool(descriptor, layout);
   const std::string missing = MissingFrom(layout);
+  // Gamepads borrow a magnitude and a duration of PID for their rumble, and have no effects.
+  if (!layout.constant.report.IsThere() && !layout.operation.report.IsThere() &&
+      ReportWith(descriptor, HidReportType::kOutput, pid::kPage | 0x70, pid::kPage | 0x21) !=
+          nullptr) {
+    throw DeviceError("it is no force-feedback device: its motors only rumble");
+  }
   if (!missing.empty()) {
     throw DeviceError(
         fmt::format("the device's force feedback (PID) lacks {}: update its firmware", missing));

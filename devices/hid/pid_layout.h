@@ -94,7 +94,8 @@ struct PidLayout {
 /// True if the device offers force feedback as PID at all.
 bool SpeaksPid(const HidDescriptor& descriptor);
 
-/// Throws DeviceError, one line that names every report or number that is missing.
+/// Throws DeviceError, one line that names every report or number that is missing, or says that the
+/// device only rumbles.
 PidLayout FindPidLayout(const HidDescriptor& descriptor);
 
 /// A number of an input report.

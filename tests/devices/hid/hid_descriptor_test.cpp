@@ -185,7 +185,7 @@ TEST(HidDescriptor, BoundsUsageRanges) {
     const Bytes round = {0x19, 0, 0x2a, 0xff, 0xff, 0x75, 1, 0x95, 1, 0x81, 0};
     bytes.insert(bytes.end(), round.begin(), round.end());
   }
-  ExpectRefused(bytes, "too many usages");
+  ExpectRefused(bytes, "too many usages: it is no force-feedback device");
 }
 
 /// All fields lie within their report, whatever was read.
