@@ -4,10 +4,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
+#include <fstream>
 #include <glm/glm.hpp>
+#include <string>
 #include <thread>
 
 #include "devices/core/device_error.h"
@@ -128,6 +132,40 @@ TEST_F(PluginDeviceTest, TellsWhyItWasLost) {
     EXPECT_TRUE(TickUntilLost(*device, {1, 0, 0})) << reason.first;
     EXPECT_EQ(device->WhyLost(), reason.second);
   }
+}
+
+TEST_F(PluginDeviceTest, IsLostWithItsRealRateWhenItIsFarTooSlow) {
+  const auto device = MakePluginDevice(Plugin("slow"), 0.001);
+  ASSERT_TRUE(TickUntilLost(*device, {0, 0, 0}));
+  // It promises 1000 rounds a second and takes 50 ms for each; a busy machine makes it no faster.
+  const std::string why = device->WhyLost();
+  EXPECT_NE(why.find("times a second, not 1000"), std::string::npos) << why;
+  int rate = 0;
+  ASSERT_EQ(std::sscanf(why.c_str(), "the plug-in reads and writes %d", &rate), 1) << why;
+  EXPECT_LE(rate, 20);
+  EXPECT_GE(rate, 5);
+}
+
+TEST_F(PluginDeviceTest, EndsWithWhatItHasStarted) {
+  auto device = MakePluginDevice(Plugin("forks"), 0.001);
+  ASSERT_TRUE(ForcesBecome([](const auto& forces) {
+    return !forces.empty() && std::ranges::any_of(forces, [](auto f) { return f.x > 1; });
+  }));
+  pid_t started = 0;
+  for (const glm::dvec3& force : Forces()) {
+    if (force.x > 1) started = static_cast<pid_t>(force.x);
+  }
+  ASSERT_EQ(kill(started, 0), 0);
+  device.reset();
+  const auto has_ended = [started] {  // whoever its parent is now may not have collected it yet
+    std::ifstream file("/proc/" + std::to_string(started) + "/stat");
+    std::string number, name, state;
+    return !(file >> number >> name >> state) || state == "Z";
+  };
+  for (int tries = 0; tries < 10000 && !has_ended(); ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(has_ended());
 }
 
 TEST_F(PluginDeviceTest, CanBeOpenedAgainAfterACrash) {

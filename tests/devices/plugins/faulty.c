@@ -25,6 +25,8 @@
 #define SCRIBBLE 9
 #define BAD_DESCRIPTION 10
 #define NOT_READY 11
+#define SLOW 12 /* from the first read on */
+#define FORKS 13
 
 static int reads = 0;
 static int forces = -1;
@@ -48,11 +50,18 @@ static void* faulty_open(char* error, size_t size) {
   if (times_path != NULL) {
     times = open(times_path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
   }
+  if (FAULT == FORKS && fork() == 0) { /* a driver's own process; its number goes to the file */
+    const double self[3] = {getpid(), 0, 0};
+    if (forces < 0 || write(forces, self, sizeof self) < 0) _exit(1);
+    for (;;) pause();
+  }
   return open_device(error, size);
 }
 
 static int faulty_read(void* self, struct moontrace_reading* reading) {
   const int result = read_device(self, reading);
+  const struct timespec slow = {0, 50000000};
+  if (FAULT == SLOW) nanosleep(&slow, NULL);
   if (++reads < 200) return result;
   switch (FAULT) {
     case NAN_POSITION:
