@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <map>
 #include <string_view>
 #include <system_error>
 
 #include "devices/core/device_error.h"
+#include "devices/guardian/guardian.h"
 #include "devices/hid/hid_descriptor.h"
 #include "devices/hid/hid_port.h"
 #include "devices/hid/pid_device.h"
@@ -119,6 +121,14 @@ void Probe(Found& found) {
   }
 }
 
+/// Of a device whose figures and problem are known.
+std::string WhyUnguarded(const DeviceEntry& entry) {
+  if (!glm::any(entry.profile.limits.pushes)) return "it has no force";
+  if (!entry.problem.empty()) return "it cannot be opened";
+  // the helper process of a plug-in is its guardian as well
+  return entry.profile.kind == DeviceKind::kPlugin ? "" : Guardian::WhyNone();
+}
+
 std::vector<Found> FindAll(const std::string& folder) {
   const std::vector<DeviceProfile> profiles = LoadProfiles(folder);
   std::vector<HidInfo> there = ListHid();
@@ -213,9 +223,19 @@ std::vector<DeviceEntry> ListDevices(const std::string& profiles) {
   std::vector<DeviceEntry> entries;
   for (Found& found : FindAll(profiles)) {
     Probe(found);
+    found.entry.unguarded = WhyUnguarded(found.entry);
     entries.push_back(std::move(found.entry));
   }
   return entries;
+}
+
+DeviceEntry EntryOfPlugin(const std::string& name) {
+  DeviceEntry entry;
+  entry.name = name;
+  entry.profile = DescribePlugin(PluginPathOf(name));
+  entry.asked = true;
+  entry.unguarded = WhyUnguarded(entry);
+  return entry;
 }
 
 std::string PluginPathOf(const std::string& name) {

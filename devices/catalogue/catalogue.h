@@ -16,7 +16,10 @@ struct DeviceEntry {
   std::string path;     ///< of the HID node or plug-in
   std::string problem;  ///< why it cannot be opened and what mends it, one line; empty if it can
   std::string rule;     ///< of `problem`: the udev line that mends it, if one does
-  bool asked = false;   ///< its figures come from the device, not from its profile
+  /// Why no guardian (devices/guardian) watches over it while it is used, a clause; empty: one
+  /// does.
+  std::string unguarded;
+  bool asked = false;  ///< its figures come from the device, not from its profile
 };
 
 /// Every profile of a folder, by name. Throws DeviceError: no such folder, a broken profile.
@@ -30,6 +33,9 @@ DeviceProfile FindProfile(const std::string& name, const std::string& profiles);
 /// folder that holds the profiles (devices/profiles of the program's data). Throws DeviceError
 /// where a profile is broken, never for a device's sake.
 std::vector<DeviceEntry> ListDevices(const std::string& profiles);
+
+/// What is known of a plug-in's device. Opens and closes it. Throws DeviceError.
+DeviceEntry EntryOfPlugin(const std::string& name);
 
 /// PATH of `plugin:PATH`; empty if `name` is of another kind.
 std::string PluginPathOf(const std::string& name);

@@ -18,6 +18,7 @@ using namespace guardian_wire;
 
 namespace {
 
+const char* const kProgram = "moontrace-guardian";
 constexpr auto kLongestStart = std::chrono::seconds(10);
 constexpr double kLongestEnd = 0.2;   // [s]
 constexpr double kLongestKill = 0.1;  // [s]
@@ -64,11 +65,16 @@ Orders OrdersFor(const GuardedDevice& device) {
 
 }  // namespace
 
+std::string Guardian::WhyNone() {
+  if (access(HelperPath(kProgram).c_str(), X_OK) == 0) return {};
+  return "its program moontrace-guardian is not there: install Moontrace again";
+}
+
 Guardian::Guardian(const GuardedDevice& device)
     : memory_("moontrace-guardian", sizeof(Shared)), shared_(new (memory_.data()) Shared) {
   shared_->orders = OrdersFor(device);
   const int files[] = {memory_.file()};
-  process_ = StartHelper(HelperPath("moontrace-guardian"), files, HelperOutput::kNothing);
+  process_ = StartHelper(HelperPath(kProgram), files, HelperOutput::kNothing);
   try {
     AwaitWatching(device.name);
   } catch (...) {

@@ -31,6 +31,8 @@ class Guardian {
   /// Of the program before the guardian lets go [s].
   static constexpr double kLongestSilence = 0.02;
 
+  /// Why none can be started here, a clause; empty if one can.
+  static std::string WhyNone();
   /// Starts it and waits, at most 10 s, until it has opened the device. Throws DeviceError.
   explicit Guardian(const GuardedDevice& device);
   /// Waits until it has ended, at most 0.2 s, then kills it.

@@ -11,7 +11,6 @@
 #include "devices/core/smallest_letter.h"
 #include "devices/hid/hid_port.h"
 #include "devices/hid/udev_rule.h"
-#include "devices/plugin/plugin_device.h"
 #include "sim/app/messages.h"
 #include "sim/loop/clock.h"
 #include "sim/session/device_check.h"
@@ -65,6 +64,8 @@ Json EntryJson(const DeviceEntry& entry) {
   json["rate_hz"] = profile.rate;
   json["delay_ms"] = kMillimetres * profile.delay;
   json["dead_man_ms"] = limits.dead_man > 0 ? Json(kMillimetres * limits.dead_man) : Json(nullptr);
+  json["guarded"] = entry.unguarded.empty();
+  json["not_guarded_because"] = entry.unguarded.empty() ? Json(nullptr) : Json(entry.unguarded);
   return json;
 }
 
@@ -88,6 +89,7 @@ void SayFigures(const DeviceEntry& entry, Console& console) {
   if (glm::any(profile.limits.pushes)) console.Result(say::DeviceCoupling(profile));
   console.Result(say::DeviceRate(profile));
   console.Result(say::DeviceLetsGo(profile));
+  console.Result(say::DeviceGuarded(entry));
 }
 
 /// What would be recognised, so that somebody who has no device yet finds the names.
@@ -132,14 +134,7 @@ int List(const DevicesOptions& options, Console& console) {
 
 /// What is known of a device before it is opened; only its name if it is not there.
 DeviceEntry EntryOfName(const std::string& name) {
-  const std::string plugin = PluginPathOf(name);
-  if (!plugin.empty()) {
-    DeviceEntry entry;
-    entry.name = name;
-    entry.profile = DescribePlugin(plugin);
-    entry.asked = true;
-    return entry;
-  }
+  if (!PluginPathOf(name).empty()) return EntryOfPlugin(name);
   for (DeviceEntry& entry : ListDevices(ProfilesFolder())) {
     if (entry.name == name) return std::move(entry);
   }

@@ -142,6 +142,11 @@ std::string DeviceLetsGo(const DeviceProfile& profile) {
                      Milliseconds(profile.limits.dead_man));
 }
 
+std::string DeviceGuarded(const DeviceEntry& entry) {
+  if (!entry.unguarded.empty()) return fmt::format("Not guarded: {}.", entry.unguarded);
+  return "Guarded: when Moontrace dies or hangs, another process lets go in 25 ms.";
+}
+
 std::string TryDevice(std::string_view name) {
   return fmt::format("\"moontrace devices test {}\" tries it step by step.", name);
 }

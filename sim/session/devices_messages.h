@@ -31,6 +31,7 @@ std::string DeviceLetters(const DeviceProfile& profile, double smallest);
 std::string DeviceCoupling(const DeviceProfile& profile);
 std::string DeviceRate(const DeviceProfile& profile);
 std::string DeviceLetsGo(const DeviceProfile& profile);
+std::string DeviceGuarded(const DeviceEntry& entry);
 std::string TryDevice(std::string_view name);
 std::string NoDeviceNamed();
 std::string UnknownDevicesWord(std::string_view given);

@@ -77,7 +77,7 @@ std::string Event(SafetyEvent event) {
     case SafetyEvent::kDeviceLost:
       return DeviceLost({});
     case SafetyEvent::kNotReady:
-      return "No force: the device says that its motors are off.";
+      return "No force: the device's motors are off, or were let go of.";
     case SafetyEvent::kPhysicsFault:
       return "No force: MuJoCo reported a fault.";
     case SafetyEvent::kStopped:

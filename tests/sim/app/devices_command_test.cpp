@@ -78,6 +78,21 @@ TEST(DevicesCommand, GivesTheSameAsJson) {
   EXPECT_NE(RunLine({"devices"}).out.find("felt through a spring of 500 N/m"), std::string::npos);
 }
 
+TEST(DevicesCommand, TellsWhichDevicesAreGuardedAndWhyOneIsNot) {
+  {
+    const FakeHid fake("pid,spacemouse,woodenhaptics");
+    const Outcome outcome = RunLine({"devices"});
+    EXPECT_TRUE(Has(outcome.out, "Guarded: when Moontrace dies or hangs")) << outcome.out;
+    EXPECT_TRUE(Has(outcome.out, "Not guarded: it has no force.")) << outcome.out;
+    for (const auto& device : RunLine({"devices", "--json"}).Json()["devices"]) {
+      EXPECT_EQ(device["guarded"], device["name"] != "spacemouse") << device;
+      EXPECT_EQ(device["not_guarded_because"].is_null(), device["guarded"].get<bool>());
+    }
+  }
+  const FakeHid fake("pid", "refused");
+  EXPECT_TRUE(Has(RunLine({"devices"}).out, "Not guarded: it cannot be opened."));
+}
+
 TEST(DevicesCommand, TellsTheUdevLineUnbroken) {
   const FakeHid fake("pid", "refused");
   const Outcome outcome = RunLine({"devices"});
