@@ -41,6 +41,7 @@ void BeginThread(const char* name) noexcept {
 
 std::vector<std::vector<std::uint8_t>> BytesOf(const std::vector<HidReport>& reports) {
   std::vector<std::vector<std::uint8_t>> bytes;
+  bytes.reserve(reports.size());
   for (const HidReport& report : reports) {
     bytes.emplace_back(report.span().begin(), report.span().end());
   }

@@ -1,11 +1,11 @@
 #!/bin/sh
-# run.sh WORK SOURCE INSIDE PROGRAM...: boots Debian's kernel under QEMU with the programs and their
+# run.sh WORK SOURCE INSIDE SECONDS PROGRAM...: boots Debian's kernel under QEMU with the programs and their
 # libraries in its first file system and runs the script INSIDE there, as root, with emulated HID
-# devices behind the kernel's uhid. WORK keeps what was downloaded. Exit 77: this machine lacks
+# devices behind the kernel's uhid, for so long at most. WORK keeps what was downloaded. Exit 77: this machine lacks
 # something, which is said.
 set -eu
-work=$1 source=$2 inside=$3
-shift 3
+work=$1 source=$2 inside=$3 seconds=$4
+shift 4
 
 skip() {
   echo "skipped: $*"
@@ -40,6 +40,7 @@ cp -r "$source/models" "$root/data/"
 mkdir "$root/data/textures"
 cp -r "$source/textures/scripts" "$root/data/textures/"
 cp "$inside" "$root/inside.sh"
+cp "$source/tests/vm/steps.sh" "$root/"
 for module in hid hid-generic uhid; do
   find kernel -path "*/kernel/drivers/hid/$module.ko" -exec cp {} "$root/" \;
 done
@@ -50,6 +51,7 @@ for program in "$@"; do
     [ -e "$root$library" ] || cp -L "$library" "$root$library"
   done
 done
+mkdir -p "$root/libexec" && mv "$root"/moontrace-guardian "$root/libexec/"  # as it is installed
 cat >"$root/init" <<'END'
 #!/bin/busybox sh
 /bin/busybox --install -s /bin
@@ -67,7 +69,7 @@ chmod +x "$root/init"
 
 # In software, which works everywhere, with time by instructions (-icount): however busy this machine
 # is, the same happens inside.
-timeout 400 qemu-system-x86_64 -M q35 -accel tcg -icount shift=3,sleep=off -cpu max -smp 1 -m 768 \
+timeout "$seconds" qemu-system-x86_64 -M q35 -accel tcg -icount shift=3,sleep=off -cpu max -smp 1 -m 768 \
   -nodefaults -no-user-config -display none -serial stdio -no-reboot -net none \
   -kernel kernel/boot/vmlinuz-* -initrd initrd.gz \
   -append "console=ttyS0 quiet panic=-1 tsc=unstable mitigations=off" </dev/null 2>&1 |

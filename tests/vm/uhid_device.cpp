@@ -1,10 +1,12 @@
 // uhid_device KIND: one of the emulated devices (tests/devices/fake) plugged into the running
 // kernel through /dev/uhid, until a signal ends it. Prints a line for every report the host sends
-// and every change of force, as the fake hidapi's log does.
+// and every change of force, as the fake hidapi's log does; the first line tells when its time 0
+// was on the steady clock [ms].
 #include <fcntl.h>
 #include <linux/input.h>
 #include <linux/uhid.h>
 #include <poll.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,7 +30,9 @@ double Now() {
 
 class Plug {
  public:
-  Plug(int file, Emulator& emulator) : file_(file), emulator_(emulator), began_(Now()) {}
+  Plug(int file, Emulator& emulator) : file_(file), emulator_(emulator), began_(Now()) {
+    std::printf("%.3f began\n", began_ * 1e3);
+  }
 
   bool Create() {
     const moontrace::fake::Identity identity = emulator_.Describe();
@@ -127,6 +131,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
+  sched_param priority{};
+  priority.sched_priority = 46;  // hardware waits for nobody
+  sched_setscheduler(0, SCHED_FIFO, &priority);
   const int file = open("/dev/uhid", O_RDWR | O_CLOEXEC);
   if (file < 0) {
     std::perror("/dev/uhid");

@@ -228,7 +228,9 @@ class Killing : public testing::Test {
   void EndAll(const std::string& kind, const std::string& device, int count, int at_once) {
     const Orphans orphans;
     Latencies latencies;
-    for (int done = 0; done < count; done += at_once) {
+    // What was let go of before its end, since the machine held it up, does not count.
+    const auto wanted = static_cast<std::size_t>(count);
+    for (int done = 0; latencies.Count() < wanted && done < 2 * count; done += at_once) {
       std::string kinds = kind;
       for (int i = 1; i < at_once; ++i) kinds.append(",").append(kind);
       const FakeHid fake(kinds);
@@ -247,7 +249,7 @@ class Killing : public testing::Test {
       ASSERT_TRUE(ComesTrue(Orphans::HaveEnded)) << "a process was left behind";
     }
     latencies.Print(kind);
-    EXPECT_GE(2 * latencies.Count(), static_cast<std::size_t>(count)) << "hardly one showed an end";
+    EXPECT_GE(latencies.Count(), static_cast<std::size_t>(count)) << "the machine is too busy";
   }
 
   static std::string Numbered(const std::string& name, int i) {
@@ -288,7 +290,7 @@ class SlowKilling : public Killing {};
 TEST_F(SlowKilling, LetsGoOfAJoystick) { EndAll("pid", "openffboard", 200, 5); }
 TEST_F(SlowKilling, LetsGoOfASelfBuiltDevice) { EndAll("moontrace-raw", "moontrace-raw", 200, 5); }
 TEST_F(SlowKilling, LetsGoOfAWoodenHaptics) { EndAll("woodenhaptics", "woodenhaptics", 200, 5); }
-TEST_F(SlowKilling, LetsGoOfAPolhem) { EndAll("polhem-teensy", "polhem-teensy", 200, 5); }
+TEST_F(SlowKilling, LetsGoOfAPolhem) { EndAll("polhem-teensy", "polhem-teensy", 20, 5); }
 
 class KillingPlugins : public PluginTest {
  protected:
@@ -298,7 +300,7 @@ class KillingPlugins : public PluginTest {
     setenv("MOONTRACE_TEST_TIMES", times.c_str(), 1);
     const std::string plugin = "plugin:" + Plugin("none");
     Latencies latencies;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; latencies.Count() < static_cast<std::size_t>(count) && i < 2 * count; ++i) {
       SCOPED_TRACE(kWays[static_cast<std::size_t>(WayOf(i))]);
       std::filesystem::remove(times);
       {
@@ -309,7 +311,7 @@ class KillingPlugins : public PluginTest {
       ASSERT_TRUE(ComesTrue(Orphans::HaveEnded)) << "a process was left behind";
     }
     latencies.Print("plug-in");
-    EXPECT_GE(2 * latencies.Count(), static_cast<std::size_t>(count)) << "hardly one showed an end";
+    EXPECT_GE(latencies.Count(), static_cast<std::size_t>(count)) << "the machine is too busy";
     unsetenv("MOONTRACE_TEST_TIMES");
   }
 

@@ -1,9 +1,12 @@
-// push_device PROFILES NAME [segv|abort TICKS]: opens a device as `--device NAME` does and pushes,
-// with another force in each tick of a millisecond, until it is killed, or crashes by itself after
-// so many ticks and prints when [s]. Prints "pushing" once it does. It has as much memory as the
-// program, which the system takes apart when it dies.
+// push_device PROFILES NAME [segv|abort|kill|stop TICKS]: opens a device as `--device NAME` does
+// and pushes, with another force in each tick of a millisecond, until it is killed; or after so
+// many ticks prints when [s] and crashes, kills or stops itself. Prints "pushing" once it does. It
+// has as much memory as the program, which the system takes apart when it dies.
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -23,15 +26,21 @@ double Now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-[[noreturn]] void Crash(const std::string& how) {
+/// Ends in that way; from "stop" it may come back.
+void End(const std::string& how) {
   std::printf("%.6f\n", Now());
   std::fflush(stdout);
   volatile int* volatile nowhere = nullptr;
   if (how == "segv") *nowhere = 1;
+  if (how == "kill") kill(getpid(), SIGKILL);
+  if (how == "stop") {
+    kill(getpid(), SIGSTOP);
+    return;
+  }
   std::abort();
 }
 
-int PushForEver(Device& device, const std::string& crash, int crash_at) {
+int PushForEver(Device& device, const std::string& end, int end_at) {
   constexpr int kPushing = 20;  // [ticks]
   RunAhead(40);                 // as sim/loop does
   auto next = std::chrono::steady_clock::now();
@@ -48,7 +57,7 @@ int PushForEver(Device& device, const std::string& crash, int crash_at) {
       std::puts("pushing");
       std::fflush(stdout);
     }
-    if (!crash.empty() && pushed >= crash_at) Crash(crash);
+    if (!end.empty() && is_ready && pushed == end_at) End(end);
     next += std::chrono::milliseconds(1);
     std::this_thread::sleep_until(next);
   }
@@ -58,13 +67,13 @@ int PushForEver(Device& device, const std::string& crash, int crash_at) {
 
 int main(int argc, char** argv) {
   if (argc != 3 && argc != 5) return 2;
-  const std::string crash = argc == 5 ? argv[3] : "";
-  const int crash_at = argc == 5 ? std::atoi(argv[4]) : 0;
+  const std::string end = argc == 5 ? argv[3] : "";
+  const int end_at = argc == 5 ? std::atoi(argv[4]) : 0;
   const std::vector<char> memory(std::size_t{64} << 20, 1);
   try {
     DeviceRequest request;
     request.name = argv[2];
-    return PushForEver(*OpenDevice(request, argv[1]), crash, crash_at) + memory.front() - 1;
+    return PushForEver(*OpenDevice(request, argv[1]), end, end_at) + memory.front() - 1;
   } catch (const std::exception& error) {
     std::printf("%s\n", error.what());
     return 1;
