@@ -74,7 +74,8 @@ void Bus::Build() {
     port->path = "/dev/hidraw-fake" + std::to_string(ports.size());
     const auto same = std::count_if(ports.begin(), ports.end(),
                                     [&](const auto& other) { return other->kind == port->kind; });
-    port->name = port->kind + (same > 0 ? "-" + std::to_string(same + 1) : "");
+    port->name = port->kind;
+    if (same > 0) port->name.append("-").append(std::to_string(same + 1));
     begin = end + 1;
     if (MakeEmulator(port->kind) == nullptr) {
       std::fprintf(stderr, "MOONTRACE_FAKE_HID: no kind '%s'\n", port->kind.c_str());

@@ -204,9 +204,13 @@ class IoFault : public Disk {
     const bool untouched = before ? found == "old" : !there;
     EXPECT_TRUE(outcome.code == 0 || outcome.code == 4) << outcome.code;
     EXPECT_TRUE(whole(found) || (outcome.code != 0 && untouched)) << found.size() << " bytes";
-    if (outcome.code != 0) EXPECT_EQ(Lines(outcome.err).size(), 1U);
+    if (outcome.code != 0) {
+      EXPECT_EQ(Lines(outcome.err).size(), 1U);
+    }
     const std::size_t files = there ? 1 : 0;
-    if (failed != "unlink") EXPECT_EQ(Names().size(), files);
+    if (failed != "unlink") {
+      EXPECT_EQ(Names().size(), files);
+    }
     return true;
   }
 
@@ -317,7 +321,9 @@ name = "none"
       }
       SCOPED_TRACE("call " + std::to_string(call) + ", " + failed + ": " + outcome.err);
       EXPECT_TRUE(outcome.code == 0 || outcome.code == 4) << outcome.code;
-      if (outcome.code != 0) EXPECT_EQ(Lines(outcome.err).size(), 1U);
+      if (outcome.code != 0) {
+        EXPECT_EQ(Lines(outcome.err).size(), 1U);
+      }
       ASSERT_EQ(RunLine(args).code, 0);  // it goes on
       const std::string found = ReadBytes(work_ + "/out.csv");
       if (whole.empty()) whole = found;
