@@ -34,14 +34,15 @@ struct Said {
   bool by_tutor = false;
 };
 /// The tutor sets what the rules would choose. What is set takes effect and stays; an Overrule with
-/// nothing set returns all choices to the rules. `lesson`, `next_lesson` and `skip` are done at
-/// once.
+/// nothing set returns all choices to the rules. `lesson`, `next_lesson`, `skip` and `practise` are
+/// done at once.
 struct Overrule {
   std::optional<double> size;  ///< [m]
   std::optional<int> help;     ///< 0-10
   std::optional<GuidanceMode> mode;
   std::optional<std::string> lesson;  ///< go there
   bool next_lesson = false, skip = false;
+  std::optional<std::string> practise;  ///< a sign that is known, by its name: traced once more
 };
 /// Time passes; sent at least once a minute.
 struct Tick {};
@@ -96,8 +97,9 @@ enum class Sentence {
   kReviewDue,   ///< number: items due
   kLessonDone,  ///< text: title
   kCourseDone,
-  kOfferLesson,  ///< text: title of one beside the course; number
-  kBreak,        ///< number: minutes worked
+  kCannotPractise,  ///< text: what is no sign that the learner knows
+  kOfferLesson,     ///< text: title of one beside the course; number
+  kBreak,           ///< number: minutes worked
   kNoHint,
   kNotAsked,     ///< text: an answer where nothing was asked
   kNotNow,       ///< a trace where none was awaited

@@ -6,6 +6,7 @@
 
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
+#include "lessons/progress/answer.h"
 #include "lessons/progress/lesson_turn.h"
 #include "lessons/progress/mastery.h"
 
@@ -140,6 +141,17 @@ bool Merge(Turn& turn, const Overrule& overrule) {
 
 }  // namespace
 
+/// A sign that was learned before is traced once more, whatever is asked now; that comes again.
+void HandlePractise(Turn& turn, const std::string& name) {
+  const std::optional<std::string> item = ItemSaid(turn.course, name, {});
+  const auto known = turn.state.progress.items.find(item.value_or(""));
+  if (!item || known == turn.state.progress.items.end() || !known->second.introduced) {
+    Say(turn, Sentence::kCannotPractise, Shortened(name));
+    return AwaitNow(turn, turn.state.await);
+  }
+  PresentItem(turn, *item, StepKind::kTrace, true);
+}
+
 void HandleSaid(Turn& turn, const lesson_event::Said& said) {
   if (turn.state.await == Await::kEnd) {
     Say(turn, Sentence::kCourseDone);
@@ -173,6 +185,7 @@ void HandleOverrule(Turn& turn, const Overrule& overrule) {
   const bool end = state.await == Await::kEnd;
   const bool changed = Merge(turn, overrule);
   if (overrule.lesson || overrule.next_lesson) return Leap(turn, overrule);
+  if (overrule.practise) return HandlePractise(turn, *overrule.practise);
   if (overrule.skip) return HandleSaid(turn, {Word::kNext, true});
   if (!changed) {
     state.overrule = {};

@@ -62,7 +62,7 @@ std::vector<std::string> LearnHelp() {
           "While something is asked, signs, numbers and names are answers.",
           "A line that begins with / is a word: /7 is bigger, /a is again.",
           "Stop and quit always are words.",
-          "lesson and a number goes to that lesson: lesson 5.",
+          "lesson and a number goes to that lesson: lesson 5. practise and a sign: practise b.",
           TraceEnds(),
           "An empty line tells what is waited for."};
 }
@@ -88,6 +88,22 @@ std::string TipAt(std::string_view name, std::size_t line, bool touching) {
 std::string TipBetween(bool touching) {
   return fmt::format("Between signs, {}.", touching ? "touching" : "in the air");
 }
+std::string LessonInList(std::string_view title, std::size_t number, bool here, bool done,
+                         bool optional) {
+  const char* state = here ? ", you are here" : done ? ", done" : optional ? ", for the hands" : "";
+  return fmt::format("{} {}{}.", number, OneLine(title), state);
+}
+std::string HowFar(std::size_t known, std::size_t all, double smallest) {
+  const std::string begun = fmt::format("{} of {} begun", known, Counted(all, "sign", "signs"));
+  if (smallest <= 0) return begun + ", none sure yet.";
+  return fmt::format("{}; sure down to {} mm.", begun, Short(kMillimetres * smallest, 1));
+}
+std::string HowSure(std::string_view name, std::size_t right, std::size_t of, double size) {
+  const std::string at = Short(kMillimetres * size, 1);
+  if (of == 0) return fmt::format("{}: not named yet at {} mm.", OneLine(name), at);
+  return fmt::format("{}: {} of {} right at {} mm.", OneLine(name), right, of, at);
+}
+std::string PractiseWhich() { return "Say which sign: practise b."; }
 std::string NoLessonNow() { return "No lesson has begun."; }
 std::string LetterHere(std::string_view name) { return fmt::format("At {}.", OneLine(name)); }
 std::string NoLetterHere() { return "No sign is near the tip."; }
@@ -288,7 +304,8 @@ std::string SimulatedBegins(std::string_view course, std::size_t lessons) {
 }
 
 std::string SimulatedGoesOn(std::string_view learner, std::size_t trials) {
-  return fmt::format("{} goes on after {}.", ShownPseudonym(learner), Counted(trials, "trial", "trials"));
+  return fmt::format("{} goes on after {}.", ShownPseudonym(learner),
+                     Counted(trials, "trial", "trials"));
 }
 
 std::string SimulatedLesson(std::string_view title, int day, std::size_t trials) {

@@ -70,6 +70,14 @@ std::string NotWhileAsked();
 std::string TipAt(std::string_view name, std::size_t line, bool touching);
 std::string TipBetween(bool touching);
 std::string NoLessonNow();
+/// A line of the list of lessons.
+std::string LessonInList(std::string_view title, std::size_t number, bool here, bool done,
+                         bool optional);
+/// Signs that have been begun, of all; the smallest size at which one is sure [m], 0: none.
+std::string HowFar(std::size_t known, std::size_t all, double smallest);
+/// Right names of the last ones, at the size at which a sign is worked on [m].
+std::string HowSure(std::string_view name, std::size_t right, std::size_t of, double size);
+std::string PractiseWhich();
 std::string LetterHere(std::string_view name);
 std::string NoLetterHere();
 std::string WordHere(std::string_view word);

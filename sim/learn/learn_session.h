@@ -59,6 +59,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   void Do(lesson_action::Await await);
   void Answer(const std::string& text);
   void GoToLesson(const std::string& given);
+  void TellLessons();
+  void TellHowItGoes();
   void Speak(LearnWord word);
   void Next();
   void EndTrace();

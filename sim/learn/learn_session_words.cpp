@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/progress/lesson_path.h"
+#include "lessons/progress/mastery.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_session.h"
 #include "sim/learn/learn_tutor_messages.h"
@@ -49,6 +51,16 @@ void LearnSession::Obey(const std::string& line) {
     case LearnLine::Kind::kLesson:
       GoToLesson(read.answer);
       break;
+    case LearnLine::Kind::kPractise: {
+      if (read.answer.empty()) {
+        teller_.Say(Priority::kText, say::PractiseWhich());
+        break;
+      }
+      lesson_event::Overrule overrule;
+      overrule.practise = read.answer;
+      Take(overrule);
+      break;
+    }
     case LearnLine::Kind::kNothing:
       break;  // what is waited for
     case LearnLine::Kind::kUnknown:
@@ -86,6 +98,42 @@ void LearnSession::GoToLesson(const std::string& given) {
   Take(overrule);
 }
 
+void LearnSession::TellLessons() {
+  const Progress& progress = state_.progress;
+  for (std::size_t i = 0; i < course_.lessons.size(); ++i) {
+    const Lesson& lesson = course_.lessons[i];
+    const bool done =
+        std::find(progress.done.begin(), progress.done.end(), lesson.id) != progress.done.end();
+    teller_.Say(Priority::kText,
+                say::LessonInList(lesson.title, i + 1, lesson.id == progress.lesson, done,
+                                  lesson.optional));
+  }
+}
+
+/// How far it is in all, then each sign that the present step still asks for.
+void LearnSession::TellHowItGoes() {
+  const Progress& progress = state_.progress;
+  std::size_t begun = 0, all = 0;
+  double smallest = 0;
+  for (const Lesson& lesson : course_.lessons) all += lesson.items.size();
+  for (const auto& [text, item] : progress.items) {
+    if (!IsTaught(course_, text) || !item.introduced) continue;
+    ++begun;
+    if (!item.sure && item.size_step == 0) continue;
+    const double size = SizeAt(course_, item.sure ? item.size_step : item.size_step - 1);
+    smallest = smallest > 0 ? std::min(smallest, size) : size;
+  }
+  teller_.Say(Priority::kText, say::HowFar(begun, all, smallest));
+  for (const std::string& text : Unfinished(course_, progress)) {
+    const auto found = progress.items.find(text);
+    const ItemProgress item = found != progress.items.end() ? found->second : ItemProgress{};
+    const auto right = std::count(item.named.begin(), item.named.end(), true);
+    teller_.Say(Priority::kText,
+                say::HowSure(NameOf(course_, text), static_cast<std::size_t>(right),
+                             item.named.size(), SizeAt(course_, item.size_step)));
+  }
+}
+
 void LearnSession::Answer(const std::string& text) {
   lesson_event::Answered answered;
   answered.text = text;
@@ -116,6 +164,12 @@ void LearnSession::Speak(LearnWord word) {
       return pass(Word::kFaster);
     case LearnWord::kHint:
       return pass(Word::kHint);
+    case LearnWord::kSkip:
+      return pass(Word::kNext);
+    case LearnWord::kLessons:
+      return TellLessons();
+    case LearnWord::kHow:
+      return TellHowItGoes();
     case LearnWord::kDone:
       return EndTrace();
     case LearnWord::kWhere:

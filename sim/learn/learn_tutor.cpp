@@ -159,6 +159,9 @@ void TutorDesk::ChangeForm(const TutorServer::Line& line, const TutorCommand& co
 /// Whatever changes the hand's path on the page.
 bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
   switch (command.word) {
+    case TutorWord::kStop:
+      lesson_.Stop(true);
+      return true;
     case TutorWord::kPause:
       lesson_.Pause(true);
       return true;

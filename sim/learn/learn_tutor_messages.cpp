@@ -16,6 +16,8 @@ std::string TutorGreeting(std::string_view learner) {
 std::string TutorDoes(const TutorCommand& command) {
   if (command.page) return fmt::format("Tutor: {}.", PageBecomes(*command.page));
   switch (command.word) {
+    case TutorWord::kStop:
+      return "Tutor: stop.";
     case TutorWord::kPause:
       return "Tutor: pause, no force.";
     case TutorWord::kGo:

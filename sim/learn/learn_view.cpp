@@ -67,11 +67,6 @@ void LearnView::Look() {
 
 void LearnView::Obey(const std::string& line) {
   if (const std::optional<std::string> done = feed_.Obey(line)) return Answer(*done);
-  // the one at the panel is the tutor: what the learner stops, the tutor cannot start
-  if (line == "stop") {
-    lesson_.Stop(true);
-    return parts_.teller.EndTurn();
-  }
   if (line == "?") return Help();
   // a bare "next" is what lessons tell the learner to say; the panel says "skip" and "next lesson"
   if (line == "next" || !IsTutorsWord(line)) return lesson_.Obey(line);

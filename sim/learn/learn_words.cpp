@@ -1,6 +1,7 @@
 #include "sim/learn/learn_words.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "lessons/progress/answer.h"
@@ -49,11 +50,11 @@ LearnLine Command(const std::string& given) {
   return {found.empty() ? Kind::kUnknown : Kind::kAmbiguous, LearnWord::kHelp, {}};
 }
 
-/// What stands behind "lesson": a tutor's word that whoever learns alone may say as well.
-std::optional<std::string> LessonSaid(const std::string& given) {
-  constexpr std::string_view kLesson = "lesson ";
-  if (given.compare(0, kLesson.size(), kLesson) != 0) return std::nullopt;
-  return Trimmed(std::string_view(given).substr(kLesson.size()));
+/// What stands behind a word and a blank.
+std::optional<std::string> Behind(std::string_view word, const std::string& given) {
+  const bool begins = given.compare(0, word.size(), word) == 0;
+  if (!begins || given.size() <= word.size() || given[word.size()] != ' ') return std::nullopt;
+  return Trimmed(std::string_view(given).substr(word.size() + 1));
 }
 
 bool Begins(std::string_view word, const std::string& given) {
@@ -69,17 +70,23 @@ bool IsSign(const std::string& given) {
 
 const std::vector<std::string>& LearnWords() {
   static const std::vector<std::string> words = {
-      "again",   "next",      "where",     "letter", "spell",  "word", "bigger",
-      "smaller", "more help", "less help", "slower", "faster", "hint", "stop",
-      "go",      "pause",     "done",      "quit",   "help"};
+      "stop",      "next",      "where",  "letter", "spell",   "word",          "bigger", "smaller",
+      "more help", "less help", "slower", "faster", "hint",    "again",         "go",     "pause",
+      "done",      "quit",      "help",   "skip",   "lessons", "how am i doing"};
   return words;
 }
 
 std::vector<std::string> LearnWordsFrom(std::string_view line) {
   const std::string given = Bare(Trimmed(line));
+  constexpr std::ptrdiff_t kFirst = 19;
+  const std::vector<std::string>& words = LearnWords();
   std::vector<std::string> found;
-  for (const std::string& word : LearnWords()) {
-    if (word.compare(0, given.size(), given) == 0) found.push_back(word);
+  const auto begins = [&given](const std::string& word) {
+    return word.compare(0, given.size(), given) == 0;
+  };
+  std::copy_if(words.begin(), words.begin() + kFirst, std::back_inserter(found), begins);
+  if (found.empty()) {
+    std::copy_if(words.begin() + kFirst, words.end(), std::back_inserter(found), begins);
   }
   return found;
 }
@@ -90,9 +97,13 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
   const std::string bare = Bare(given);
   if (bare.empty()) return Word(LearnWord::kHelp);  // a slash alone
   const bool is_item = asked == Asked::kName && ItemSaid(course, given, {});
-  if (auto lesson = LessonSaid(bare); lesson && !is_item) {
+  if (auto lesson = Behind("lesson", bare); lesson && !is_item) {
     return {Kind::kLesson, LearnWord::kHelp, *std::move(lesson)};
   }
+  if (auto sign = Behind("practise", bare); sign && !is_item) {
+    return {Kind::kPractise, LearnWord::kHelp, *std::move(sign)};
+  }
+  if (bare == "practise" && !is_item) return {Kind::kPractise, LearnWord::kHelp, {}};
   if (asked == Asked::kNothing || given.front() == '/') return Command(bare);
   if (bare == "stop") return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);

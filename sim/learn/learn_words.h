@@ -11,7 +11,7 @@ namespace moontrace {
 
 /// What a learner can say at any moment of a lesson.
 enum class LearnWord : std::uint8_t {
-  kAgain,
+  kStop,  ///< number 1 here as everywhere
   kNext,
   kWhere,
   kLetter,
@@ -24,15 +24,18 @@ enum class LearnWord : std::uint8_t {
   kSlower,
   kFaster,
   kHint,
-  kStop,
+  kAgain,
   kGo,
   kPause,
   kDone,
   kQuit,
   kHelp,
+  kSkip,
+  kLessons,
+  kHow,
 };
 
-/// The words by their numbers, from 1: again, next, ...
+/// The words by their numbers, from 1: stop, next, where, ...
 const std::vector<std::string>& LearnWords();
 
 /// What is asked just now, so that an answer can be told from a word.
@@ -48,25 +51,27 @@ struct LearnLine {
     kWord,
     kAnswer,
     kLesson,    ///< "lesson 5"
+    kPractise,  ///< "practise b"
     kNothing,   ///< an empty line
     kUnknown,   ///< no such word, and nothing was asked
     kAmbiguous  ///< the beginning of several words
   };
   Kind kind = Kind::kNothing;
   LearnWord word = LearnWord::kHelp;  ///< of kWord
-  std::string answer;                 ///< of kAnswer, in small letters; of kLesson which one
+  std::string answer;  ///< of kAnswer, in small letters; of kLesson and kPractise which one
 };
 
 /// A word, an unambiguous beginning of one, its number, or "?"; capitals and blanks around do not
 /// count, nor does a question mark behind a word. A line that begins with "/" is never an answer,
-/// nor is "lesson" with a word behind it, where that is no item of the course.
+/// nor is "lesson" or "practise" with a word behind it, where that is no item of the course.
 ///
 /// While something is asked, in this order: stop and quit are always words; the text or the name of
 /// an item of the course is an answer; then whole words; single signs and digits are answers;
 /// beginnings of words of two letters and more are words; anything else is an answer.
 LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course);
 
-/// The words that begin with `line`.
+/// The words that begin with `line`: of the first nineteen if one does, so that what came later
+/// takes nobody's short forms away.
 std::vector<std::string> LearnWordsFrom(std::string_view line);
 
 }  // namespace moontrace

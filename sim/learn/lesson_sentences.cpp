@@ -116,6 +116,8 @@ std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) 
       return fmt::format("Nothing is asked now: {}.", OneLine(sentence.text, 16));
     case Sentence::kNotNow:
       return "No trace is awaited now.";
+    case Sentence::kCannotPractise:
+      return fmt::format("No sign learned so far: {}.", OneLine(sentence.text, 20));
     default:
       return {};
   }

@@ -29,7 +29,7 @@ struct Rule {
 constexpr auto kRules = [] {
   using W = TutorWord;
   return std::to_array<Rule>({
-      {W::kSize, "size", Behind::kPage},
+      {W::kStop, "stop"},
       {W::kHelp, "help", Behind::kHelp},
       {W::kMode, "mode", Behind::kMode, kGuidanceModes},
       {W::kDepth, "depth", Behind::kPage},
@@ -54,6 +54,7 @@ constexpr auto kRules = [] {
       {W::kEmbossed, "embossed", Behind::kPage},
       {W::kForm, "form", Behind::kPage},
       {W::kPaper, "paper", Behind::kPage},
+      {W::kSize, "size", Behind::kPage},
   });
 }();
 static_assert(kRules.size() == static_cast<std::size_t>(TutorWord::kQuestion));

@@ -14,7 +14,7 @@ namespace moontrace {
 
 /// What a tutor can say to a running lesson, in the order of their numbers from 1.
 enum class TutorWord : std::uint8_t {
-  kSize,      ///< page
+  kStop,      ///< as pause, and all sound and speech end
   kHelp,      ///< help
   kMode,      ///< mode
   kDepth,     ///< page
@@ -39,6 +39,7 @@ enum class TutorWord : std::uint8_t {
   kEmbossed,  ///< page
   kForm,      ///< page
   kPaper,     ///< page
+  kSize,      ///< page
   kQuestion,  ///< "?": what can be said
 };
 
@@ -56,7 +57,7 @@ struct TutorRefusal {
   std::string line;
 };
 
-/// The words by their numbers, from 1: size, help, ...
+/// The words by their numbers, from 1: stop, help, ...
 const std::vector<std::string>& TutorWords();
 
 /// Reads a line: a word, an unambiguous beginning of one, or its number; behind it what the word

@@ -63,6 +63,26 @@ TEST_F(LessonWords, EveryWordIsAnsweredAtEveryState) {
   EXPECT_GT(states, 9 * 100);
 }
 
+// Whatever is asked, a sign that is known is traced once more; then the question comes again.
+TEST_F(LessonWords, PractiseTracesAKnownSignAndComesBack) {
+  while (run_.state.await != Await::kAnswer) run_.Work();
+  const std::size_t step = run_.state.progress.step;
+  Overrule practise;
+  practise.practise = "i";
+  run_.Do(practise);
+  ASSERT_NE(run_.Find(Sentence::kTraceIt), nullptr);
+  EXPECT_EQ(run_.Find(Sentence::kTraceIt)->text, "i");
+  EXPECT_TRUE(run_.show.told);
+  run_.Trace();
+  EXPECT_EQ(run_.kept.back().kind, StepKind::kTrace);
+  EXPECT_EQ(run_.state.progress.step, step);
+  EXPECT_EQ(run_.state.await, Await::kAnswer);
+  practise.practise = "o";  // of the second lesson
+  run_.Do(practise);
+  EXPECT_TRUE(run_.Said(Sentence::kCannotPractise));
+  EXPECT_EQ(run_.state.await, Await::kAnswer);
+}
+
 TEST_F(LessonWords, AgainShowsAndAsksTheSame) {
   GoToQuestion();
   const lesson_action::Show before = run_.show;
@@ -156,7 +176,7 @@ TEST_F(LessonWords, NoHelpWhileSomethingIsRecognised) {
   GoToQuestion();
   run_.Say(Word::kMoreHelp);
   EXPECT_TRUE(run_.Said(Sentence::kNoHelpHere));
-  run_.Do(Overrule{{}, 10, GuidanceMode::kBead, {}, false, false});
+  run_.Do(Overrule{{}, 10, GuidanceMode::kBead, {}, false, false, {}});
   EXPECT_TRUE(run_.Said(Sentence::kNoHelpHere));
   for (int i = 0; i < 10; ++i) {
     const bool asked = run_.state.await == Await::kAnswer;
@@ -195,14 +215,14 @@ TEST_F(LessonWords, WhatDoesNotFitIsAnswered) {
 
 TEST_F(LessonWords, TheTutorOverrulesUntilTheRulesAreAskedAgain) {
   GoToTrace();
-  run_.Do(Overrule{0.033, 9, GuidanceMode::kRail, {}, false, false});
+  run_.Do(Overrule{0.033, 9, GuidanceMode::kRail, {}, false, false, {}});
   EXPECT_EQ(run_.Find(Sentence::kSizeNow)->value, 0.033);
   EXPECT_EQ(run_.Find(Sentence::kHelpNow)->value, 9);
   EXPECT_EQ(run_.Find(Sentence::kModeNow)->text, "rail");
   EXPECT_EQ(run_.show.size, 0.033);
   EXPECT_EQ(run_.push.mode, GuidanceMode::kRail);
   EXPECT_EQ(run_.push.help, 9);
-  run_.Do(Overrule{{}, 4, {}, {}, false, false});
+  run_.Do(Overrule{{}, 4, {}, {}, false, false, {}});
   EXPECT_EQ(run_.push.mode, GuidanceMode::kRail) << "what is not set stays";
   EXPECT_EQ(run_.push.help, 4);
   EXPECT_FALSE(Did<lesson_action::Show>());
@@ -218,7 +238,7 @@ TEST_F(LessonWords, TheTutorOverrulesUntilTheRulesAreAskedAgain) {
 
 TEST_F(LessonWords, ProbesGoOnUnderATutorsHelp) {
   GoToTrace();
-  run_.Do(Overrule{{}, 9, {}, {}, false, false});
+  run_.Do(Overrule{{}, 9, {}, {}, false, false, {}});
   int probes = 0;
   for (int i = 0; i < 4; ++i) {
     probes += run_.push.help == 0 ? 1 : 0;

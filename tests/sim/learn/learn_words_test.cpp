@@ -47,6 +47,25 @@ TEST(LearnWords, AreReadWholeBegunOrByNumber) {
   ExpectWord(Read("/"), LearnWord::kHelp);
 }
 
+TEST(LearnWords, ThatCameLaterTakeNobodysShortFormsAway) {
+  ExpectWord(Read("les"), LearnWord::kLessHelp);
+  ExpectWord(Read("p"), LearnWord::kPause);
+  ExpectWord(Read("sk"), LearnWord::kSkip);
+  ExpectWord(Read("lessons"), LearnWord::kLessons);
+  ExpectWord(Read("how"), LearnWord::kHow);
+  ExpectWord(Read("How am I doing?"), LearnWord::kHow);
+}
+
+TEST(LearnWords, PractiseTakesASign) {
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
+    const LearnLine read = Read("practise B", asked);
+    EXPECT_EQ(read.kind, Kind::kPractise);
+    EXPECT_EQ(read.answer, "b");
+  }
+  EXPECT_EQ(Read("practise").kind, Kind::kPractise);
+  EXPECT_EQ(Read("practise").answer, "");
+}
+
 TEST(LearnWords, TakeALessonByItsNumberOrName) {
   for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
     for (const char* line : {"lesson 5", "/Lesson 5", " lesson  5 "}) {
@@ -66,7 +85,7 @@ TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(Read(" \t ").kind, Kind::kNothing);
   EXPECT_EQ(Read("fly").kind, Kind::kUnknown);
   EXPECT_EQ(Read("0").kind, Kind::kUnknown);
-  EXPECT_EQ(Read("20").kind, Kind::kUnknown);
+  EXPECT_EQ(Read("23").kind, Kind::kUnknown);
   EXPECT_EQ(Read("le").kind, Kind::kAmbiguous);
   EXPECT_EQ(LearnWordsFrom("le"), (std::vector<std::string>{"letter", "less help"}));
   EXPECT_EQ(LearnWordsFrom("/w"), (std::vector<std::string>{"where", "word"}));
@@ -88,6 +107,7 @@ TEST(LearnWords, CanBeSaidWhileSomethingIsAsked) {
   ExpectWord(Read("again", Asked::kName), LearnWord::kAgain);
   ExpectWord(Read("ag", Asked::kName), LearnWord::kAgain);
   ExpectWord(Read("/a", Asked::kName), LearnWord::kAgain);
+  ExpectWord(Read("/1", Asked::kName), LearnWord::kStop);
   ExpectWord(Read("/7", Asked::kName), LearnWord::kBigger);
   ExpectWord(Read("/go", Asked::kName), LearnWord::kGo);
   ExpectWord(Read("?", Asked::kName), LearnWord::kHelp);

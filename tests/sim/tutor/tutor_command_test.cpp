@@ -69,7 +69,8 @@ TEST(TutorCommand, IsReadWholeBegunOrByNumber) {
 }
 
 TEST(TutorCommand, KeepsTheNumbersOfItsOlderWords) {
-  EXPECT_EQ(Read("1 20").word, TutorWord::kSize);
+  EXPECT_EQ(Read("1").word, TutorWord::kStop) << "as everywhere; size, which was 1, is the last";
+  EXPECT_EQ(Read("26 20").word, TutorWord::kSize);
   EXPECT_EQ(Read("19").word, TutorWord::kQuit);
   EXPECT_EQ(Read("20 2").word, TutorWord::kWidth);
   EXPECT_EQ(Read("25 smooth").word, TutorWord::kPaper);
@@ -77,9 +78,9 @@ TEST(TutorCommand, KeepsTheNumbersOfItsOlderWords) {
 
 TEST(TutorCommand, ThatIsNoneOrSeveralIsToldApart) {
   EXPECT_EQ(Refused("sp 2 x"), "No spacing 2 x: it wants 100 to 300 %.");
-  EXPECT_EQ(Refused("s 2"), "s could be size, spacing, show, say or skip.");
+  EXPECT_EQ(Refused("s 2"), "s could be stop, spacing, show, say, skip or size.");
   EXPECT_EQ(Refused("whare"), "Unknown: whare. Did you mean where? Type ? for the words.");
-  EXPECT_EQ(Refused("26"), "Unknown: 26. Type ? for the words.");
+  EXPECT_EQ(Refused("27"), "Unknown: 27. Type ? for the words.");
   EXPECT_EQ(Refused("0"), "Unknown: 0. Type ? for the words.");
   EXPECT_EQ(Refused(""), "Nothing was said. Type ? for the words.");
   EXPECT_EQ(Refused("pause now"), "pause stands alone: leave out now.");
