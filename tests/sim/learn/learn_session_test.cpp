@@ -80,6 +80,19 @@ TEST_F(LearnSessionTest, GoesToALessonThatIsNamed) {
   EXPECT_TRUE(Holds(none.out, "No such lesson, or several: 7. A number from 1 to 2")) << none.out;
 }
 
+TEST_F(LearnSessionTest, TellsTheLessonsAndHowItGoesAndPractisesWhatIsKnown) {
+  // past the page to explore; both signs are named to the learner, and left
+  const Outcome outcome =
+      RunLine(Learn(), "next\nnext\nnext\nlessons\nhow am I doing\npractise l\npractise\nskip\n");
+  EXPECT_TRUE(Holds(outcome.out, "1 First lesson, you are here.\n2 Second lesson.\n"))
+      << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "2 of 3 signs begun, none sure yet.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "i: not named yet at 16 mm.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "The program's hand traces l.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Say which sign: practise b.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Skipped, not sure yet: l.\n")) << outcome.out;
+}
+
 TEST_F(LearnSessionTest, TakesANameThatDiffersByCapitalsForTheKeptOne) {
   const auto learn = [this](const std::string& name) {
     return RunLine({"learn", "--course", In("course"), "--records", In("r.sqlite"), "--device",
