@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "textures/base/units.h"
 
@@ -20,17 +21,21 @@ constexpr double kSearchShare = 0.85;  ///< of the speed at which a groove's wal
 constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
 constexpr double kCaughtTime = 0.006;  ///< [s]
 constexpr double kFlatDepth = 0.12;
-constexpr double kSure = 0.99;
-constexpr double kPoorFit = 0.5;  ///< cost a groove point by itself
+constexpr double kSure = 0.99, kVerySure = 0.9995;  ///< the latter of what tells the size
+constexpr double kPoorFit = 0.5;                    ///< cost a groove point by itself
 constexpr int kMostSkips = 5;
 constexpr double kDoubtful = 0.9;  ///< less sure signs are felt anew
-constexpr int kMostCrossings = 10, kMostTries = 2;
+constexpr int kMostCrossings = 10, kMostTries = 2, kMostCircles = 3;
+constexpr double kCrossedWeight = 2;
+// Of a spot, in widths of a groove: a dot is two wide, and the tip keeps to its middle.
+constexpr double kSpot = 1.5, kRound = 1.75;
+constexpr double kSurelySpot = 0.6;  ///< already after one leg
 
 }  // namespace
 
 std::vector<double> Reader::AllSizes(const ReaderKnowledge& knowledge) {
   const double ratio = knowledge.greatest_size / knowledge.least_size;
-  const int count = std::max(0, static_cast<int>(std::lround(std::log(ratio) / 0.058)));
+  const int count = std::max(0, static_cast<int>(std::lround(std::log(ratio) / 0.04)));
   std::vector<double> sizes;
   for (int i = 0; i <= count; ++i) {
     sizes.push_back(knowledge.least_size * (count > 0 ? std::pow(ratio, 1.0 * i / count) : 1));
@@ -117,7 +122,7 @@ ReaderAction Reader::Fly(const Felt& felt) {
 
 /// Flies to the way's first point and sweeps along it.
 void Reader::SweepAlong(std::vector<glm::dvec2> way, Errand errand) {
-  crossing_ = in_gap_ = false;
+  crossing_ = in_gap_ = circling_ = false;
   way_ = std::move(way);
   errand_ = errand;
   next_ = 1;
@@ -177,16 +182,17 @@ void Reader::Caught(const Felt& felt) {
   since_ = now_;
   entry_ = felt.place;
   if (!crossing_ && !in_gap_ && errand_ == Errand::kNextSign && LeftAGap(felt.place)) return;
-  if (crossing_) {
-    evidence_.grooves.push_back({felt.place, 2});
-    Think();
-  }
 }
 
 ReaderAction Reader::Settle(const Felt& felt) {
   const ReaderAction rest{{entry_.x, entry_.y, sense_.level()}, knowledge_.press};
   if (now_ - since_ < knowledge_.delay + knowledge_.lag + 0.01) return rest;
   since_ = now_;
+  if (crossing_ && !circling_) {
+    evidence_.grooves.push_back({felt.depth < 0.3 ? entry_ : felt.place, kCrossedWeight, true});
+    Think();
+    return rest;
+  }
   if (felt.depth < 0.3) {  // slipped out: go on
     phase_ = Phase::kSweep;
     aim_ = felt.place;
@@ -242,12 +248,46 @@ void Reader::EndLeg() {
   leg_end_ = end;
   ++legs_;
   const bool ring = follower_.state() == GrooveFollower::State::kRing;
+  if (GoRound()) return;
   if (!ring && (legs_ == 1 || (legs_ == 2 && same))) {
     first_direction_ = follower_.Departure();
     FlyTo(entry_, Phase::kFollow);
   } else {
     Think();
   }
+}
+
+/// Round all grooves of the sign so far.
+Box Reader::FeltBox() const {
+  Box box;
+  for (const FeltPoint& groove : evidence_.grooves) Include(box, groove.p);
+  return box;
+}
+
+/// Whether all that was felt of the sign lies within so many widths.
+bool Reader::FeltASpot(double widths) const {
+  const Box box = FeltBox();
+  return std::max(box.max.x - box.min.x, box.max.y - box.min.y) < widths * knowledge_.width;
+}
+
+/// Where a leg led nowhere the tip is in a dot, or in a groove that it could not enter: a circle
+/// round the place tells, and what it falls into is followed.
+bool Reader::GoRound() {
+  constexpr int kCorners = 20;
+  if (!FeltASpot(legs_ > 1 ? kSpot : kSurelySpot)) return false;
+  if (circles_ >= kMostCircles) return false;
+  ++circles_;
+  const glm::dvec2 middle = 0.5 * (FeltBox().min + FeltBox().max);
+  std::vector<glm::dvec2> way;
+  way.reserve(kCorners + 1);
+  for (int i = 0; i <= kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    way.push_back(middle +
+                  kRound * knowledge_.width * glm::dvec2(-std::cos(angle), std::sin(angle)));
+  }
+  SweepAlong(std::move(way), errand_);
+  crossing_ = circling_ = true;
+  return true;
 }
 
 /// What was felt twice says no more than once.
@@ -290,7 +330,7 @@ void Reader::Think() {
   belief_ = Believe(*knowledge_.shapes, evidence_, PriorNow());
   if (belief_.empty()) return Missed();
   const SignGuess& best = belief_.front();
-  if (signs_ == 0 && SkipFirst()) return;
+  if ((signs_ == 0 || FeltASpot(kSpot)) && SkipFirst()) return;
   if (best.sign != SignGuess::kUnknown && Sureness() < kSure && crossings_ < kMostCrossings) {
     for (std::size_t i = 1; i < belief_.size() && belief_[i].probability > 0.002; ++i) {
       if (belief_[i].sign == SignGuess::kUnknown || MeanTheSame(belief_[i], best)) continue;
@@ -308,14 +348,14 @@ void Reader::Think() {
     const std::vector<FeltPoint> felt = evidence_.grooves;
     return SearchBeyond(felt);
   }
+  if (SkipFirst()) return;
   const bool doubtful = best.sign == SignGuess::kUnknown || Sureness() < kDoubtful;
   if (doubtful && tries_ < kMostTries) {
     ++tries_;
-    Box box;
-    for (const FeltPoint& groove : evidence_.grooves) Include(box, groove.p);
+    const Box box = FeltBox();
     evidence_.grooves.clear();
     evidence_.flats.clear();
-    crossings_ = 0;
+    crossings_ = circles_ = 0;
     const double y = box.min.y + (box.max.y - box.min.y) * (0.3 + 0.4 * random_.Uniform());
     SweepAlong({{box.min.x - 0.4 * size_, y}, {box.max.x + 0.2 * size_, y}}, errand_);
     return;
@@ -323,32 +363,33 @@ void Reader::Think() {
   Accept();
 }
 
-/// A page's first sign tells the size of all others. One that could be several at several sizes (an
-/// upright is part of many) is left for later: it goes on to the right.
+/// A page's first sign tells the size of all others, and a line's first one its height. One that
+/// could be several (an upright is part of many, a dot stands at any height) is left for later: it
+/// goes on to the right.
 bool Reader::SkipFirst() {
-  if (errand_ != Errand::kFirstLine || skips_ >= kMostSkips) return false;
+  const bool first = errand_ == Errand::kFirstLine;
+  if ((!first && errand_ != Errand::kNextLine) || skips_ >= kMostSkips) return false;
   double weight = 0;
-  Box box;
-  for (const FeltPoint& groove : evidence_.grooves) {
-    weight += groove.weight;
-    Include(box, groove.p);
-  }
+  for (const FeltPoint& groove : evidence_.grooves) weight += groove.weight;
   const SignGuess& best = belief_.front();
-  const bool clear = best.sign != SignGuess::kUnknown && Sureness() >= kSure &&
-                     best.log_likelihood > -kPoorFit * weight;
+  bool clear = best.sign != SignGuess::kUnknown && !knowledge_.shapes->IsDots(best.sign);
+  clear = clear && (first ? Sureness() >= kVerySure && best.log_likelihood > -kPoorFit * weight
+                          : Sureness() >= kDoubtful);
   if (clear) return false;
   ++skips_;
-  const double a = knowledge_.least_size;
+  const Box box = FeltBox();
+  const double a = first ? knowledge_.least_size : size_;
   const double y = 0.5 * (box.min.y + box.max.y);
   std::vector<glm::dvec2> way;
-  constexpr int kTurns = 24;
+  constexpr int kTurns = 60;
   way.reserve(kTurns);
   for (int i = 0; i < kTurns; ++i) {
-    way.emplace_back(box.max.x + a * (0.2 + 0.15 * i), y + (i % 2 == 0 ? -0.25 : 0.25) * a);
+    way.emplace_back(box.max.x + a * (0.2 + 0.15 * i), y + (i % 2 == 0 ? -0.35 : 0.35) * a);
   }
   evidence_.grooves.clear();
   evidence_.flats.clear();
-  SweepAlong(std::move(way), Errand::kFirstLine);
+  crossings_ = circles_ = tries_ = 0;
+  SweepAlong(std::move(way), errand_);
   return true;
 }
 

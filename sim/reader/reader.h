@@ -54,7 +54,7 @@ class Reader {
     double time = 0;
   };
 
-  /// Within what it was told, some 6 percent apart [m].
+  /// Within what it was told, some 4 percent apart [m].
   static std::vector<double> AllSizes(const ReaderKnowledge& knowledge);
   bool StartAnew();
   ReaderAction Act(const Felt& felt);
@@ -76,6 +76,9 @@ class Reader {
   double ShareOf(const SignGuess& guess, const std::vector<FeltPoint>& grooves) const;
   bool IsLastAgain() const;
   bool CrossUnfelt(const SignGuess& guess);
+  Box FeltBox() const;
+  bool FeltASpot(double widths) const;
+  bool GoRound();
   bool SkipFirst();
   bool CrossBetween(const SignGuess& best, const SignGuess& other);
   void Accept();
@@ -86,6 +89,7 @@ class Reader {
   void LeaveGap();
   bool LeftAGap(glm::dvec2 entry);
   void SearchLineStart();
+  bool IsAtMargin(const SignPlace& place) const;
   void BeginLine();
   void SearchNextLine();
   void EndLine();
@@ -115,6 +119,7 @@ class Reader {
   AfterGap after_gap_ = AfterGap::kNextSign;
   double gap_to_ = 0;      ///< where the gap ends [em]
   bool crossing_ = false;  ///< sweeps across a place that tells two signs apart
+  bool circling_ = false;  ///< sweeps round a spot
   std::vector<glm::dvec2> way_;
   std::size_t next_ = 0;
   glm::dvec2 aim_{0, 0};
@@ -129,7 +134,7 @@ class Reader {
   int legs_ = 0;                      ///< followed from `entry_`
   glm::dvec2 leg_end_{0, 0};          ///< of the newest leg
   glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
-  int crossings_ = 0, tries_ = 0;
+  int crossings_ = 0, tries_ = 0, circles_ = 0;
   // the page
   glm::dvec2 start_{0, 0};  ///< where the hand was put [m]
   int restarts_ = 0, skips_ = 0;

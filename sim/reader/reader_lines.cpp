@@ -13,20 +13,22 @@ namespace {
 constexpr double kBandLow = 0.14, kBandHigh = 0.62;  ///< of the weave over a line
 constexpr double kWeave = 0.145;                     ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
-constexpr double kBeyond = 1.15;   ///< a sign begins at its left edge plus this at most
-constexpr double kLookBack = 2.4;  ///< left of a line's first sign another may lie so far off
+constexpr double kBeyond = 1.15;     ///< a sign begins at its left edge plus this at most
+constexpr double kLookBack = 2.4;    ///< left of a line's first sign another may lie so far off
+constexpr double kDotWithin = 0.35;  ///< dots at a sign's left edge are met by then
 constexpr double kGapStep = 0.12;
 constexpr double kLowEdge = 0.05, kHighEdge = 0.91;  ///< where marks and bars are
 constexpr double kEdge = 0.12;                       ///< swept to either side of an edge
 constexpr double kRoomForASign = 0.75;               ///< without a groove
+constexpr double kTellsSize = 0.6;                   ///< a smaller sign says little of the size
 constexpr double kSameSign = 0.4;                    ///< nearer signs are one
 constexpr int kMostRestarts = 3;
 constexpr int kNoMoreSkips = 1000;
-constexpr double kTurnSpread = 0.03;   ///< of lines, before they are felt [rad]
-constexpr double kTopOfNext = 0.45;    ///< below a base line, the next line's signs begin there
-constexpr double kMiddle = 0.5;        ///< of a sign, where every sign but an upright has a groove
-constexpr double kUprightStep = 0.45;  ///< an upright is longer
-constexpr double kDeepest = 4.0;       ///< the next line lies no deeper
+constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
+constexpr double kTopOfNext = 0.45;   ///< below a base line, the next line's signs begin there
+constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them signs begin and are
+constexpr double kDown = 0.2;     ///< each sweep between them; less than a dot's height
+constexpr double kDeepest = 4.0;  ///< the next line lies no deeper
 
 double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
 
@@ -107,7 +109,8 @@ void Reader::LearnFrame() {
   const SignGuess& read = line_.back().guess;
   if (read.sign == SignGuess::kUnknown) return;
   ++signs_;
-  LearnSize(read.place.size);
+  const glm::dvec2 extent = (FeltBox().max - FeltBox().min) / read.place.size;
+  if (std::max(extent.x, extent.y) > kTellsSize) LearnSize(read.place.size);
   if (line_.size() < 2) return;
   const SignGuess& before = line_[line_.size() - 2].guess;
   const glm::dvec2 way = read.place.origin - before.place.origin;
@@ -141,9 +144,7 @@ void Reader::Accept() {
   read.guess = belief_.front();
   read.guess.probability = Sureness();
   if (read.guess.sign == SignGuess::kUnknown) {
-    Box box;
-    for (const FeltPoint& groove : evidence_.grooves) Include(box, groove.p);
-    read.guess.place = {box.min, size_, turn_};
+    read.guess.place = {FeltBox().min, size_, turn_};
     if (!line_.empty()) read.guess.place = Expected();
   }
   read.time = news_ = now_;
@@ -163,17 +164,32 @@ void Reader::Accept() {
   unknown_ = evidence_.grooves;
   evidence_.grooves.clear();
   evidence_.flats.clear();
-  crossings_ = tries_ = 0;
+  crossings_ = tries_ = circles_ = 0;
   random_phase_ = random_.Uniform() < 0.5;
   unknowns_ = read.guess.sign == SignGuess::kUnknown ? unknowns_ + 1 : 0;
   if (StartAnew()) return;
   if (errand_ == Errand::kNextSign) {
+    SearchNext();
+  } else if (errand_ == Errand::kNextLine && IsAtMargin(read.guess.place)) {
     SearchNext();
   } else if (again) {
     BeginLine();
   } else {
     SearchLineStart();
   }
+}
+
+/// Whether a line's sign stands where the leftmost lines so far began, of which there must be two:
+/// a single one may have been set in or out.
+bool Reader::IsAtMargin(const SignPlace& place) const {
+  constexpr double kNear = 0.3;  // [em]; no sign and its gap are so narrow
+  double margin = INFINITY;
+  for (const SignPlace& start : line_starts_)
+    margin = std::min(margin, ToEm(place, start.origin).x);
+  const auto is_near = [&](const SignPlace& start) {
+    return ToEm(place, start.origin).x < margin + kNear;
+  };
+  return std::count_if(line_starts_.begin(), line_starts_.end(), is_near) > 1 && margin > -kNear;
 }
 
 /// From the line's first sign on; what it met further right before may have gaps.
@@ -287,12 +303,12 @@ void Reader::SearchNextLine() {
     const SignPlace& before = line_starts_[line_starts_.size() - 2];
     from = std::min(from, ToEm(before, above.origin).y + 1.3);
   }
-  // down through the middle of its first sign, and aside for an upright at its left edge
+  // to and fro over its first sign or two, slanting, so that bars are met as well
   std::vector<glm::dvec2> way;
-  for (double y = from; y > from - kDeepest; y -= kUprightStep) {
-    way.push_back(FromEm(above, {kMiddle, y}));
-    way.push_back(FromEm(above, {-0.2, y}));
-    way.push_back(FromEm(above, {kMiddle, y}));
+  double x = kLeftOfLine;
+  for (double y = from; y > from - kDeepest; y -= kDown) {
+    way.push_back(FromEm(above, {x, y}));
+    x = x == kLeftOfLine ? kRightOfFirst : kLeftOfLine;
   }
   SweepAlong(std::move(way), Errand::kNextLine);
 }
@@ -301,14 +317,12 @@ void Reader::Missed() {
   if (in_gap_) return LeaveGap();
   switch (errand_) {
     case Errand::kFirstLine:
+    case Errand::kNextLine:
       if (skips_ > 0 && skips_ < kNoMoreSkips) {  // there was nothing but that
         skips_ = kNoMoreSkips;
-        SearchFirstLine();
+        errand_ == Errand::kFirstLine ? SearchFirstLine() : SearchNextLine();
         return;
       }
-      phase_ = Phase::kDone;
-      return;
-    case Errand::kNextLine:
       phase_ = Phase::kDone;
       return;
     case Errand::kLineStart: {
@@ -317,7 +331,8 @@ void Reader::Missed() {
       return;
     }
     case Errand::kNextSign:
-      LookThroughGap(std::max(gap_to_, -0.1), std::max(gap_to_, -0.1) + 1.2, AfterGap::kLineEnd);
+      LookThroughGap(std::max(gap_to_, -0.1),
+                     std::max(gap_to_, -0.1) + knowledge_.space + kDotWithin, AfterGap::kLineEnd);
       return;
   }
 }
@@ -342,6 +357,7 @@ void Reader::EndLine() {
   line_starts_.back().size = size_;
   line_starts_.back().turn = turn_;
   line_.clear();
+  skips_ = 0;
   evidence_.flats.clear();
 }
 

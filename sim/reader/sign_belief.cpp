@@ -11,24 +11,28 @@ namespace {
 constexpr double kWithinFill = 0.045;  ///< counts for the distance there at most
 constexpr double kSpread = 0.03;       ///< of felt points from the centre line
 constexpr double kMostAGroove = 8;     ///< cost of a groove where the sign has none
-constexpr double kMostAFlat = 4;       ///< cost of flat paper in the middle of a groove
-constexpr double kUnknownCost = 1.0;   ///< of each groove point, for what is no sign
-constexpr double kUnknownPrior = 5;    ///< before anything was felt
+constexpr double kCrossedSpread =
+    1.2;                           ///< of a groove that was only crossed, against a followed one
+constexpr double kNextSign = 0.5;  ///< cost of one that was crossed where the sign next to dots is
+constexpr double kBefore = 0.06;   ///< from so far before that
+constexpr double kMostAFlat = 4;   ///< cost of flat paper in the middle of a groove
+constexpr double kUnknownCost = 1.0;  ///< of each groove point, for what is no sign
+constexpr double kUnknownPrior = 5;   ///< before anything was felt
 constexpr double kCoarse = 0.06, kFine = 0.02;
 constexpr double kSlack = 0.12;  ///< felt points may lie so far beyond a sign's box
 
 /// Evidence in em, about the first place that is tried, so that other places are a shift away.
 struct ScaledEvidence {
   std::vector<FeltPoint> grooves, flats;
-  Box box;  ///< of the grooves
+  Box box;  ///< of the grooves that were followed
   double half_width = 0;
 };
 
 ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
   ScaledEvidence scaled;
   for (const FeltPoint& felt : evidence.grooves) {
-    scaled.grooves.push_back({ToEm(place, felt.p), felt.weight});
-    Include(scaled.box, scaled.grooves.back().p);
+    scaled.grooves.push_back({ToEm(place, felt.p), felt.weight, felt.crossed});
+    if (!felt.crossed) Include(scaled.box, scaled.grooves.back().p);
   }
   for (const FeltPoint& felt : evidence.flats) {
     const glm::dvec2 p = ToEm(place, felt.p);
@@ -45,8 +49,11 @@ double CostOf(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& 
   double cost = 0;
   for (const FeltPoint& groove : felt.grooves) {
     // a tip within a fill may be anywhere in it, which says less than one on a line
-    const double d = std::max(shapes.Distance(sign, groove.p - shift), -kWithinFill);
-    cost += groove.weight * std::min(kPerSquare * d * d, kMostAGroove);
+    const double d = std::max(shapes.Distance(sign, groove.p - shift), -kWithinFill) /
+                     (groove.crossed ? kCrossedSpread : 1);
+    const bool beyond = groove.crossed && shapes.IsDots(sign) &&
+                        groove.p.x - shift.x > shapes.Advance(sign) - kBefore;
+    cost += groove.weight * std::min(kPerSquare * d * d, beyond ? kNextSign : kMostAGroove);
     if (cost > most) return cost;
   }
   const double inner = 0.75 * felt.half_width;

@@ -10,12 +10,24 @@
 namespace moontrace {
 namespace {
 
-/// To a stroke's centre line; within a fill the distance to its outline, below zero.
+constexpr double kSpot = 0.3;         ///< fills that are no larger are spots [em]
+constexpr double kSpotFloor = 0.055;  ///< a tip in a spot lies so far within its outline [em]
+
+/// A dot: so small that a tip in it feels no direction.
+bool IsSpot(const Stroke& stroke) {
+  if (stroke.kind == StrokeKind::kStroke) return false;
+  Box box;
+  for (const Piece& piece : stroke.pieces) Include(box, BoundsOf(piece));
+  return box.max.x - box.min.x < kSpot && box.max.y - box.min.y < kSpot;
+}
+
+/// To a stroke's centre line; within a fill the distance to its outline, below zero; to the floor
+/// of a spot, 0 there.
 double DistanceToStroke(const Stroke& stroke, glm::dvec2 p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Piece& piece : stroke.pieces) nearest = std::min(nearest, DistanceTo(piece, p));
   if (stroke.kind != StrokeKind::kStroke && IsInside(stroke.pieces, p)) nearest = -nearest;
-  return nearest;
+  return IsSpot(stroke) ? std::max(0.0, nearest + kSpotFloor) : nearest;
 }
 
 }  // namespace
@@ -39,6 +51,7 @@ SignShapes::Sign SignShapes::Make(const Glyph& glyph, std::size_t index) {
   Sign sign;
   sign.glyph = sign.meaning = index;
   sign.advance = glyph.advance;
+  sign.dots = std::all_of(glyph.strokes.begin(), glyph.strokes.end(), IsSpot);
   for (const Stroke& stroke : glyph.strokes) {
     for (const Piece& piece : stroke.pieces) {
       Include(sign.bounds, BoundsOf(piece));

@@ -31,12 +31,13 @@ class SignShapes {
   std::size_t GlyphOf(std::size_t sign) const { return signs_[sign].glyph; }
   /// The glyph that means the same in its plain form: of other forms of a sign that sign's.
   std::size_t MeaningOf(std::size_t sign) const { return signs_[sign].meaning; }
+  bool IsDots(std::size_t sign) const { return signs_[sign].dots; }          ///< and nothing else
   double Advance(std::size_t sign) const { return signs_[sign].advance; }    ///< [em]
   const Box& Bounds(std::size_t sign) const { return signs_[sign].bounds; }  ///< of centre lines
   /// Along its strokes, 0.05 em apart; of fills the outline.
   const std::vector<SignPoint>& Points(std::size_t sign) const { return signs_[sign].points; }
-  /// To the nearest centre line, 0.045 within a fill; at most kFarthest [em]. From a table of 0.02
-  /// em.
+  /// To the nearest centre line or floor of a dot; within a larger fill the distance to its
+  /// outline, below zero; at most kFarthest [em]. From a table of 0.02 em.
   double Distance(std::size_t sign, glm::dvec2 p) const noexcept {
     const Sign& s = signs_[sign];
     const int i = static_cast<int>((p.x - s.corner.x) * kPerEm);
@@ -51,6 +52,7 @@ class SignShapes {
   struct Sign {
     std::size_t glyph = 0, meaning = 0;
     double advance = 0;
+    bool dots = false;
     Box bounds;
     std::vector<SignPoint> points;
     glm::dvec2 corner{0, 0};  ///< of the table, lower left

@@ -106,6 +106,78 @@ TEST_F(SignBelief, FlatPaperSpeaksAgainstAStroke) {
   EXPECT_GT(share(belief, "c"), 0.98);
 }
 
+/// A tip in a dot, and on flat paper all round it.
+SignEvidence DotFelt(const SignPlace& place, glm::dvec2 middle) {
+  SignEvidence felt;
+  felt.width = kWidth;
+  for (double x = -0.04; x < 0.05; x += 0.02) {
+    felt.grooves.push_back({FromEm(place, middle + glm::dvec2(x, 0.5 * x)), 0.5});
+  }
+  for (double turn = 0; turn < 6.2; turn += 0.17) {
+    const glm::dvec2 off = 0.2 * glm::dvec2(std::cos(turn), std::sin(turn));
+    felt.flats.push_back({FromEm(place, middle + off), 1});
+  }
+  return felt;
+}
+
+PlacePrior Expecting(const SignPlace& place) {
+  PlacePrior prior;
+  prior.origins = {place.origin};
+  prior.along = 0.08;
+  prior.across = 0.04;
+  prior.sizes = {place.size};
+  prior.turns = {place.turn};
+  return prior;
+}
+
+// Dots have a radius of 0.11 em; the tip's middle keeps half a groove from their rim. A table's
+// cell is 0.02 em.
+TEST_F(SignBelief, AnywhereOnADotsFloorIsNoDistance) {
+  std::size_t comma = 0;
+  while (script_.glyphs[shapes_.GlyphOf(comma)].name != "comma") ++comma;
+  const glm::dvec2 middle{0.05, 0.1};
+  EXPECT_EQ(shapes_.Distance(comma, middle), 0);
+  EXPECT_EQ(shapes_.Distance(comma, middle + glm::dvec2(0, 0.03)), 0);
+  EXPECT_NEAR(shapes_.Distance(comma, middle + glm::dvec2(0.21, 0)), 0.21 - 0.11 + 0.058, 0.0142);
+  EXPECT_TRUE(shapes_.IsDots(comma));
+}
+
+// Flat paper all round a short groove: no line leads on from it.
+TEST_F(SignBelief, ADotIsNoPartOfALine) {
+  const SignPlace place{{0.05, 0.02}, kSize, 0};
+  SignEvidence felt = DotFelt(place, {0.05, 0.1});
+  const auto dots = [&](const std::vector<SignGuess>& belief) {
+    double sum = 0;
+    for (const SignGuess& guess : belief) {
+      const std::string name = NameOf(guess);
+      if (name == "exclamation" || name == "unknown") continue;  // has a dot there as well
+      sum += shapes_.IsDots(guess.sign) ? guess.probability : -guess.probability;
+    }
+    return sum;
+  };
+  EXPECT_GT(dots(Believe(shapes_, felt, Expecting(place))), 0.5);
+  felt.flats.clear();
+  EXPECT_LT(dots(Believe(shapes_, felt, Expecting(place))), 0.5);
+}
+
+// Two commas side by side, and a full stop: a dot's way and the step to the next sign differ.
+TEST_F(SignBelief, AGrooveThatWasCrossedMayBeTheNextSigns) {
+  const SignPlace place{{0.05, 0.02}, kSize, 0};
+  const auto best = [&](double x) {
+    SignEvidence felt = DotFelt(place, {0.05, 0.1});
+    felt.grooves.push_back({FromEm(place, {x, 0.1}), 2, true});
+    // what else has a dot there has others above
+    for (double y = 0.3; y < 1; y += 0.02) {
+      for (const double at : {0.05, 0.25, 0.45}) {
+        felt.flats.push_back({FromEm(place, {at, y}), 1});
+      }
+    }
+    return NameOf(Believe(shapes_, felt, Expecting(place)).front());
+  };
+  EXPECT_EQ(best(0.65), "full-stop");
+  EXPECT_EQ(best(0.77 + 0.05), "comma");
+}
+
 TEST_F(SignBelief, ForeignSignsAreUnknown) {
   const SignPlace place{{0, 0}, kSize, 0};
   // a triangle, a print H, a square, none of them a part of a sign of Moon

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -21,9 +22,9 @@ namespace {
 /// A page and a reader at it.
 struct Desk {
   explicit Desk(const std::string& text, double size = 0.012, std::uint64_t seed = 1,
-                Script with = FindScript("moon"), bool blank = false)
+                Script with = FindScript("moon"), bool blank = false, double grade = 0.5)
       : script(std::move(with)), style(DefaultStyle(size, Relief::kEngraved, script)) {
-    style.grade = 0.5;
+    style.grade = grade;
     set = SetText(text, script, style, FindPage("a4"));
     field = std::make_unique<TextureField>(PageField(set.pages.front(), script, style, blank));
     shapes = std::make_shared<SignShapes>(script, WrittenGlyphs(script));
@@ -134,6 +135,20 @@ TEST(Reading, FindsNoLetterOnGrainedOrRuledPaper) {
 TEST(Reading, FindsABarOnTheBaseLine) {
   const Desk desk("so-so");
   EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "so-so\n");
+}
+
+// TH is a dot over a bar; alone it tells neither the size nor how high a line lies.
+TEST(Reading, ReadsLinesThatBeginWithADotAndABar) {
+  const Desk desk("the moon\nthin is", 0.012, 3, FindScript("moon"), false, 1);
+  ASSERT_EQ(desk.set.pages.front().lines, 2U);
+  EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "the moon\nthin is\n");
+}
+
+TEST(Reading, ReadsMarksOfDots) {
+  const Desk desk("no, it's: (a) so. \"on\"");
+  std::string text = TextRead(RunReading(desk.setup).tokens, desk.script);
+  std::replace(text.begin(), text.end(), '\n', ' ');  // wherever the lines ended
+  EXPECT_EQ(text, "no, it's: (a) so. \"on\" ");
 }
 
 // The reader is a function of what it was given: the same inputs without any page give the same.
