@@ -92,6 +92,7 @@ struct RecogniseOptions {
   FeelOptions feel;
   std::optional<double> press;  ///< [N]
   std::uint64_t seed = 1;
+  std::string device;  ///< profile of the simulated hand; empty: none
   bool blank = false;
   std::string picture;
 };

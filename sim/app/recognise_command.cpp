@@ -3,10 +3,12 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <utility>
 
+#include "devices/catalogue/catalogue.h"
 #include "sim/app/commands.h"
 #include "sim/app/messages.h"
 #include "sim/app/reading_picture.h"
@@ -19,6 +21,7 @@
 #include "sim/setup/text_setup.h"
 #include "sim/setup/text_trial.h"
 #include "sim/setup/typeset_report.h"
+#include "textures/base/error.h"
 #include "textures/base/random.h"
 #include "textures/base/units.h"
 
@@ -30,6 +33,7 @@ struct Reading {
   TextSetup text;
   std::vector<ReadingResult> pages;
   ReadingScore score;
+  std::optional<DeviceProfile> device;
   double duration = 0, elapsed = 0;  ///< [s], simulated and not
   std::vector<std::string> pictures;
 };
@@ -38,17 +42,29 @@ constexpr double kGreatestTurn = 3 * kDegree;
 /// The hand is put on the text's upper left corner, to within so many sizes.
 constexpr double kPutWithin = 0.5;
 
+/// A profile that gives a reader depth, and pushes it back.
+DeviceProfile ReadableProfile(const std::string& name) {
+  DeviceProfile profile = FindProfile(name, ProfilesFolder());
+  const DeviceLimits& limits = profile.limits;
+  if (!glm::all(limits.measures) || !glm::all(limits.pushes)) {
+    throw InputError(say::ReadsOnThreeAxesOnly(name));
+  }
+  return profile;
+}
+
 /// What decides one page's reading. How the page lies, the range of sizes that the reader is told
 /// and all that is left to chance come from the seed alone.
-ReadingSetup SetupOf(const RecogniseOptions& options, const TextSetup& text, std::size_t page,
+ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, std::size_t page,
                      const std::shared_ptr<const SignShapes>& shapes, const TextureField& field,
                      Console& console) {
+  const TextSetup& text = reading.text;
   const TypeStyle& style = text.set.style;
   ReadingSetup setup;
   setup.page = &text.set.pages[page];
   setup.field = &field;
   setup.model_path = options.feel.model;
   setup.scene = options.feel.scene;
+  setup.device = reading.device;
   setup.hand = ShippedHand();
   PlanOptions plan;
   SetPress(setup.hand, style.relief, options.press, plan);
@@ -79,10 +95,11 @@ void ReadPage(const RecogniseOptions& options, std::size_t page,
   const TextSetup& text = reading.text;
   const TextPage& set = text.set.pages[page];
   const TextureField field = PageField(set, text.script, text.set.style, options.blank);
-  ReadingSetup setup = SetupOf(options, text, page, shapes, field, console);
+  ReadingSetup setup = SetupOf(options, reading, page, shapes, field, console);
   const double done = static_cast<double>(page) / static_cast<double>(text.set.pages.size());
   setup.alive = [&console, done] { console.Alive(done); };
   ReadingResult result = RunReading(setup);
+  if (result.through > 0) console.Remark(say::ReaderPressedThrough(page, result.through));
   if (!result.ended) console.Remark(say::ReaderStopped(page));
   reading.score += Compare(options.blank ? std::vector<int>() : MarksOf(set, text.script),
                            MarksOf(result.tokens, text.script));
@@ -121,6 +138,10 @@ Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
   json["ended"] = std::all_of(reading.pages.begin(), reading.pages.end(),
                               [](const ReadingResult& page) { return page.ended; });
   json["simulated"] = true;
+  json["device"] = reading.device ? Json(reading.device->name) : Json();
+  json["through"] = std::accumulate(
+      reading.pages.begin(), reading.pages.end(), std::size_t{0},
+      [](std::size_t sum, const ReadingResult& page) { return sum + page.through; });
   json["seed"] = options.seed;
   json["size_mm"] = kMillimetres * reading.text.set.style.size;
   json["pictures"] = reading.pictures;
@@ -169,6 +190,7 @@ void AddOptions(CLI::App& app, RecogniseOptions& options) {
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kPress);
   AddSeed(app, options.seed);
   Redescribe(app, "--seed", say::help::kReaderSeed);
+  AddPath(app, "--device", "NAME", options.device, say::help::kReaderDevice);
   AddFlag(app, "--blank", options.blank, say::help::kReaderBlank);
   BeginGroup(app, help_group::kResults);
   AddPicture(app, options.picture, say::help::kPicture);
@@ -184,6 +206,7 @@ int Run(const RecogniseOptions& options, Console& console) {
   if (reading.text.set.style.relief == Relief::kEmbossed) {
     throw UsageError(say::ReadsGroovesOnly());
   }
+  if (!options.device.empty()) reading.device = ReadableProfile(options.device);
   const Script& script = reading.text.script;
   const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
   const std::size_t pages = reading.text.set.pages.size();

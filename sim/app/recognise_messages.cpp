@@ -69,6 +69,17 @@ std::string ReadsGroovesOnly() {
   return "recognise follows grooves and cannot read ridges yet: leave --embossed out";
 }
 
+std::string ReadsOnThreeAxesOnly(std::string_view profile) {
+  return fmt::format(
+      "device profile {}: recognise needs one that measures and pushes x, y and z; name another",
+      Quoted(profile));
+}
+
+std::string ReaderPressedThrough(std::size_t page, std::size_t count) {
+  return fmt::format("Page {}: the paper gave way under the tip {}; press less (--press-n).",
+                     page + 1, Times(count));
+}
+
 std::string ReaderStopped(std::size_t page) {
   return fmt::format("Page {}: the reader found no end by itself and was stopped.", page + 1);
 }

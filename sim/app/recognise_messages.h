@@ -20,7 +20,11 @@ std::string Confusions(const ReadingScore& score, const Script& script);
 std::string AsRead();
 /// Ridges were asked for.
 std::string ReadsGroovesOnly();
+/// The profile measures or pushes fewer than three axes.
+std::string ReadsOnThreeAxesOnly(std::string_view profile);
 std::string ReaderStopped(std::size_t page);
+/// The tip went through the paper so often.
+std::string ReaderPressedThrough(std::size_t page, std::size_t count);
 
 std::string ReadingPictureTitle(const Script& script, const TypeStyle& style);
 std::string ReadingPictureWords(std::string_view text, std::string_view read);
@@ -29,6 +33,9 @@ std::string ReadingPictureLegend(const TypeStyle& style, bool blank);
 namespace help {
 inline constexpr const char* kRecognise =
     "a simulated reader that only feels reads the text and is scored";
+inline constexpr const char* kReaderDevice =
+    "the reader's hand is on that device: a profile's name, such as moontrace-raw, or its file. It "
+    "gets the place in the device's steps and the force that is commanded. Default: read exactly.";
 inline constexpr const char* kReaderBlank = "the reader is given paper without grooves.";
 inline constexpr const char* kReaderSeed =
     "of tremor, drift, how the page lies and what the reader does by chance, a whole number. "

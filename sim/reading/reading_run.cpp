@@ -9,6 +9,7 @@
 
 #include "sim/console/console.h"
 #include "sim/physics/scene.h"
+#include "sim/trial/hand_on_device.h"
 #include "textures/base/resources.h"
 
 namespace moontrace {
@@ -25,6 +26,12 @@ class Sheet {
   glm::dvec3 ToWorldFrame(glm::dvec3 p) const noexcept {
     return ToWorld(X_WP_, {ToPage(glm::dvec2(p)), p.z});
   }
+  glm::dvec3 ToPageFrame(glm::dvec3 f_W) const noexcept { return TurnFromWorld(X_WP_, f_W); }
+  /// A place in the world, as the hand has it.
+  glm::dvec3 FromWorldFrame(glm::dvec3 p_W) const noexcept {
+    const glm::dvec3 p_P = FromWorld(X_WP_, p_W);
+    return ToHandFrame({p_P.x - start_P_.x, p_P.y - start_P_.y, p_P.z});
+  }
   glm::dvec3 ToHandFrame(glm::dvec3 f_P) const noexcept {
     return {c_ * f_P.x - s_ * f_P.y, s_ * f_P.x + c_ * f_P.y, f_P.z};
   }
@@ -33,6 +40,26 @@ class Sheet {
   Pose X_WP_;
   glm::dvec2 start_P_;
   double c_, s_;
+};
+
+/// The led stylus as the scene's frame sees it.
+class StylusOnSheet final : public Device {
+ public:
+  StylusOnSheet(const LedStylus& stylus, const Sheet& sheet) : stylus_(stylus), sheet_(sheet) {}
+  void Lead(const LedAim& aim) noexcept { stylus_.Lead(aim); }
+  DeviceLimits Limits() const noexcept override { return stylus_.Limits(); }
+  DeviceStatus Read(DeviceState& state) noexcept override {
+    const DeviceStatus status = stylus_.Read(state);
+    state.p_D = sheet_.ToWorldFrame(state.p_D);
+    return status;
+  }
+  DeviceStatus Write(glm::dvec3 f_W) noexcept override {
+    return stylus_.Write(sheet_.ToHandFrame(sheet_.ToPageFrame(f_W)));
+  }
+
+ private:
+  LedStylus stylus_;
+  Sheet sheet_;
 };
 
 /// What was felt some time ago.
@@ -73,32 +100,53 @@ constexpr double kApproach = 0.005;  ///< the hand is put so far above the paper
 
 }  // namespace
 
+/// The hand on its device, of which the caller keeps the stylus in sight.
+HandOnDevice OnDevice(std::unique_ptr<StylusOnSheet> stylus, const ReadingSetup& setup,
+                      const Pose& X_WP) {
+  HandOnDevice::Setup on_device;
+  on_device.hand = setup.hand;
+  on_device.tick = setup.scene.tick;
+  on_device.profile = setup.device ? &*setup.device : nullptr;
+  on_device.press = setup.hand.press;
+  return {std::move(stylus), on_device, X_WP};
+}
+
 ReadingResult RunReading(const ReadingSetup& setup) {
   Scene scene = Scene::Load(setup.model_path, setup.scene);
+  if (setup.device) scene.SetOptions(HeldOn(*setup.device, setup.scene, scene.proxy_mass()));
   scene.SetField(setup.field);
   const Sheet sheet(scene.X_WP(), setup.start_P, setup.page_turn);
   const double tick = setup.scene.tick;
   const glm::dvec3 start{0, 0, kApproach};
-  LedStylus stylus(setup.hand, setup.muscle, start, tick, setup.hand_seed);
+  HandModel hand = setup.hand;
+  if (setup.device) hand.late_ticks = 0;  // the delay is the device's
+  auto made = std::make_unique<StylusOnSheet>(
+      LedStylus(hand, setup.muscle, start, tick, setup.hand_seed), sheet);
+  StylusOnSheet& stylus = *made;
+  HandOnDevice device = OnDevice(std::move(made), setup, scene.X_WP());
   scene.Reset({setup.start_P.x, setup.start_P.y, kApproach});
-  Reader reader(setup.knowledge, tick, setup.reader_seed);
+  ReaderKnowledge knowledge = setup.knowledge;
+  if (setup.device) knowledge.device_stiffness = scene.options().coupling_stiffness;
+  Reader reader(knowledge, tick, setup.reader_seed);
   LateSenses senses(setup.senses.delay, tick, {0, start, {0, 0, 0}});
 
   ReadingResult result;
   const auto begin = std::chrono::steady_clock::now();
   const auto most = static_cast<std::size_t>(setup.longest / tick);
+  TickResult felt;
+  bool through = false;
   std::size_t n = 0;
   for (; n < most && !reader.done(); ++n) {
     if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
     if (setup.alive && n % 1000 == 0) setup.alive();
-    DeviceState state;
-    stylus.Read(state);
-    ReaderInput now{state.time, state.p_D, {0, 0, 0}};
-    DeviceState input = state;
-    input.p_D = sheet.ToWorldFrame(state.p_D);
-    const TickResult felt = scene.Tick(input);
-    now.force = sheet.ToHandFrame(felt.force_P);
-    stylus.Write(now.force);
+    const DeviceState input = device.Read(scene, n > 0 ? &felt : nullptr, *setup.field);
+    felt = scene.Tick(input);
+    device.Write(felt.force_W, felt.stored);
+    const glm::dvec3 force_P = sheet.ToPageFrame(device.Given(felt.force_W));
+    const ReaderInput now{input.time, sheet.FromWorldFrame(device.reported_W()),
+                          sheet.ToHandFrame(force_P)};
+    if (felt.through && !through) ++result.through;
+    through = felt.through;
     const ReaderInput late = senses.Pass(now);
     const ReaderAction action = reader.Step(late);
     if (setup.watch) setup.watch(late, reader);

@@ -5,9 +5,11 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "devices/core/profile.h"
 #include "devices/hand/hand.h"
 #include "devices/hand/led_stylus.h"
 #include "sim/physics/scene_options.h"
@@ -34,6 +36,10 @@ struct ReadingSetup {
   HandModel hand;
   Muscle muscle;
   Senses senses;
+  /// What the hand is on; none: a tip that is read exactly, in every tick. Must measure and push
+  /// three axes.
+  std::optional<DeviceProfile> device;
+  /// On a device its stiffness is what the page is felt through there, whatever stands here.
   ReaderKnowledge knowledge;
   double page_turn = 0;           ///< of the sheet under the hand, counter-clockwise [rad]
   glm::dvec2 start_P{0, 0};       ///< where the hand is put [m]
@@ -50,13 +56,16 @@ struct ReadingSetup {
 struct ReadingResult {
   std::vector<ReadToken> tokens;  ///< places in the page's frame
   bool ended = false;             ///< by itself
+  std::size_t through = 0;        ///< how often the paper gave way under the tip
   double duration = 0;            ///< simulated [s]
   double real_time_factor = 0;    ///< the only value that varies
   std::vector<PathPoint> path;    ///< kTravel where it searches, kStroke where it follows
 };
 
 /// Reader, hand and scene, tick by tick: the hand's place goes to the scene, the scene's force one
-/// tick late to the hand, both late to the reader, whose will moves the hand. Throws InputError as
+/// tick late to the hand, both late to the reader, whose will moves the hand. On a device scene and
+/// reader get the place by its readings, in its steps, and the hand feels after its delay
+/// (HandOnDevice). Throws InputError as
 /// Scene::Load, Interrupted.
 ReadingResult RunReading(const ReadingSetup& setup);
 

@@ -47,6 +47,10 @@ class HandOnDevice {
   /// The share of a force that the device gives: its axes of force, frame W [N].
   glm::dvec3 Given(glm::dvec3 force_W) const noexcept;
 
+  /// Where the device says that the tip is, frame W, made of its readings [m]; without a profile
+  /// where it is.
+  glm::dvec3 reported_W() const noexcept { return rounded_ ? tip_.p() : p_W_; }
+
   glm::dvec3 p_W() const noexcept { return p_W_; }  ///< where the hand truly is [m]
   /// Energy put out so far by what is rendered, by the hand's true way and the force that it felt
   /// (PassivityObserver) [J]. For a page that rests; a guiding push counts as rendered. On a device

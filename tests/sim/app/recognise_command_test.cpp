@@ -81,6 +81,27 @@ TEST_F(RecogniseCommand, TakesTheTextFromAFileAndTheOptionsOfPages) {
   EXPECT_EQ(outcome.Json()["size_mm"], 6.0);
 }
 
+TEST_F(RecogniseCommand, PutsTheHandOnADevice) {
+  const nlohmann::json json = Recognised({"--device", "moontrace-raw"});
+  EXPECT_EQ(json["text"], "so\n");
+  EXPECT_EQ(json["device"], "moontrace-raw");
+  EXPECT_EQ(json["through"], 0);
+  EXPECT_TRUE(Recognised({})["device"].is_null());
+  // a joystick has no depth, a puck no force
+  for (const char* name : {"generic-pid", "spacemouse"}) {
+    const Outcome refused = RunLine({"recognise", "so", "--device", name});
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("measures and pushes x, y and z"), std::string::npos);
+  }
+  EXPECT_EQ(RunLine({"recognise", "so", "--device", "nowhere"}).code, 3);
+}
+
+TEST_F(RecogniseCommand, SaysWhereThePaperGaveWay) {
+  const Outcome outcome =
+      RunLine({"recognise", "so", "--device", "woodenhaptics", "--press-n", "8"});
+  EXPECT_NE(outcome.err.find("the paper gave way"), std::string::npos) << outcome.err;
+}
+
 TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(RunLine({"recognise"}).code, 2);
   EXPECT_EQ(RunLine({"recognise", "so", "--press-n", "0"}).code, 2);

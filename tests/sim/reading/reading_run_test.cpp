@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "devices/catalogue/catalogue.h"
 #include "sim/physics/page_field.h"
 #include "sim/reading/read_text.h"
 #include "sim/trial/trial.h"
@@ -149,6 +150,37 @@ TEST(Reading, ReadsMarksOfDots) {
   std::string text = TextRead(RunReading(desk.setup).tokens, desk.script);
   std::replace(text.begin(), text.end(), '\n', ' ');  // wherever the lines ended
   EXPECT_EQ(text, "no, it's: (a) so. \"on\" ");
+}
+
+// Steps of 10 and 64 um, a period of delay, the coupling and the peak that each holds.
+TEST(Reading, ReadsOnDevices) {
+  for (const char* name : {"moontrace-raw", "woodenhaptics"}) {
+    const Desk desk("so it");
+    ReadingSetup setup = desk.setup;
+    setup.device = FindProfile(name, ProfilesFolder());
+    const ReadingResult result = RunReading(setup);
+    EXPECT_EQ(TextRead(result.tokens, desk.script), "so it\n") << name;
+    EXPECT_EQ(result.through, 0U) << name;
+    EXPECT_NE(result.duration, RunReading(desk.setup).duration) << name;
+  }
+}
+
+// A profile that pushes only along z: walls are felt by no one, and no force is told of them.
+TEST(Reading, IsToldTheForceOfPushedAxesOnly) {
+  const Desk desk("so");
+  ReadingSetup setup = desk.setup;
+  setup.page_turn = 0;
+  setup.longest = 5;
+  setup.device = FindProfile("moontrace-raw", ProfilesFolder());
+  setup.device->limits.pushes = {false, true, true};
+  double across = 0, along = 0;
+  setup.watch = [&](const ReaderInput& input, const Reader&) {
+    along = std::max(along, std::abs(input.force.x));
+    across = std::max(across, std::abs(input.force.y));
+  };
+  RunReading(setup);
+  EXPECT_EQ(along, 0);
+  EXPECT_GT(across, 0.01);
 }
 
 // The reader is a function of what it was given: the same inputs without any page give the same.
