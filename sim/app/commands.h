@@ -92,7 +92,8 @@ struct RecogniseOptions {
   FeelOptions feel;
   std::optional<double> press;  ///< [N]
   std::uint64_t seed = 1;
-  std::string device;  ///< profile of the simulated hand; empty: none
+  std::string device;            ///< profile of the simulated hand; empty: none
+  std::optional<double> unsure;  ///< rms error of the place [m]
   bool blank = false;
   std::string picture;
 };

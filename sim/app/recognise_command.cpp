@@ -65,6 +65,7 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   setup.model_path = options.feel.model;
   setup.scene = options.feel.scene;
   setup.device = reading.device;
+  setup.senses.unsure = options.unsure.value_or(0);
   setup.hand = ShippedHand();
   PlanOptions plan;
   SetPress(setup.hand, style.relief, options.press, plan);
@@ -139,6 +140,7 @@ Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
                               [](const ReadingResult& page) { return page.ended; });
   json["simulated"] = true;
   json["device"] = reading.device ? Json(reading.device->name) : Json();
+  json["unsure_mm"] = kMillimetres * options.unsure.value_or(0);
   json["through"] = std::accumulate(
       reading.pages.begin(), reading.pages.end(), std::size_t{0},
       [](std::size_t sum, const ReadingResult& page) { return sum + page.through; });
@@ -191,6 +193,7 @@ void AddOptions(CLI::App& app, RecogniseOptions& options) {
   AddSeed(app, options.seed);
   Redescribe(app, "--seed", say::help::kReaderSeed);
   AddPath(app, "--device", "NAME", options.device, say::help::kReaderDevice);
+  AddNumber(app, "--unsure-mm", options.unsure, 0, 20, 1e-3, say::help::kReaderUnsure);
   AddFlag(app, "--blank", options.blank, say::help::kReaderBlank);
   BeginGroup(app, help_group::kResults);
   AddPicture(app, options.picture, say::help::kPicture);

@@ -36,6 +36,8 @@ inline constexpr const char* kRecognise =
 inline constexpr const char* kReaderDevice =
     "the reader's hand is on that device: a profile's name, such as moontrace-raw, or its file. It "
     "gets the place in the device's steps and the force that is commanded. Default: read exactly.";
+inline constexpr const char* kReaderUnsure =
+    "the hand is unsure of its place: rms error in mm that wanders over 1.5 s. Default 0.";
 inline constexpr const char* kReaderBlank = "the reader is given paper without grooves.";
 inline constexpr const char* kReaderSeed =
     "of tremor, drift, how the page lies and what the reader does by chance, a whole number. "

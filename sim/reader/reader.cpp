@@ -52,6 +52,7 @@ Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed
   sizes_ = AllSizes(knowledge);
   size_ = std::sqrt(knowledge.least_size * knowledge.greatest_size);
   evidence_.width = knowledge.width;
+  evidence_.unsure = knowledge.unsure;
 }
 
 ReaderAction Reader::Step(const ReaderInput& input) {

@@ -24,6 +24,7 @@ struct ReaderKnowledge {
   double hand_damping = 0;      ///< [N s/m]
   double delay = 0;             ///< by which it feels late [s]
   double lag = 0;               ///< of its muscles [s]
+  double unsure = 0;            ///< how wrongly it feels its place, rms [m]
   double device_stiffness = 0;  ///< of what the device renders [N/m]; infinite: a true surface
 
   /// Sideways force that a groove's wall takes at this press, by its slope [N]; the rounding is

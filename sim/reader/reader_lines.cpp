@@ -74,6 +74,8 @@ PlacePrior Reader::PriorNow() const {
       prior.along = 0.5;
       prior.across = 0.15;
     }
+    prior.along = std::hypot(prior.along, knowledge_.unsure / size_);
+    prior.across = std::hypot(prior.across, knowledge_.unsure / size_);
   } else if (!line_.empty()) {
     prior.origins = {line_.front().guess.place.origin};
     prior.along = 2;

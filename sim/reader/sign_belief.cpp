@@ -26,6 +26,7 @@ struct ScaledEvidence {
   std::vector<FeltPoint> grooves, flats;
   Box box;  ///< of the grooves that were followed
   double half_width = 0;
+  double spread = kSpread;  ///< of felt points
 };
 
 ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
@@ -39,13 +40,14 @@ ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
     if (Contains(Grown(scaled.box, 1.2), p)) scaled.flats.push_back({p, felt.weight});
   }
   scaled.half_width = 0.5 * evidence.width / place.size;
+  scaled.spread = std::hypot(kSpread, evidence.unsure / place.size);
   return scaled;
 }
 
 /// Cost of all that was felt if the sign lies shifted by `shift` [em]; gives up beyond `most`.
 double CostOf(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& felt,
               glm::dvec2 shift, double most) {
-  constexpr double kPerSquare = 0.5 / (kSpread * kSpread);
+  const double per_square = 0.5 / (felt.spread * felt.spread);
   double cost = 0;
   for (const FeltPoint& groove : felt.grooves) {
     // a tip within a fill may be anywhere in it, which says less than one on a line
@@ -53,13 +55,15 @@ double CostOf(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& 
                      (groove.crossed ? kCrossedSpread : 1);
     const bool beyond = groove.crossed && shapes.IsDots(sign) &&
                         groove.p.x - shift.x > shapes.Advance(sign) - kBefore;
-    cost += groove.weight * std::min(kPerSquare * d * d, beyond ? kNextSign : kMostAGroove);
+    cost += groove.weight * std::min(per_square * d * d, beyond ? kNextSign : kMostAGroove);
     if (cost > most) return cost;
   }
+  // what was felt beside a line by an unsure hand may have been on it
+  const double flat_cost = kMostAFlat * kSpread / felt.spread;
   const double inner = 0.75 * felt.half_width;
   for (const FeltPoint& flat : felt.flats) {
     const double d = std::max(shapes.Distance(sign, flat.p - shift), 0.0);
-    if (d < inner) cost += flat.weight * kMostAFlat * std::min(1.0, 2 * (1 - d / inner));
+    if (d < inner) cost += flat.weight * flat_cost * std::min(1.0, 2 * (1 - d / inner));
   }
   return cost;
 }

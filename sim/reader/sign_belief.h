@@ -29,6 +29,7 @@ struct SignEvidence {
   std::vector<FeltPoint> grooves;  ///< the tip was in a groove
   std::vector<FeltPoint> flats;    ///< flat paper, or a wall that the tip did not pass
   double width = 0;                ///< of a groove [m]
+  double unsure = 0;               ///< rms error of all places [m]
 };
 
 /// Where the next sign can stand, and how large it can be.

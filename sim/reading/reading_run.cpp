@@ -9,6 +9,7 @@
 
 #include "sim/console/console.h"
 #include "sim/physics/scene.h"
+#include "sim/reading/unsure_place.h"
 #include "sim/trial/hand_on_device.h"
 #include "textures/base/resources.h"
 
@@ -129,6 +130,7 @@ ReadingResult RunReading(const ReadingSetup& setup) {
   if (setup.device) knowledge.device_stiffness = scene.options().coupling_stiffness;
   Reader reader(knowledge, tick, setup.reader_seed);
   LateSenses senses(setup.senses.delay, tick, {0, start, {0, 0, 0}});
+  UnsurePlace unsure(setup.senses.unsure, tick, ~setup.hand_seed);
 
   ReadingResult result;
   const auto begin = std::chrono::steady_clock::now();
@@ -143,8 +145,9 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     felt = scene.Tick(input);
     device.Write(felt.force_W, felt.stored);
     const glm::dvec3 force_P = sheet.ToPageFrame(device.Given(felt.force_W));
-    const ReaderInput now{input.time, sheet.FromWorldFrame(device.reported_W()),
-                          sheet.ToHandFrame(force_P)};
+    ReaderInput now{input.time, sheet.FromWorldFrame(device.reported_W()),
+                    sheet.ToHandFrame(force_P)};
+    now.tip += glm::dvec3(unsure.Next(), 0);
     if (felt.through && !through) ++result.through;
     through = felt.through;
     const ReaderInput late = senses.Pass(now);
@@ -235,6 +238,7 @@ ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Scri
   knowledge.hand_damping = hand.damping;
   knowledge.delay = senses.delay;
   knowledge.lag = muscle.lag;
+  knowledge.unsure = senses.unsure;
   return knowledge;
 }
 

@@ -25,6 +25,7 @@ namespace moontrace {
 /// The senses of a hand.
 struct Senses {
   double delay = 0.120;  ///< by which force and place are felt late [s]
+  double unsure = 0;     ///< rms error of the place, along and across the paper (UnsurePlace) [m]
 };
 
 /// Everything that decides one reading of one page.

@@ -102,6 +102,13 @@ TEST_F(RecogniseCommand, SaysWhereThePaperGaveWay) {
   EXPECT_NE(outcome.err.find("the paper gave way"), std::string::npos) << outcome.err;
 }
 
+TEST_F(RecogniseCommand, TakesAnUnsureHand) {
+  const nlohmann::json json = Recognised({"--unsure-mm", "0.2"});
+  EXPECT_EQ(json["unsure_mm"], 0.2);
+  EXPECT_NE(json["duration_s"], Recognised({})["duration_s"]);
+  EXPECT_EQ(RunLine({"recognise", "so", "--unsure-mm", "-1"}).code, 2);
+}
+
 TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(RunLine({"recognise"}).code, 2);
   EXPECT_EQ(RunLine({"recognise", "so", "--press-n", "0"}).code, 2);

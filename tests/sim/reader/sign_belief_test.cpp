@@ -178,6 +178,25 @@ TEST_F(SignBelief, AGrooveThatWasCrossedMayBeTheNextSigns) {
   EXPECT_EQ(best(0.77 + 0.05), "comma");
 }
 
+// What is felt 0.08 em beside a line speaks against it, unless the hand errs by as much.
+TEST_F(SignBelief, AnUnsureHandForgivesMore) {
+  const SignPlace place{{0, 0}, kSize, 0};
+  SignEvidence felt;
+  felt.width = kWidth;
+  for (double y = 0; y < 1; y += 0.05) felt.grooves.push_back({FromEm(place, {0.08, y}), 0.5});
+  const auto likelihood = [&] {
+    PlacePrior prior = Expecting(place);
+    prior.along = prior.across = 1e-3;
+    for (const SignGuess& guess : Believe(shapes_, felt, prior)) {
+      if (NameOf(guess) == "i") return guess.log_likelihood;
+    }
+    return -1e9;
+  };
+  const double sure = likelihood();
+  felt.unsure = 0.08 * kSize;
+  EXPECT_GT(likelihood(), 0.5 * sure);
+}
+
 TEST_F(SignBelief, ForeignSignsAreUnknown) {
   const SignPlace place{{0, 0}, kSize, 0};
   // a triangle, a print H, a square, none of them a part of a sign of Moon

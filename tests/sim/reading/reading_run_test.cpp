@@ -183,6 +183,15 @@ TEST(Reading, IsToldTheForceOfPushedAxesOnly) {
   EXPECT_GT(across, 0.01);
 }
 
+// The reported place wanders from where the tip is; what is felt there does not.
+TEST(Reading, ReadsThoughUnsureOfItsPlace) {
+  const Desk desk("so it");
+  ReadingSetup setup = desk.setup;
+  setup.senses.unsure = 0.3e-3;
+  setup.knowledge.unsure = 0.3e-3;
+  EXPECT_EQ(TextRead(RunReading(setup).tokens, desk.script), "so it\n");
+}
+
 // The reader is a function of what it was given: the same inputs without any page give the same.
 TEST(Reading, OneStreamOfInputsGivesOneAnswerWhateverLiesBehindIt) {
   const Desk desk("no");
