@@ -34,11 +34,12 @@ glm::dvec3 LastForce(const FakeHid& fake) {
   return {force.at(0), force.at(1), force.at(2)};
 }
 
-/// The force that the motors had when the last report was handed over [N]: its own dead-man, 15 ms
-/// later, may come while a slow machine still reads the log.
+/// The force that the motors had when the last report that pushes was handed over [N]: its own
+/// dead-man, 15 ms later, and the guardian, may come while a slow machine still reads the log.
 glm::dvec3 LastPush(const FakeHid& fake) {
   constexpr double kBeforeDeadMan = 10;  // [ms]
-  const auto reports = fake.Log("out", kRawOutputNumber);
+  auto reports = fake.Log("out", kRawOutputNumber);
+  std::erase_if(reports, [](const FakeHid::Line& line) { return (line.bytes.at(1) & 1) == 0; });
   glm::dvec3 push(0, 0, 0);
   if (reports.empty()) return push;
   for (const FakeHid::Line& line : fake.Log("force")) {
