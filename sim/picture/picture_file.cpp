@@ -72,9 +72,9 @@ void WritePicture(const std::string& path, const Drawing& drawing) {
   }
 }
 
-void WritePicture(const std::string& path, const Raster& raster) {
+void WritePicture(const std::string& path, const Raster& raster, bool lasting) {
   if (KindOf(path) != PictureKind::kPng) throw InputError(path + ": this picture ends in .png");
-  WriteWhole(path, ToPng(raster));
+  WriteWhole(path, ToPng(raster), lasting);
 }
 
 struct PagePictures::Pdf {

@@ -45,7 +45,8 @@ class PagePictures {
 };
 
 /// The same for a picture of points, which is a PNG whatever else the ending says: InputError.
-void WritePicture(const std::string& path, const Raster& raster);
+/// `lasting` as in OutputFile.
+void WritePicture(const std::string& path, const Raster& raster, bool lasting = true);
 
 /// `--picture`; a path without an ending of pictures is a UsageError.
 void AddPicture(CLI::App& app, std::string& path, const std::string& description);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "sim/picture/picture_file.h"
@@ -14,7 +13,8 @@
 #include "sim/view/view_input.h"
 #include "sim/view/view_messages.h"
 #include "sim/view/view_window.h"
-#include "textures/base/error.h"
+#include "textures/base/output_file.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 
@@ -171,18 +171,11 @@ void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
   mailbox->closed = mailbox->closed || !mailbox->stop;
 }
 
+constexpr std::size_t kMostFrameBytes = std::size_t{1} << 30U;
+
 /// The time of a frame that came late is filled by the picture before it.
 void Repeat(const std::string& folder, std::size_t from, std::size_t to) {
-  // whole under its own name or not there, as other pictures are
-  const std::string partial = FramePath(folder, to) + ".partial";
-  std::error_code error, ignored;
-  std::filesystem::copy_file(FramePath(folder, from), partial, error);
-  if (!error) std::filesystem::rename(partial, FramePath(folder, to), error);
-  if (error) {
-    std::filesystem::remove(partial, ignored);
-    throw LackError(
-        fmt::format("no room for frames ({}): free some, or draw fewer", error.message()));
-  }
+  WriteWhole(FramePath(folder, to), ReadTextFile(FramePath(folder, from), kMostFrameBytes), false);
 }
 
 void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>& mailbox) {
@@ -215,7 +208,7 @@ void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
     painter.Draw();
     const Raster picture = painter.Picture();
     Timed(*mailbox, start, painter);
-    WritePicture(FramePath(options.frames, number), picture);
+    WritePicture(FramePath(options.frames, number), picture, false);
   }
 }
 

@@ -68,7 +68,8 @@ void MakeFolder(const std::string& folder) {
   MakeMissing(path.has_filename() ? path : path.parent_path(), folder);
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), place_(TargetOf(path)) {
+OutputFile::OutputFile(const std::string& path, bool lasting)
+    : path_(path), place_(TargetOf(path)), lasting_(lasting) {
   constexpr mode_t kReadWrite = 0666;
   do {
     file_ = FileDescriptor(
@@ -97,19 +98,19 @@ void OutputFile::Flush() {
 
 void OutputFile::Finish() {
   Flush();
-  if (!SyncFile(file_.get())) Fail();
+  if (lasting_ && !SyncFile(file_.get())) Fail();
   file_.Close();
   if (std::rename(partial().c_str(), place_.c_str()) != 0) Fail();
   placed_ = true;
-  if (!SyncFolder(FolderOf(place_))) Fail();
+  if (lasting_ && !SyncFolder(FolderOf(place_))) Fail();
 }
 
 void OutputFile::Fail() const { CannotWrite(path_, std::strerror(errno)); }
 
 void RequireWritable(const std::string& path) { const OutputFile tried(path); }
 
-void WriteWhole(const std::string& path, const std::string& bytes) {
-  OutputFile file(path);
+void WriteWhole(const std::string& path, const std::string& bytes, bool lasting) {
+  OutputFile file(path, lasting);
   file.Append(bytes);
   file.Finish();
 }

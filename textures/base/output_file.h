@@ -21,7 +21,9 @@ void RequireWritable(const std::string& path);
 /// alone. All throw LackError.
 class OutputFile {
  public:
-  explicit OutputFile(const std::string& path);
+  /// Not `lasting`: nothing waits for the disk, and a power cut may take it; for what is one of
+  /// many and soon made again, as frames are.
+  explicit OutputFile(const std::string& path, bool lasting = true);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
@@ -36,10 +38,11 @@ class OutputFile {
   std::string path_, place_;
   FileDescriptor file_;
   std::string buffer_;
+  bool lasting_ = true;
   bool placed_ = false;
 };
 
 /// Writes all of a file, as an OutputFile.
-void WriteWhole(const std::string& path, const std::string& bytes);
+void WriteWhole(const std::string& path, const std::string& bytes, bool lasting = true);
 
 }  // namespace moontrace
