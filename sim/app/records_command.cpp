@@ -178,9 +178,9 @@ int Run(const RecordsOptions& options, Console& console) {
   CheckUse(options);
   const std::string path = RecordsPathOf(options.records);
   if (options.action == "import") return Import(path, options, console);
-  const Records reading = Records::OpenToRead(path);
-  if (options.action == "list") return List(reading, options, console);
-  if (options.action == "export") return Export(reading, options, console);
+  if (options.action == "list") return List(Records::OpenToRead(path), options, console);
+  if (options.action == "export") return Export(Records::OpenToRead(path), options, console);
+  Records::OpenToRead(path);  // it must be there: to be written to it would be made
   if (options.action == "erase") return Erase(Records::Open(path), options, console);
   return Consent(Records::Open(path), options, console);
 }

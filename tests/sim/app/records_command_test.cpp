@@ -94,6 +94,15 @@ TEST_F(RecordsCommand, RefusesAVersionBelowZeroByOneLine) {
   ExpectRefused(RunLine(With(learn, {"--records", path_})), 3, "not a records file");
 }
 
+// Another program, or a person at SQLite's own prompt, may have left it so.
+TEST_F(RecordsCommand, TakesAFileWithAWriteAheadLog) {
+  Database(path_, true).Run("PRAGMA journal_mode = WAL");
+  EXPECT_EQ(Line({"list"}).code, 0);
+  const Outcome outcome = Line({"consent", "bat", "yes"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  ExpectOnly({"records.sqlite", "records.sqlite-lock"});
+}
+
 TEST_F(RecordsCommand, ExportsAndImportsTheSame) {
   const Outcome whole = Line({"export", "bat"});
   EXPECT_EQ(whole.code, 0);
