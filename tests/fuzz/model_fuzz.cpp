@@ -81,8 +81,8 @@ std::string ModelOf(std::span<const std::uint8_t> choices, std::string_view labe
       beside += kBeside[number - kInWorld.size()];
     }
   }
-  return "<mujoco>" + beside + "<custom><text name='moontrace:page' data='" + EscapedXml(label) +
-         "'/></custom><worldbody>" + world + "</worldbody></mujoco>";
+  return "<mujoco>" + beside + "<custom><text name='moontrace:page' data=\"" + EscapedXml(label) +
+         "\"/></custom><worldbody>" + world + "</worldbody></mujoco>";
 }
 
 void Use(Scene scene) {
