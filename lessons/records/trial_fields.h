@@ -28,7 +28,8 @@ const std::vector<TrialField>& TrialFields();
 
 /// Trials as CSV (RFC 4180, UTF-8): a row of names with units, then a row for each, numbers with
 /// all their digits. Trials that are only a mark are left out. A text that begins with = + - @, a
-/// tab or a carriage return has an apostrophe before it, so that no spreadsheet runs it as a formula.
+/// tab or a carriage return has an apostrophe before it, so that no spreadsheet runs it as a
+/// formula.
 std::string TrialsToCsv(std::string_view learner, std::string_view course,
                         const std::vector<Trial>& trials);
 

@@ -29,9 +29,9 @@ std::string OnlyWith(std::string_view option, std::string_view action) {
 }
 
 std::string NoSuchLearner(std::string_view given, std::string_view nearest) {
-  return fmt::format("no learner \"{}\" in the records: {}\"moontrace records list\" names them",
-                     OneLine(given),
-                     nearest.empty() ? "" : fmt::format("did you mean {}? ", ShownPseudonym(nearest)));
+  return fmt::format(
+      "no learner \"{}\" in the records: {}\"moontrace records list\" names them", OneLine(given),
+      nearest.empty() ? "" : fmt::format("did you mean {}? ", ShownPseudonym(nearest)));
 }
 
 std::string LearnersOutcome(std::size_t count) {
@@ -54,11 +54,13 @@ std::string Imported(std::string_view name, std::size_t trials) {
 }
 
 std::string EraseNeedsYes(std::string_view name) {
-  return fmt::format("nothing erased: add --yes to erase {} without being asked", ShownPseudonym(name));
+  return fmt::format("nothing erased: add --yes to erase {} without being asked",
+                     ShownPseudonym(name));
 }
 
 std::string AskErase(std::string_view name) {
-  return fmt::format("All of {} will be gone for ever. To erase it, type the name:", ShownPseudonym(name));
+  return fmt::format("All of {} will be gone for ever. To erase it, type the name:",
+                     ShownPseudonym(name));
 }
 
 std::string NotErased(std::string_view name) {

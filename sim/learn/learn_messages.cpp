@@ -90,7 +90,10 @@ std::string TipBetween(bool touching) {
 }
 std::string LessonInList(std::string_view title, std::size_t number, bool here, bool done,
                          bool optional) {
-  const char* state = here ? ", you are here" : done ? ", done" : optional ? ", beside the course" : "";
+  const char* state = here       ? ", you are here"
+                      : done     ? ", done"
+                      : optional ? ", beside the course"
+                                 : "";
   return fmt::format("{} {}{}.", number, OneLine(title), state);
 }
 std::string HowFar(std::size_t known, std::size_t all, double smallest) {

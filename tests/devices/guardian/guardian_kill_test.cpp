@@ -264,8 +264,9 @@ TEST_F(Killing, LetsGoOfASelfBuiltDevice) { EndAll("moontrace-raw", "moontrace-r
 
 TEST_F(Killing, GivesTheDeviceBackToAProgramThatGoesOn) {
   const Orphans orphans;
-  for (const auto& [kind, device] :
+  for (const auto& both :
        {std::pair{"pid", "openffboard"}, std::pair{"moontrace-raw", "moontrace-raw"}}) {
+    const char *kind = both.first, *device = both.second;
     const FakeHid fake(kind);
     {
       Pusher pusher(device, Way::kStopped, random_);

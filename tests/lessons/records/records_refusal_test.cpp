@@ -148,8 +148,8 @@ TEST_F(RecordsRefusal, OfATableOrColumnThatIsNotOurs) {
       "ALTER TABLE learner ADD COLUMN more TEXT",
       "DROP INDEX trial_of_learner",
       "DROP INDEX trial_of_learner; CREATE INDEX trial_of_learner ON trial (abs(learner))",
-      "DROP TABLE event; CREATE TABLE event (id INTEGER PRIMARY KEY, learner INTEGER NOT NULL, "
-      "time_unix_s INTEGER AS (randomblob(900000000)), kind TEXT NOT NULL, text TEXT NOT NULL)",
+      ("DROP TABLE event; CREATE TABLE event (id INTEGER PRIMARY KEY, learner INTEGER NOT NULL, "
+       "time_unix_s INTEGER AS (randomblob(900000000)), kind TEXT NOT NULL, text TEXT NOT NULL)"),
       "DROP TABLE event; CREATE VIRTUAL TABLE event USING fts5(learner, time_unix_s, kind, text)",
   };
   for (const char* sql : hostile) {
