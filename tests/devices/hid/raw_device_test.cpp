@@ -34,17 +34,13 @@ glm::dvec3 LastForce(const FakeHid& fake) {
   return {force.at(0), force.at(1), force.at(2)};
 }
 
-/// The force that the motors had when the last report that pushes was handed over [N]: its own
-/// dead-man, 15 ms later, and the guardian, may come while a slow machine still reads the log.
+/// The last force that was one [N]: when nobody ticks any more the guardian lets go after 20 ms,
+/// and the device's own dead-man, while a slow machine still reads the log.
 glm::dvec3 LastPush(const FakeHid& fake) {
-  constexpr double kBeforeDeadMan = 10;  // [ms]
-  auto reports = fake.Log("out", kRawOutputNumber);
-  std::erase_if(reports, [](const FakeHid::Line& line) { return (line.bytes.at(1) & 1) == 0; });
   glm::dvec3 push(0, 0, 0);
-  if (reports.empty()) return push;
   for (const FakeHid::Line& line : fake.Log("force")) {
-    if (line.time > reports.back().time + kBeforeDeadMan) break;
-    push = {line.force.at(0), line.force.at(1), line.force.at(2)};
+    const glm::dvec3 force(line.force.at(0), line.force.at(1), line.force.at(2));
+    if (force != glm::dvec3(0, 0, 0)) push = force;
   }
   return push;
 }
