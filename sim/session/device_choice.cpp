@@ -10,14 +10,14 @@ namespace moontrace {
 
 std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double press,
                                   const std::function<void(std::string_view)>& tell,
-                                  const std::atomic<bool>* stop) {
+                                  const std::atomic<bool>* stop, std::optional<double> patience) {
   std::string remark;
   DeviceRequest request;
   request.name = name;
   request.tick = tick;
   request.press = press;
   request.remark = &remark;
-  std::unique_ptr<Device> device = OpenHomed(request, ProfilesFolder(), tell, stop);
+  std::unique_ptr<Device> device = OpenHomed(request, ProfilesFolder(), tell, stop, patience);
   if (!remark.empty()) tell(remark);
   return device;
 }

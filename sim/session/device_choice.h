@@ -19,10 +19,12 @@ inline bool IsSimulated(const std::string& name) { return name.empty() || name =
 inline bool IsMouse(const std::string& name) { return name == "mouse"; }
 
 /// Opens any other device, homed, for ticks of `tick` [s] and, where it has no third axis, a press
-/// of `press` [N]. `tell` gets what the person must hear. Throws as OpenHomed.
+/// of `press` [N]. `tell` gets what the person must hear; `patience` is OpenHomed's. Throws as
+/// that.
 std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double press,
                                   const std::function<void(std::string_view)>& tell,
-                                  const std::atomic<bool>* stop);
+                                  const std::atomic<bool>* stop,
+                                  std::optional<double> patience = std::nullopt);
 
 /// What moves the tip in real time, and how: `--device`, `--seconds`, `--rate-hz`, `--scale`,
 /// `--hold-to-feel`.

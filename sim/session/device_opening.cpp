@@ -1,5 +1,8 @@
 #include "sim/session/device_opening.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <chrono>
 
 #include "devices/core/device_error.h"
@@ -10,10 +13,11 @@ namespace moontrace {
 
 std::unique_ptr<Device> OpenHomed(const DeviceRequest& request, const std::string& profiles,
                                   const std::function<void(std::string_view)>& tell,
-                                  const std::atomic<bool>* stop) {
-  constexpr std::chrono::minutes kPatience(2);
+                                  const std::atomic<bool>* stop, std::optional<double> patience) {
+  constexpr double kPatience = 120;  // [s]
+  const double longest = std::min(patience.value_or(kPatience), kPatience);
   std::unique_ptr<Device> device = OpenDevice(request, profiles);
-  const auto end = std::chrono::steady_clock::now() + kPatience;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(longest);
   const auto is_stopped = [stop] { return stop != nullptr && stop->load(); };
   const bool is_homed = Home(
       *device,
@@ -23,7 +27,8 @@ std::unique_ptr<Device> OpenHomed(const DeviceRequest& request, const std::strin
       [&] { return !is_stopped() && std::chrono::steady_clock::now() < end; });
   if (is_stopped()) throw Interrupted();
   if (!is_homed) {
-    throw DeviceError(request.name + ": was not put in its rest: plug it in and try again");
+    throw DeviceError(
+        fmt::format("{}: was not put in its rest within {} s: try again", request.name, longest));
   }
   return device;
 }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,10 +15,11 @@ namespace moontrace {
 /// sentence that the person must hear. May block for as long as that takes, so it is for commands
 /// and for the loop's reopening thread, never for the tick. `stop` may be null.
 ///
-/// Throws DeviceError: as OpenDevice, lost meanwhile, or not homed within two minutes; Interrupted
-/// once `stop` is true.
+/// Throws DeviceError: as OpenDevice, lost meanwhile, or not homed within two minutes, within
+/// `patience` [s] if that is less; Interrupted once `stop` is true.
 std::unique_ptr<Device> OpenHomed(const DeviceRequest& request, const std::string& profiles,
                                   const std::function<void(std::string_view)>& tell,
-                                  const std::atomic<bool>* stop);
+                                  const std::atomic<bool>* stop,
+                                  std::optional<double> patience = std::nullopt);
 
 }  // namespace moontrace

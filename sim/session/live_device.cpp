@@ -41,7 +41,7 @@ LiveDevice::LiveDevice(const SessionRequest& request, Console& console)
       console.Result(sentence);
       console.out().flush();
     };
-    opened_ = OpenNamed(name_, tick_, press(), tell, console.stop());
+    opened_ = OpenNamed(name_, tick_, press(), tell, console.stop(), request.live.seconds);
   }
   limits_ = opened_->Limits();
 }

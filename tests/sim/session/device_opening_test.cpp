@@ -50,5 +50,17 @@ TEST(OpenHomed, EndsWhenItIsStoppedOrUnplugged) {
   EXPECT_THROW(Open("polhem", told), DeviceError);
 }
 
+// `loop --seconds 0.3` ends though nobody homes the arm: the emulated person needs 2.3 s for it.
+TEST(OpenHomed, WaitsNoLongerThanItIsTold) {
+  const FakeHid fake("polhem");
+  try {
+    OpenHomed(
+        {"polhem"}, kProfiles, [](std::string_view) {}, nullptr, 0.3);
+    FAIL() << "homed";
+  } catch (const DeviceError& error) {
+    EXPECT_STREQ(error.what(), "polhem: was not put in its rest within 0.3 s: try again");
+  }
+}
+
 }  // namespace
 }  // namespace moontrace
