@@ -49,5 +49,6 @@ guarded() {
   rm /tmp/guarded
 }
 
-guarded pid openffboard 100
-guarded moontrace-raw moontrace-raw 100
+# In CI a few: a machine that is emulated is slow. The table in the pages is of more.
+guarded pid openffboard 8
+guarded moontrace-raw moontrace-raw 8
