@@ -207,7 +207,8 @@ class FontReader {
   double AdvanceOf(pugi::xml_node font, pugi::xml_node node, const std::string& name) const {
     const std::optional<double> advance = StepOf(font, node);
     if (!advance) source_.Fail(node, "glyph " + Quoted(name) + " has no horiz-adv-x; give one");
-    if (!(*advance > 0 && *advance <= limits_.greatest)) {
+    // what is above zero as written can still vanish in ems
+    if (!(*advance / em_ > 0 && *advance <= limits_.greatest)) {
       source_.Fail(node, "horiz-adv-x of glyph " + Quoted(name) +
                              " outside 0 to 100 em; give the step to the next letter");
     }
