@@ -170,9 +170,9 @@ void Reader::Accept() {
   random_phase_ = random_.Uniform() < 0.5;
   unknowns_ = read.guess.sign == SignGuess::kUnknown ? unknowns_ + 1 : 0;
   if (StartAnew()) return;
-  if (errand_ == Errand::kNextSign) {
-    SearchNext();
-  } else if (errand_ == Errand::kNextLine && IsAtMargin(read.guess.place)) {
+  const bool on_line = errand_ == Errand::kNextSign ||
+                       (errand_ == Errand::kNextLine && IsAtMargin(read.guess.place));
+  if (on_line) {
     SearchNext();
   } else if (again) {
     BeginLine();
