@@ -38,7 +38,7 @@ std::string MateOf(Turn& turn, const std::string& item) {
     }
     return others.empty() ? std::string() : others[NextRandom(turn.state.random) % others.size()];
   };
-  const std::string of_step = any_of(ItemsOf(*LessonNow(turn), *StepNow(turn)));
+  std::string of_step = any_of(ItemsOf(*LessonNow(turn), *StepNow(turn)));
   if (!of_step.empty()) return of_step;
   if (has_mate) return named->second;
   std::vector<std::string> known;
