@@ -182,6 +182,7 @@ void Reader::Caught(const Felt& felt) {
   phase_ = Phase::kSettle;
   since_ = now_;
   entry_ = felt.place;
+  if (in_gap_ && MetGapsEnd(felt.place)) return;
   if (!crossing_ && !in_gap_ && errand_ == Errand::kNextSign && LeftAGap(felt.place)) return;
 }
 

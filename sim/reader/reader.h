@@ -87,6 +87,7 @@ class Reader {
   void SearchBeyond(const std::vector<FeltPoint>& grooves);
   void LookThroughGap(double from, double to, AfterGap after);
   void LeaveGap();
+  bool MetGapsEnd(glm::dvec2 entry);
   bool LeftAGap(glm::dvec2 entry);
   void SearchLineStart();
   bool IsAtMargin(const SignPlace& place) const;
@@ -117,9 +118,10 @@ class Reader {
   Errand errand_ = Errand::kFirstLine;
   bool in_gap_ = false;  ///< looks through a gap
   AfterGap after_gap_ = AfterGap::kNextSign;
-  double gap_to_ = 0;      ///< where the gap ends [em]
-  bool crossing_ = false;  ///< sweeps across a place that tells two signs apart
-  bool circling_ = false;  ///< sweeps round a spot
+  double gap_to_ = 0;         ///< where the gap ends [em]
+  std::size_t gap_turn_ = 0;  ///< of its way, where the upper edge begins
+  bool crossing_ = false;     ///< sweeps across a place that tells two signs apart
+  bool circling_ = false;     ///< sweeps round a spot
   std::vector<glm::dvec2> way_;
   std::size_t next_ = 0;
   glm::dvec2 aim_{0, 0};

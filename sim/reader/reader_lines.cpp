@@ -16,6 +16,7 @@ constexpr double kBefore = 0.25;                     ///< it begins so far left 
 constexpr double kBeyond = 1.15;     ///< a sign begins at its left edge plus this at most
 constexpr double kLookBack = 2.4;    ///< left of a line's first sign another may lie so far off
 constexpr double kDotWithin = 0.35;  ///< dots at a sign's left edge are met by then
+constexpr double kGapFrom = -0.15;   ///< a dot may stick out at a sign's left edge
 constexpr double kGapStep = 0.12;
 constexpr double kLowEdge = 0.05, kHighEdge = 0.91;  ///< where marks and bars are
 constexpr double kEdge = 0.12;                       ///< swept to either side of an edge
@@ -170,9 +171,8 @@ void Reader::Accept() {
   random_phase_ = random_.Uniform() < 0.5;
   unknowns_ = read.guess.sign == SignGuess::kUnknown ? unknowns_ + 1 : 0;
   if (StartAnew()) return;
-  const bool on_line = errand_ == Errand::kNextSign ||
-                       (errand_ == Errand::kNextLine && IsAtMargin(read.guess.place));
-  if (on_line) {
+  const bool at_start = errand_ == Errand::kNextLine && IsAtMargin(read.guess.place);
+  if (errand_ == Errand::kNextSign || at_start) {
     SearchNext();
   } else if (again) {
     BeginLine();
@@ -234,7 +234,7 @@ bool Reader::StartAnew() {
 
 /// The next sign; after something unknown, right of all that was felt of it.
 void Reader::SearchNext() {
-  gap_to_ = 0;
+  gap_to_ = kGapFrom;
   if (unknowns_ > 0) return SearchBeyond(unknown_);
   SweepAlong(Weave(-kBefore, knowledge_.space + kBeyond), Errand::kNextSign);
 }
@@ -259,20 +259,41 @@ void Reader::LookThroughGap(double from, double to, AfterGap after) {
   for (double x = from; x < to; x += kGapStep, high = !high) {
     way.push_back(FromEm(place, {x, high ? kLowEdge + kEdge : kLowEdge - kEdge}));
   }
-  for (double x = to; x > from; x -= kGapStep, high = !high) {
+  const std::size_t turn = way.size();
+  for (double x = to; x > from - kGapStep; x -= kGapStep, high = !high) {
     way.push_back(FromEm(place, {x, high ? kHighEdge + kEdge : kHighEdge - kEdge}));
   }
   SweepAlong(std::move(way), errand_);
   in_gap_ = true;
   after_gap_ = after;
   gap_to_ = to;
+  gap_turn_ = turn;
+}
+
+/// Whether this is the sign at which the gap ends, which may lean over it: the rest is looked
+/// through then, left of what it met.
+bool Reader::MetGapsEnd(glm::dvec2 entry) {
+  const SignPlace place = Expected();
+  const double x = ToEm(place, entry).x;
+  if (after_gap_ != AfterGap::kNextSign || x < gap_to_ - kBefore) return false;
+  std::size_t rest = std::max(next_, gap_turn_);
+  while (rest < way_.size() && ToEm(place, way_[rest]).x > x - kBefore) ++rest;
+  if (rest + 1 >= way_.size()) {
+    LeaveGap();
+    return true;
+  }
+  const auto left = static_cast<std::ptrdiff_t>(rest);
+  SweepAlong({way_.begin() + left, way_.end()}, errand_);
+  in_gap_ = true;
+  gap_turn_ = 0;
+  return true;
 }
 
 /// Whether the weave went by room for a sign before it met this; then that is looked through first.
 bool Reader::LeftAGap(glm::dvec2 entry) {
   const double x = ToEm(Expected(), entry).x;
-  if (x - gap_to_ < kRoomForASign) return false;
-  LookThroughGap(std::max(gap_to_, -0.1), x - kBefore, AfterGap::kNextSign);
+  if (x - std::max(gap_to_, 0.0) < kRoomForASign) return false;
+  LookThroughGap(gap_to_, x - kBefore, AfterGap::kNextSign);
   return true;
 }
 
@@ -333,8 +354,8 @@ void Reader::Missed() {
       return;
     }
     case Errand::kNextSign:
-      LookThroughGap(std::max(gap_to_, -0.1),
-                     std::max(gap_to_, -0.1) + knowledge_.space + kDotWithin, AfterGap::kLineEnd);
+      LookThroughGap(gap_to_, gap_to_ + knowledge_.space + kDotWithin - kGapFrom,
+                     AfterGap::kLineEnd);
       return;
   }
 }
