@@ -24,9 +24,11 @@ constexpr double kStopTime = 0.090;  ///< [s]
 constexpr double kBackTime = 0.25;   ///< [s]
 constexpr double kMoved = 0.6;       ///< is motion out of a stop
 constexpr double kSwingAngle = 100 * kDegree;
-constexpr double kSwingRate = 12;    ///< [rad/s]
-constexpr double kLostDepth = 0.25;  ///< of the groove's depth
-constexpr double kLostTime = 0.030;  ///< [s]
+constexpr double kSwingRate = 12;              ///< [rad/s]
+constexpr double kSharpAngle = 140 * kDegree;  ///< for a corner that is expected to be sharp
+constexpr double kSharpTime = 0.10;            ///< longer on a side then [s]
+constexpr double kLostDepth = 0.25;            ///< of the groove's depth
+constexpr double kLostTime = 0.030;            ///< [s]
 constexpr int kMostSwings = 12;
 
 glm::dvec2 Turned(glm::dvec2 v, double angle) {
@@ -87,7 +89,7 @@ void GrooveFollower::Turn(glm::dvec2 direction, double time) {
 void GrooveFollower::StartSwing(const Felt& felt) {
   Stop(felt);
   left_ = right_ = true;
-  glances_ = false;
+  glances_ = sharp_ = false;
   state_ = State::kSwinging;
 }
 
@@ -101,8 +103,9 @@ void GrooveFollower::Stop(const Felt& felt) {
   ++swings_;
 }
 
-void GrooveFollower::Try(bool left, bool right) {
+void GrooveFollower::Try(bool left, bool right, bool sharp) {
   glances_ = !left && !right;
+  sharp_ = sharp;
   left_ = left || glances_;
   right_ = right || glances_;
   if (left != right) side_ = left ? 1 : -1;
@@ -111,17 +114,24 @@ void GrooveFollower::Try(bool left, bool right) {
 
 /// The angle of the swing after a time; a glance does not wait on either side for what it feels.
 double GrooveFollower::AngleAt(double t) const {
-  const double over = kSwingAngle / kSwingRate;
-  const double first = glances_ ? over : over + wait_;
+  const double most = SwingAngle();
+  const double first = glances_ ? most / kSwingRate : SideTime();
   if (t < 0) return 0;
-  if (t < first) return side_ * std::min(kSwingAngle, kSwingRate * t);
-  return side_ * std::max(-kSwingAngle, kSwingAngle - kSwingRate * (t - first));
+  if (t < first) return side_ * std::min(most, kSwingRate * t);
+  return side_ * std::max(-most, most - kSwingRate * (t - first));
+}
+
+double GrooveFollower::SwingAngle() const { return sharp_ ? kSharpAngle : kSwingAngle; }
+
+/// To one side, until what it feels there must have come.
+double GrooveFollower::SideTime() const {
+  return SwingAngle() / kSwingRate + wait_ + (sharp_ ? kSharpTime : 0);
 }
 
 double GrooveFollower::SwingTime() const {
-  const double over = kSwingAngle / kSwingRate;
+  const double over = SwingAngle() / kSwingRate;
   if (glances_) return 3 * over + wait_;
-  return left_ && right_ ? 3 * over + 2 * wait_ : over + wait_;
+  return left_ && right_ ? over + 2 * SideTime() : SideTime();
 }
 
 /// The tip went there in the groove, however far it is.

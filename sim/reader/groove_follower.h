@@ -14,7 +14,8 @@ namespace moontrace {
 /// direction of the tip's own motion and yields to the walls' force, so that they steer. Where the
 /// tip stops, the pull is swung to 100
 /// degrees on either side: motion there is a corner, none an end. (So far no turn of 100 degrees
-/// leads back along the groove one came by, and it takes the sharpest corners.)
+/// leads back along the groove one came by, and it takes corners of some 140; for sharper ones,
+/// where they are expected, it is swung to 140.)
 class GrooveFollower {
  public:
   enum class State { kMoving, kStopped, kSwinging, kEnded, kRing, kLost };
@@ -30,7 +31,8 @@ class GrooveFollower {
   State state() const { return state_; }
   bool done() const { return state_ >= State::kEnded; }
   /// At a stop (kStopped): swings to these sides. To none: only glances to both, as at an end.
-  void Try(bool left, bool right);
+  /// `sharp`: for a corner that turns farther than the swing, into which the tip slides slowly.
+  void Try(bool left, bool right, bool sharp = false);
   glm::dvec2 stop() const { return stop_; }            ///< where it stopped last [m]
   glm::dvec2 direction() const { return direction_; }  ///< of the pull before it stopped, unit
   /// Where the tip went within the groove, evenly spaced [m].
@@ -54,6 +56,8 @@ class GrooveFollower {
   void Turn(glm::dvec2 direction, double time);
   double AngleAt(double t) const;
   double SwingTime() const;
+  double SideTime() const;
+  double SwingAngle() const;
   void NoteBlocked();
   void Stop(const Felt& felt);
 
@@ -73,6 +77,7 @@ class GrooveFollower {
   double angle_ = 0;                 ///< of the swing [rad]
   bool left_ = true, right_ = true;  ///< sides that are tried
   bool glances_ = false;
+  bool sharp_ = false;  ///< a corner that turns farther than the swing is tried
   int swings_ = 0;
   double ahead_ = 0;     ///< speed of the aim [m/s]
   std::size_t leg_ = 0;  ///< of the path's points: where the last corner was

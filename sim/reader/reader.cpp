@@ -220,10 +220,12 @@ void Reader::TrySides() {
   constexpr double kLikely = 7;             // nats below the best
   constexpr double kFrom = 0.9, kTo = 2.2;  // widths from the stop
   constexpr double kLeast = 25 * kDegree, kMost = 150 * kDegree;
+  // a sharper corner is told from the groove it came by only farther away
+  constexpr double kFar = 1.6, kSharpest = 168 * kDegree;
   TakeGrooves();
   if (signs_ < 2) return follower_.Try(true, true);
   const std::vector<SignGuess> belief = Believe(*knowledge_.shapes, evidence_, PriorNow());
-  bool left = belief.empty(), right = belief.empty();
+  bool left = belief.empty(), right = belief.empty(), sharp = false;
   const glm::dvec2 ahead = follower_.direction();
   for (const SignGuess& guess : belief) {
     if (guess.log_likelihood < belief.front().log_likelihood - kLikely) break;
@@ -234,11 +236,17 @@ void Reader::TrySides() {
       const double length = glm::length(way) / knowledge_.width;
       if (length < kFrom || length > kTo) continue;
       const double angle = std::atan2(ahead.x * way.y - ahead.y * way.x, glm::dot(ahead, way));
-      left = left || (angle > kLeast && angle < kMost);
-      right = right || (angle < -kLeast && angle > -kMost);
+      const glm::dvec2 on =
+          FromEm(guess.place, point.p + point.tangent) - FromEm(guess.place, point.p);
+      const bool leads_back = std::abs(ahead.x * on.y - ahead.y * on.x) <
+                              std::sin(std::numbers::pi - kSharpest) * glm::length(on);
+      const double most = length < kFar || leads_back ? kMost : kSharpest;
+      left = left || (angle > kLeast && angle < most);
+      right = right || (angle < -kLeast && angle > -most);
+      sharp = sharp || (std::abs(angle) > kMost && std::abs(angle) < most);
     }
   }
-  follower_.Try(left, right);
+  follower_.Try(left, right, sharp);
 }
 
 /// From where a groove was met it is followed one way and then the other. A leg that ended where

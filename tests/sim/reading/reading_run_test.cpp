@@ -192,6 +192,18 @@ TEST(Reading, ReadsThoughUnsureOfItsPlace) {
   EXPECT_EQ(TextRead(RunReading(setup).tokens, desk.script), "so it\n");
 }
 
+// A zigzag's corners turn by 153 degrees, more than the pull is swung.
+TEST(Reading, FollowsSharpCornersOfSignsThatItKnows) {
+  Script script = FindScript("moon");
+  script.glyphs[script.Find("m")].strokes = {{StrokeKind::kStroke,
+                                              {Line{{0, 0}, {0, 1}}, Line{{0, 1}, {0.5, 0}},
+                                               Line{{0.5, 0}, {1, 1}}, Line{{1, 1}, {1, 0}}}}};
+  const Desk desk("moon mimic same", 0.012, 1, script);
+  std::string text = TextRead(RunReading(desk.setup).tokens, script);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  EXPECT_EQ(text, "moon mimic same ");
+}
+
 // The reader is a function of what it was given: the same inputs without any page give the same.
 TEST(Reading, OneStreamOfInputsGivesOneAnswerWhateverLiesBehindIt) {
   const Desk desk("no");
