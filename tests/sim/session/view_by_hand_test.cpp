@@ -187,7 +187,7 @@ TEST_F(SlowViewByHand, ThePanelIsTheTutorsInALesson) {
   for (const RecordedEvent& event : Records::OpenToRead(In("records.sqlite")).Events("ann")) {
     if (event.kind == "tutor") kept.push_back(event.text);
   }
-  EXPECT_EQ(kept, (std::vector<std::string>{"go", "size 17 mm", "depth 110 %"}));
+  EXPECT_EQ(kept, (std::vector<std::string>{"stop", "go", "size 17 mm", "depth 110 %"}));
 }
 
 TEST_F(SlowViewByHand, NothingIsFeltOfAMouse) {
