@@ -216,6 +216,8 @@ class IoFault : public Disk {
 
   /// A study, which is run again after each failure.
   void Study(const std::vector<int>& errors) const;
+  /// Lessons of a simulated learner that is kept in records; every `stride`th call fails.
+  void Learn(const std::vector<int>& errors, int stride) const;
 
   const std::vector<int> all_{std::begin(kErrors), std::end(kErrors)};
 };
@@ -334,8 +336,79 @@ name = "none"
 
 TEST_F(IoFault, AtEachCallLosesNoFinishedTrialOfAStudy) { Study({EIO}); }
 
+/// A course that a simulated learner goes through in some two dozen trials.
+std::string SmallCourse(const std::string& folder) {
+  fs::create_directories(folder);
+  WriteBytes(folder + "/course.toml", R"(title = "Small"
+language = "en"
+script = "moon"
+sizes_mm = [16, 10]
+lessons = ["one"]
+)");
+  WriteBytes(folder + "/one.toml", R"(title = "I and L"
+new = ["i", "l"]
+[[steps]]
+kind = "recognise"
+)");
+  return folder;
+}
+
+std::vector<std::string> ItemsIn(const std::string& records) {
+  std::vector<std::string> items;
+  if (!fs::exists(records)) return items;
+  const Records found = Records::Open(records);
+  if (!found.Find("simulated")) return items;
+  for (const Trial& trial : found.Trials("simulated", "small")) {
+    items.push_back(trial.item + " " + trial.answer);
+  }
+  return items;
+}
+
+void IoFault::Learn(const std::vector<int>& errors, int stride) const {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  const std::string path = work_ + "/records.sqlite";
+  const std::vector<std::string> args{
+      "learn", "--simulate", "--course", SmallCourse(quick_.path() + "/small"), "--records", path};
+  Empty();
+  ASSERT_EQ(RunLine(args).code, 0);
+  const std::vector<std::string> whole = ItemsIn(path);
+  ASSERT_GT(whole.size(), 10U);
+  int first = 1;
+  for (const int error : errors) {
+    std::size_t kept = 0;
+    for (int call = first++;; call += stride) {
+      Empty();
+      Outcome outcome;
+      std::string failed;
+      {
+        WatchedDisk disk(work_);
+        disk.Fail(call, error);
+        outcome = RunLine(args);
+        if (!disk.failed()) break;
+        failed = disk.failed_call();
+      }
+      SCOPED_TRACE("call " + std::to_string(call) + ", " + failed + ", " + std::strerror(error) +
+                   ": " + outcome.err);
+      EXPECT_TRUE(outcome.code == 0 || outcome.code == 4) << outcome.code;
+      // the first of them and no others; the later the fault, the more
+      const std::vector<std::string> found = ItemsIn(path);
+      ASSERT_LE(found.size(), whole.size());
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), whole.begin()));
+      EXPECT_EQ(found.size() == whole.size() || outcome.code == 4, true) << found.size();
+      EXPECT_GE(found.size(), outcome.code == 0 ? whole.size() : kept);
+      if (outcome.code != 0) kept = found.size();
+      const Outcome again = RunLine(args);  // nothing is in its way
+      EXPECT_EQ(again.code, 0) << again.err;
+    }
+    EXPECT_GT(kept + static_cast<std::size_t>(stride), whole.size() / 2);
+  }
+}
+
+TEST_F(IoFault, InALearnersLessonLosesNoFinishedTrial) { Learn({EIO}, 101); }
+
 class SlowIoFault : public IoFault {};
 TEST_F(SlowIoFault, OfAnyKindLosesNoFinishedTrialOfAStudy) { Study(all_); }
+TEST_F(SlowIoFault, OfAnyKindInALearnersLessonsLosesNoFinishedTrial) { Learn(all_, 29); }
 
 }  // namespace
 }  // namespace moontrace::test
