@@ -4,6 +4,7 @@
 // has as much memory as the program, which the system takes apart when it dies.
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -58,7 +59,8 @@ int PushForEver(Device& device, const std::string& end, int end_at) {
       std::fflush(stdout);
     }
     if (!end.empty() && is_ready && pushed == end_at) End(end);
-    next += std::chrono::milliseconds(1);
+    // ticks that came late are left out: in a burst the device would hear of none
+    next = std::max(next + std::chrono::milliseconds(1), std::chrono::steady_clock::now());
     std::this_thread::sleep_until(next);
   }
 }
