@@ -12,7 +12,7 @@
 
 #include "lessons/course/course.h"
 #include "sim/audio/sound_messages.h"
-#include "sim/learn/demonstration.h"
+#include "sim/demonstration/demonstrate.h"
 #include "sim/learn/learn_drive.h"
 #include "sim/learn/learn_keys.h"
 #include "sim/learn/learn_learner.h"
@@ -35,19 +35,6 @@
 namespace moontrace {
 
 namespace {
-
-/// Lines that are typed with Enter.
-class TypedLines final : public LearnInput {
- public:
-  explicit TypedLines(LineReader& lines) : lines_(lines) {}
-  std::optional<std::string> Next(int milliseconds, bool) override {
-    return lines_.Next(milliseconds);
-  }
-  bool ended() const override { return lines_.ended(); }
-
- private:
-  LineReader& lines_;
-};
 
 /// A person sits at a terminal, and can be asked.
 bool AtTerminal(Console& console) {
@@ -92,13 +79,6 @@ void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, Lea
   teller.EndTurn();
 }
 
-std::unique_ptr<Speech> SpeechFor(const LearnOptions& options, const Course& course) {
-  if (!options.speak) return nullptr;
-  SpeechOptions voice;
-  voice.language = course.language;
-  return std::make_unique<Speech>(voice);
-}
-
 /// For tutors at the door and for the one at the window.
 std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, const LearnParts& parts,
                                    RunningLesson& lesson, ViewFeed* feed) {
@@ -106,68 +86,6 @@ std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, const LearnParts
   TutorDesk::Told window;
   if (feed != nullptr) window = [feed](std::string_view line) { feed->ShowLine(line); };
   return std::make_unique<TutorDesk>(parts, lesson, options.tutor, std::move(window));
-}
-
-/// The program's hand for nobody in particular: no lesson, whose trials would be somebody's.
-bool IsDemonstration(const LearnOptions& options) {
-  return options.live.device == "simulated" && options.learner.empty() && options.records.empty() &&
-         !options.tutor && options.course == LearnOptions().course;
-}
-
-std::unique_ptr<LearnInput> InputFor(const std::optional<KeyMap>& keys, LineReader& lines,
-                                     Console& console) {
-  if (keys) return std::make_unique<KeyInput>(*keys, console);
-  return std::make_unique<TypedLines>(lines);
-}
-
-/// Until it ends by itself or by a word.
-void Drive(Demonstration& demonstration, LearnStage& stage, LearnInput& input, ViewFeed* feed,
-           PathListener* path, std::optional<double> seconds, const Console& console) {
-  constexpr int kPoll = 20;  // [ms]
-  const auto begin = Demonstration::Clock::now();
-  const auto obey = [&](const std::string& line) { demonstration.Obey(line); };
-  while (!demonstration.over()) {
-    console.CheckStop();
-    const auto now = Demonstration::Clock::now();
-    if (seconds && std::chrono::duration<double>(now - begin).count() >= *seconds) break;
-    demonstration.Look(now);
-    if (path != nullptr) path->Hear();
-    if (feed != nullptr) {
-      feed->Look(stage.session().felt(), demonstration.poll());
-      feed->Hear(obey, [](const std::string&) {});
-      if (feed->closed()) break;
-    }
-    if (input.ended() && !seconds) demonstration.Hurry();
-    if (demonstration.over()) break;
-    if (const auto line = input.Next(kPoll, demonstration.asks())) demonstration.Obey(*line);
-  }
-}
-
-int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& keys,
-                const Course& course, Console& console) {
-  const std::vector<DemonstrationStep> steps = ShippedDemonstration();
-  const std::unique_ptr<Speech> speech = SpeechFor(options, course);
-  std::unique_ptr<Sound> sound;
-  if (options.sound) sound = std::make_unique<Sound>(LoadSounds(options.sounds));
-  LearnTeller teller(console, speech.get(), sound.get());
-  LineReader lines(console.in());
-  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
-  LearnStage stage({options.live, options.press, options.seed}, console);
-  Demonstration demonstration(steps, stage, teller);
-  std::unique_ptr<PathListener> path;
-  if (sound) path = std::make_unique<PathListener>(*sound, stage, teller, demonstration);
-  if (feed) {
-    stage.SetWatch([&feed](const LoopSample& sample) { feed->Add(sample); });
-    teller.SetListener([&feed](std::string_view line) { feed->ShowLine(line); });
-  }
-  const std::unique_ptr<LearnInput> input = InputFor(keys, lines, console);
-  Drive(demonstration, stage, *input, feed.get(), path.get(), options.live.seconds, console);
-  stage.session().loop().End();
-  if (feed) {
-    SayView(*feed, options.view, console);
-    RequireView(*feed, options.live.device);
-  }
-  return exit_code::kGood;
 }
 
 int Learn(LearnOptions options, const Course& course, Console& console) {
@@ -180,8 +98,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   if (IsDemonstration(options)) return Demonstrate(options, keys, course, console);
   options.live.device = DeviceForLearning(options.live.device, console);
   const std::unique_ptr<Speech> speech = SpeechFor(options, course);
-  std::unique_ptr<Sound> sound;
-  if (options.sound) sound = std::make_unique<Sound>(LoadSounds(options.sounds));
+  const std::unique_ptr<Sound> sound = SoundFor(options);
   LearnTeller teller(console, speech.get(), sound.get());
   LineReader lines(console.in());
   std::optional<LearnMemory> opened =

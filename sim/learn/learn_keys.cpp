@@ -131,4 +131,27 @@ std::optional<std::string> KeyInput::Next(int milliseconds, bool asked) {
   return std::nullopt;
 }
 
+namespace {
+
+/// Lines that are typed with Enter.
+class TypedLines final : public LearnInput {
+ public:
+  explicit TypedLines(LineReader& lines) : lines_(lines) {}
+  std::optional<std::string> Next(int milliseconds, bool) override {
+    return lines_.Next(milliseconds);
+  }
+  bool ended() const override { return lines_.ended(); }
+
+ private:
+  LineReader& lines_;
+};
+
+}  // namespace
+
+std::unique_ptr<LearnInput> InputFor(const std::optional<KeyMap>& keys, LineReader& lines,
+                                     Console& console) {
+  if (keys) return std::make_unique<KeyInput>(*keys, console);
+  return std::make_unique<TypedLines>(lines);
+}
+
 }  // namespace moontrace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/console/console.h"
+#include "sim/console/line_reader.h"
 #include "sim/learn/learn_input.h"
 #include "sim/learn/terminal_keys.h"
 
@@ -56,5 +57,10 @@ class KeyInput final : public LearnInput {
   std::vector<std::string> waiting_;  ///< keys not yet taken, the next one last
   bool ended_ = false;
 };
+
+/// Single keys, where they are given, otherwise lines that are typed with Enter. Throws LackError
+/// as KeyInput. `lines` and `console` must outlive it.
+std::unique_ptr<LearnInput> InputFor(const std::optional<KeyMap>& keys, LineReader& lines,
+                                     Console& console);
 
 }  // namespace moontrace

@@ -177,15 +177,6 @@ std::string DemonstrationCounts() {
   return "Nothing counts here, so a sign comes again until you say next: trials are kept as "
          "simulated and make no sign sure.";
 }
-std::string DemonstrationHelp() {
-  return "Words: next, pause, go, again, more time, quit. Or the answer, while I ask.";
-}
-std::string DemonstrationPauses() { return "A pause. Say go when you like."; }
-std::string DemonstrationGoesOn() { return "Going on."; }
-std::string DemonstrationSlower() { return "More time from now on."; }
-std::string DemonstrationUnknown(std::string_view given) {
-  return fmt::format("Not a word here: {}. A question mark tells them.", OneLine(given, 16));
-}
 std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));
 }

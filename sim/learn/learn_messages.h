@@ -112,11 +112,6 @@ std::string SimulatedOnly(std::string_view name);
 // How a session begins and ends.
 std::string Demonstration();
 std::string DemonstrationCounts();
-std::string DemonstrationHelp();
-std::string DemonstrationPauses();
-std::string DemonstrationGoesOn();
-std::string DemonstrationSlower();
-std::string DemonstrationUnknown(std::string_view given);
 std::string WithDevice(std::string_view device);
 std::string NotFelt();
 std::string LearnScaled();

@@ -113,4 +113,16 @@ std::optional<Earcon> EarconOf(lesson_action::Sentence sentence) {
   }
 }
 
+std::unique_ptr<Speech> SpeechFor(const LearnOptions& options, const Course& course) {
+  if (!options.speak) return nullptr;
+  SpeechOptions voice;
+  voice.language = course.language;
+  return std::make_unique<Speech>(voice);
+}
+
+std::unique_ptr<Sound> SoundFor(const LearnOptions& options) {
+  if (!options.sound) return nullptr;
+  return std::make_unique<Sound>(LoadSounds(options.sounds));
+}
+
 }  // namespace moontrace

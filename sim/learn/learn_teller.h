@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include "sim/audio/sound.h"
 #include "sim/audio/speech.h"
 #include "sim/console/console.h"
+#include "sim/learn/learn_options.h"
 
 namespace moontrace {
 
@@ -60,5 +62,10 @@ class LearnTeller {
 Priority PriorityOf(lesson_action::Sentence sentence);
 /// The earcon that goes with it, if there is one.
 std::optional<Earcon> EarconOf(lesson_action::Sentence sentence);
+
+/// What was asked for on the command line; null: nothing. Throws InputError: an own table of
+/// sounds.
+std::unique_ptr<Speech> SpeechFor(const LearnOptions& options, const Course& course);
+std::unique_ptr<Sound> SoundFor(const LearnOptions& options);
 
 }  // namespace moontrace

@@ -1,5 +1,5 @@
 // What who has no device is told: the shipped demonstration, by a clock of the test's own.
-#include "sim/learn/demonstration.h"
+#include "sim/demonstration/demonstration.h"
 
 #include <algorithm>
 #include <map>

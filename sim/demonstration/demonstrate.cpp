@@ -1,0 +1,75 @@
+#include "sim/demonstration/demonstrate.h"
+
+#include <chrono>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "sim/demonstration/demonstration.h"
+#include "sim/learn/learn_sound.h"
+#include "sim/learn/learn_stage.h"
+#include "sim/learn/learn_teller.h"
+#include "sim/session/view_feed.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+
+namespace {
+
+/// Until it ends by itself or by a word.
+void Drive(Demonstration& demonstration, LearnStage& stage, LearnInput& input, ViewFeed* feed,
+           PathListener* path, std::optional<double> seconds, const Console& console) {
+  constexpr int kPoll = 20;  // [ms]
+  const auto begin = Demonstration::Clock::now();
+  const auto obey = [&](const std::string& line) { demonstration.Obey(line); };
+  while (!demonstration.over()) {
+    console.CheckStop();
+    const auto now = Demonstration::Clock::now();
+    if (seconds && std::chrono::duration<double>(now - begin).count() >= *seconds) break;
+    demonstration.Look(now);
+    if (path != nullptr) path->Hear();
+    if (feed != nullptr) {
+      feed->Look(stage.session().felt(), demonstration.poll());
+      feed->Hear(obey, [](const std::string&) {});
+      if (feed->closed()) break;
+    }
+    if (input.ended() && !seconds) demonstration.Hurry();
+    if (demonstration.over()) break;
+    if (const auto line = input.Next(kPoll, demonstration.asks())) demonstration.Obey(*line);
+  }
+}
+
+}  // namespace
+
+bool IsDemonstration(const LearnOptions& options) {
+  return options.live.device == "simulated" && options.learner.empty() && options.records.empty() &&
+         !options.tutor && options.course == LearnOptions().course;
+}
+
+int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& keys,
+                const Course& course, Console& console) {
+  const std::vector<DemonstrationStep> steps = ShippedDemonstration();
+  const std::unique_ptr<Speech> speech = SpeechFor(options, course);
+  const std::unique_ptr<Sound> sound = SoundFor(options);
+  LearnTeller teller(console, speech.get(), sound.get());
+  LineReader lines(console.in());
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
+  LearnStage stage({options.live, options.press, options.seed}, console);
+  Demonstration demonstration(steps, stage, teller);
+  std::unique_ptr<PathListener> path;
+  if (sound) path = std::make_unique<PathListener>(*sound, stage, teller, demonstration);
+  if (feed) {
+    stage.SetWatch([&feed](const LoopSample& sample) { feed->Add(sample); });
+    teller.SetListener([&feed](std::string_view line) { feed->ShowLine(line); });
+  }
+  const std::unique_ptr<LearnInput> input = InputFor(keys, lines, console);
+  Drive(demonstration, stage, *input, feed.get(), path.get(), options.live.seconds, console);
+  stage.session().loop().End();
+  if (feed) {
+    SayView(*feed, options.view, console);
+    RequireView(*feed, options.live.device);
+  }
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "lessons/course/course.h"
+#include "sim/console/console.h"
+#include "sim/learn/learn_keys.h"
+#include "sim/learn/learn_options.h"
+
+namespace moontrace {
+
+/// The program's hand for nobody in particular: no lesson, whose trials would be somebody's.
+bool IsDemonstration(const LearnOptions& options);
+
+/// Tells the shipped demonstration to the console, until it ends by itself or by a word; exit code.
+/// `keys`: single keys without Enter. Throws InputError (an own table of sounds), DeviceError,
+/// Interrupted.
+int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& keys,
+                const Course& course, Console& console);
+
+}  // namespace moontrace
