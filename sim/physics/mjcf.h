@@ -16,7 +16,7 @@ struct Mjcf {
 /// proxy's rest. So the text needs no other document: a record keeps it unchanged. Not covered:
 /// files of other kinds (plug-ins, models attached by MuJoCo 3). Throws InputError of one line that
 /// begins with `name`: broken XML, another format than MJCF, an include that is missing or
-/// repeated, sizes for which MuJoCo would take all memory (mjcf_sizes.h).
+/// repeated, sizes for which MuJoCo would take all memory.
 Mjcf PrepareMjcf(const std::string& xml, const std::string& folder, const std::string& name,
                  const std::string& proxy_xml);
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "sim/reader/aim_drift.h"
 #include "sim/reader/groove_follower.h"
 #include "sim/reader/reader_knowledge.h"
 #include "sim/reader/sign_belief.h"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "sim/reader/reader_knowledge.h"
 
@@ -46,6 +48,27 @@ class TouchSense {
   glm::dvec2 above_from_{0, 0};  ///< where it came to be [m]
   double last_height_ = 0;       ///< [m]
   double sink_ = 0;              ///< smoothed vertical speed [m/s]
+};
+
+/// How far a hand strays from its aim over flat paper without meaning to, as it finds when it
+/// compares where it feels itself to be with where it aimed at that time.
+class AimDrift {
+ public:
+  AimDrift() = default;
+  /// `tick` [s].
+  AimDrift(const ReaderKnowledge& knowledge, double tick);
+
+  /// A landing: it strays anew.
+  void Begin() noexcept;
+  /// One tick over the paper with this aim [m].
+  void Add(const Felt& felt, glm::dvec2 aim) noexcept;
+  glm::dvec2 drift() const { return drift_; }  ///< [m]
+
+ private:
+  double tick_ = 1e-3;
+  std::vector<glm::dvec2> aims_;  ///< of the time by which it feels late, a ring buffer [m]
+  std::size_t count_ = 0;
+  glm::dvec2 drift_{0, 0};
 };
 
 }  // namespace moontrace

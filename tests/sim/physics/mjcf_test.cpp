@@ -1,4 +1,4 @@
-#include "sim/physics/mjcf_sizes.h"
+#include "sim/physics/mjcf.h"
 
 #include <sys/stat.h>
 
@@ -6,7 +6,6 @@
 #include <fstream>
 #include <string>
 
-#include "sim/physics/mjcf.h"
 #include "tests/sim/record_fixture.h"
 #include "tests/sim/scene_fixture.h"
 
