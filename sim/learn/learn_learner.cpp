@@ -7,9 +7,9 @@
 
 #include "lessons/records/learner_history.h"
 #include "sim/learn/learn_messages.h"
-#include "textures/base/case_fold.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 

@@ -45,4 +45,8 @@ bool HasHidden(std::string_view utf8) noexcept;
 /// Each of them made a "?". `utf8` is well-formed.
 std::string HiddenShown(std::string_view utf8);
 
+/// Text for comparing without regard to capitals: Unicode's full case folding, composed, so that
+/// "STRASSE" and "straße" are alike; what is not well-formed UTF-8 as it is.
+std::string CaseFolded(std::string_view utf8);
+
 }  // namespace moontrace
