@@ -23,7 +23,7 @@ guarded() {
     pusher=$!
     wait_for "$2 to be let go of ($way)" ended
     sleep 0.1
-    awk -v kind="$1" -v way="$way" -v ended="$(awk 'NR == 2 {print 1000 * $1}' /tmp/push.log)" '
+    awk -v kind="$1" -v way="$way" -v ended="$(awk 'NR == 2 {printf "%.3f", 1000 * $1}' /tmp/push.log)" '
       function number(hex) { return hex == "00" ? 0 : 1 }
       NR == 1 { began = $1; next }
       $2 != "out" { next }
