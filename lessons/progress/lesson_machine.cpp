@@ -72,6 +72,7 @@ LessonTurn Advance(const Course& course, LessonState state, const Event& event) 
             [&turn](const lesson_event::Answered& answered) { HandleAnswered(turn, answered); },
             [&turn](const lesson_event::Said& said) { HandleSaid(turn, said); },
             [&turn](const lesson_event::Overrule& overrule) { HandleOverrule(turn, overrule); },
+            [&turn](const lesson_event::OwnText& own) { HandleOwnText(turn, own.text); },
             [&turn](const lesson_event::Tick&) { AwaitNow(turn, turn.state.await); },
         },
         event.what);

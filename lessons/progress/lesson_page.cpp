@@ -9,6 +9,7 @@
 #include "lessons/progress/item_choice.h"
 #include "lessons/progress/lesson_turn.h"
 #include "lessons/progress/mastery.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 
@@ -84,6 +85,13 @@ double TextSize(const Turn& turn, const std::string& text) {
     known = true;
   }
   return SizeAt(turn.course, known ? place : 0);
+}
+
+/// What lies on a page to explore or to read: the learner's own text or the step's.
+std::string TextNow(const Turn& turn) {
+  if (!turn.state.own_text.empty()) return turn.state.own_text;
+  const Step* step = StepNow(turn);
+  return step != nullptr ? step->text : std::string();
 }
 
 /// Push by the rules and what overrules them. Nothing pushes while something is recognised.
@@ -164,8 +172,8 @@ double SizeByRules(const Turn& turn) {
   const LessonState& state = turn.state;
   const Step* step = StepNow(turn);
   if (state.task == StepKind::kExplore || state.task == StepKind::kRead) {
-    const bool own = step != nullptr && step->size;
-    return own ? *step->size : TextSize(turn, step != nullptr ? step->text : "");
+    const bool sized = state.own_text.empty() && step != nullptr && step->size;
+    return sized ? *step->size : TextSize(turn, LowerCase(TextNow(turn)));
   }
   return AskedSize(turn.course, state.progress, IsOfStep(turn) ? step : nullptr,
                    {state.item, state.mate});
@@ -176,6 +184,7 @@ void PresentItem(Turn& turn, const std::string& item, StepKind task, bool review
   const Step* step = StepNow(turn);
   state.item = item;
   state.mate.clear();
+  state.own_text.clear();
   state.task = task;
   state.review = review;
   state.question = IsAsked(task) && !review && step != nullptr ? step->question : Question::kName;
@@ -196,10 +205,25 @@ void PresentText(Turn& turn, const Step& step) {
   LessonState& state = turn.state;
   state.item.clear();
   state.mate.clear();
+  state.own_text.clear();
   state.task = step.kind;
   state.question = Question::kName;
   state.review = state.probe = false;
   Ask(turn);
+  ShowPage(turn);
+}
+
+void PresentOwnText(Turn& turn, const std::string& text) {
+  LessonState& state = turn.state;
+  state.item.clear();
+  state.mate.clear();
+  state.own_text = text;
+  state.task = StepKind::kRead;
+  state.question = Question::kName;
+  state.review = state.probe = false;
+  Ask(turn);
+  const std::string unmet = UnmetSigns(state.progress, text);
+  if (!unmet.empty()) Say(turn, Sentence::kNotLearnt, unmet);
   ShowPage(turn);
 }
 
@@ -208,10 +232,8 @@ void Ask(Turn& turn) {
   switch (state.task) {
     case StepKind::kExplore:
       return Say(turn, Sentence::kExploreIt);
-    case StepKind::kRead: {
-      const Step* step = StepNow(turn);
-      return Say(turn, Sentence::kReadIt, step != nullptr ? step->text : "");
-    }
+    case StepKind::kRead:
+      return Say(turn, Sentence::kReadIt, TextNow(turn));
     case StepKind::kDemonstrate:
       return Say(turn, Sentence::kLedAlong, state.item);
     case StepKind::kTrace:
@@ -228,14 +250,14 @@ void Ask(Turn& turn) {
 
 void ShowPage(Turn& turn) {
   LessonState& state = turn.state;
-  const Step* step = StepNow(turn);
   const bool text = state.task == StepKind::kExplore || state.task == StepKind::kRead;
-  const Lesson* home = text ? LessonNow(turn) : LessonOfItem(turn);
+  const bool own = !state.own_text.empty();  // in the course's script, whatever the lesson's is
+  const Lesson* home = own ? nullptr : text ? LessonNow(turn) : LessonOfItem(turn);
   lesson_action::Show show;
-  show.text = text ? (step != nullptr ? step->text : "") : state.item;
+  show.text = text ? TextNow(turn) : state.item;
   if (state.question == Question::kSame && IsAsked(state.task)) show.text += " " + state.mate;
   show.script = home != nullptr && !home->script.empty() ? home->script : turn.course.script;
-  show.grade = home != nullptr ? home->grade : 1;
+  show.grade = home != nullptr ? home->grade : own ? turn.course.grade : 1;
   show.size = state.overrule.size.value_or(SizeByRules(turn));
   show.told = !IsAsked(state.task);
   state.size = show.size;

@@ -44,6 +44,10 @@ struct Overrule {
   bool next_lesson = false, skip = false;
   std::optional<std::string> practise;  ///< a sign that is known, by its name: traced once more
 };
+/// A text of the learner's own is to be read now; what is asked comes again behind it.
+struct OwnText {
+  std::string text;
+};
 /// Time passes; sent at least once a minute.
 struct Tick {};
 }  // namespace lesson_event
@@ -51,7 +55,8 @@ struct Tick {};
 struct Event {
   std::int64_t time = 0;  ///< Unix time [s]
   std::variant<lesson_event::Begin, lesson_event::Traced, lesson_event::Answered,
-               lesson_event::Said, lesson_event::Overrule, lesson_event::Tick>
+               lesson_event::Said, lesson_event::Overrule, lesson_event::OwnText,
+               lesson_event::Tick>
       what;
 };
 
@@ -64,6 +69,7 @@ enum class Sentence {
   kCourseText,   ///< text: as it stands in the lesson's file
   kExploreIt,    ///< a page to be felt, until "next"
   kReadIt,       ///< a text to be read, until "next"; text: the text
+  kNotLearnt,    ///< text: signs of it that the learner has not met, with commas
   kNewItem,      ///< text: item
   kHint,         ///< text: memory aid
   kLedAlong,     ///< text: item; the hand is led along it now
@@ -152,6 +158,7 @@ struct LessonState {
   std::vector<std::string> queue;      ///< items to be asked again soon, after a failure
   std::vector<std::string> skipped;    ///< items of this step that were left by "next"
   std::string item, mate;              ///< shown now; second of a pair
+  std::string own_text;                ///< of the learner's own, read now; empty: none
   bool review = false;                 ///< it was due
   StepKind task = StepKind::kExplore;  ///< what is done with it now
   Question question = Question::kName;

@@ -27,6 +27,7 @@ void End(Turn& turn) {
   turn.state.ended = true;
   turn.state.item.clear();
   turn.state.mate.clear();
+  turn.state.own_text.clear();
   Say(turn, Sentence::kCourseDone);
   AwaitNow(turn, Await::kEnd);
 }

@@ -165,6 +165,10 @@ void HandleAnswered(Turn& turn, const lesson_event::Answered& answered) {
 
 void Skip(Turn& turn) {
   LessonState& state = turn.state;
+  if (!state.own_text.empty()) {
+    state.own_text.clear();
+    return GoOn(turn);
+  }
   switch (state.task) {
     case StepKind::kExplore:
     case StepKind::kRead:

@@ -42,6 +42,8 @@ std::string Shortened(std::string_view text);
 void PresentItem(Turn& turn, const std::string& item, StepKind task, bool review);
 /// The page of a step to explore or to read.
 void PresentText(Turn& turn, const Step& step);
+/// The page of a text of the learner's own, until "next".
+void PresentOwnText(Turn& turn, const std::string& text);
 /// Says again what is to be done.
 void Ask(Turn& turn);
 /// Shows the page again, by the rules and what overrules them; the trial begins again.
@@ -66,6 +68,7 @@ void Skip(Turn& turn);
 
 void HandleSaid(Turn& turn, const lesson_event::Said& said);
 void HandleOverrule(Turn& turn, const lesson_event::Overrule& overrule);
+void HandleOwnText(Turn& turn, const std::string& text);
 
 // lesson_steps.cpp
 

@@ -102,7 +102,8 @@ void GiveHint(Turn& turn) {
 void Again(Turn& turn) {
   const Step* step = StepNow(turn);
   const bool text = turn.state.task == StepKind::kExplore || turn.state.task == StepKind::kRead;
-  if (text && step != nullptr && !step->say.empty()) Say(turn, Sentence::kCourseText, step->say);
+  if (text && turn.state.own_text.empty() && step != nullptr && !step->say.empty())
+    Say(turn, Sentence::kCourseText, step->say);
   Ask(turn);
   ShowPage(turn);
 }
@@ -139,7 +140,19 @@ bool Merge(Turn& turn, const Overrule& overrule) {
   return size || overrule.mode || overrule.help;
 }
 
+/// A review that is left for something else comes again behind it.
+void PutBackReview(Turn& turn) {
+  LessonState& state = turn.state;
+  const bool asked = state.review && !state.item.empty() && state.await == Await::kAnswer;
+  if (asked) state.reviews.insert(state.reviews.begin(), state.item);
+}
+
 }  // namespace
+
+void HandleOwnText(Turn& turn, const std::string& text) {
+  if (turn.state.own_text.empty()) PutBackReview(turn);
+  PresentOwnText(turn, text);
+}
 
 /// A sign that was learned before is traced once more, whatever is asked now; that comes again.
 void HandlePractise(Turn& turn, const std::string& name) {
@@ -149,6 +162,7 @@ void HandlePractise(Turn& turn, const std::string& name) {
     Say(turn, Sentence::kCannotPractise, Shortened(name));
     return AwaitNow(turn, turn.state.await);
   }
+  PutBackReview(turn);
   PresentItem(turn, *item, StepKind::kTrace, true);
 }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
+
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 
@@ -111,6 +114,25 @@ std::vector<std::string> PartsOf(const Progress& progress, std::string_view item
     if (!part.empty() && is_new) parts.push_back(part);
   }
   return parts;
+}
+
+std::string UnmetSigns(const Progress& progress, std::string_view given) {
+  const std::string text = LowerCase(given);
+  std::string list;
+  std::set<std::string> listed = {" ", "\t", "\n", "\r"};
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t met = 0;
+    for (const auto& [item, known] : progress.items) {
+      const bool fits = known.introduced && text.compare(at, item.size(), item) == 0;
+      if (fits) met = std::max(met, item.size());
+    }
+    std::size_t end = at + std::max<std::size_t>(1, met);
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) ++end;
+    const std::string sign = text.substr(at, end - at);
+    if (met == 0 && listed.insert(sign).second) list += (list.empty() ? "" : ", ") + sign;
+    at = end;
+  }
+  return list;
 }
 
 std::size_t FirstSizeOf(const Course& course, const Progress& progress, std::string_view item) {

@@ -51,6 +51,10 @@ bool TracesCount(const Practice& practice, const ItemProgress& item);
 /// that "the" in "then" is one. None for an item that is not made of others.
 std::vector<std::string> PartsOf(const Progress& progress, std::string_view item);
 
+/// Characters of a text, each once, that belong to no sign that the learner has met: "g, w"; empty:
+/// none.
+std::string UnmetSigns(const Progress& progress, std::string_view given);
+
 /// Place of the ladder at which a new item begins: the first; for one that no lesson teaches (a
 /// word), the largest size at which a letter of it is still worked on.
 std::size_t FirstSizeOf(const Course& course, const Progress& progress, std::string_view item);

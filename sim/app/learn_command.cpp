@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -61,7 +62,8 @@ void CheckTogether(const LearnOptions& options) {
   }
 }
 
-void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, LearnTeller& teller) {
+void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, bool brief,
+                  LearnTeller& teller) {
   LoopSession& session = stage.session();
   if (stage.simulated()) {
     teller.Say(Priority::kText, say::Demonstration());
@@ -75,7 +77,7 @@ void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, Lea
   if (!session.loop().not_realtime().empty()) {
     teller.Remark(say::NotRealtime(session.loop().not_realtime()));
   }
-  teller.Remark(keys ? say::LearnBeginsWithKeys() : say::LearnBegins());
+  if (!brief) teller.Remark(keys ? say::LearnBeginsWithKeys() : say::LearnBegins());
   teller.EndTurn();
 }
 
@@ -114,13 +116,15 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
   const LearnParts parts{course, memory, stage, teller};
   LearnSession session(parts, options.seed, keys ? say::KeysHelp(*keys) : say::LearnHelp());
   const std::unique_ptr<TutorDesk> tutor = DeskFor(options, parts, session, feed.get());
-  SayBeginning(stage, options, keys.has_value(), teller);  // once nothing can be refused any more
+  SayBeginning(stage, options, keys.has_value(), memory.brief() || options.brief,
+               teller);  // once nothing can be refused any more
   std::unique_ptr<LearnView> view;
   if (feed) view = std::make_unique<LearnView>(*feed, parts, session, *tutor, console);
   std::unique_ptr<PathListener> path;
   if (sound) path = std::make_unique<PathListener>(*sound, stage, teller, session);
   std::unique_ptr<LearnInput> input = InputFor(keys, lines, console);
   memory.Admit();
+  if (options.brief) memory.SetBrief(std::time(nullptr), true);
   session.Begin();
   try {
     Drive(session, teller, *input, {tutor.get(), path.get(), view.get()}, options.live.seconds,
@@ -153,6 +157,7 @@ void AddOptions(CLI::App& app, LearnOptions& options) {
   Redescribe(app, "--seconds", say::help::kLearnSeconds);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
   BeginGroup(app, "Speech, sound, keys, tutor");
+  AddFlag(app, "--brief", options.brief, say::help::kBrief);
   AddFlag(app, "--speak", options.speak, say::help::kSpeak);
   AddFlag(app, "--sound", options.sound, say::help::kSound);
   AddPath(app, "--sounds", "FILE", options.sounds, say::help::kOwnSounds);

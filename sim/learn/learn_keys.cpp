@@ -37,6 +37,9 @@ std::vector<std::pair<std::string, std::string>> UsualWords() {
           {"skip", "k"},
           {"lessons", "e"},
           {"how am i doing", "i"},
+          {"brief", "b"},
+          {"full", "f"},
+          {"my text", "m"},
           {"done", "d"},
           {"quit", "q"},
           {"help", "?"}};

@@ -2,17 +2,30 @@
 
 #include <algorithm>
 #include <exception>
+#include <string_view>
 #include <utility>
 
 #include "lessons/progress/learning.h"
 
 namespace moontrace {
 
+namespace {
+// Kinds and texts of events, in the records of all learners: never changed.
+constexpr std::string_view kSaidKind = "said", kTextKind = "text";
+constexpr std::string_view kBriefText = "brief", kFullText = "full";
+}  // namespace
+
 LearnMemory::LearnMemory(Records records, LearnerEntry learner, std::string course, bool fresh)
     : records_(std::move(records)),
       learner_(std::move(learner)),
       course_(std::move(course)),
-      fresh_(fresh) {}
+      fresh_(fresh) {
+  if (fresh_) return;
+  for (const RecordedEvent& event : records_->Events(learner_.pseudonym)) {
+    if (event.kind == kSaidKind) brief_ = event.text == kBriefText;
+    if (event.kind == kTextKind) own_text_ = event.text;
+  }
+}
 
 void LearnMemory::Admit() {
   if (!fresh_) return;
@@ -64,6 +77,18 @@ std::size_t LearnMemory::KeepRest() {
     // said when it first failed
   }
   return held_back_.size();
+}
+
+void LearnMemory::SetBrief(std::int64_t time, bool brief) {
+  if (brief == brief_) return;
+  brief_ = brief;
+  Note(time, std::string(kSaidKind), std::string(brief ? kBriefText : kFullText));
+}
+
+void LearnMemory::SetOwnText(std::int64_t time, const std::string& text) {
+  if (text == own_text_) return;
+  own_text_ = text;
+  Note(time, std::string(kTextKind), text);
 }
 
 void LearnMemory::Note(std::int64_t time, const std::string& kind, const std::string& text) {

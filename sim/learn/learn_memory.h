@@ -34,6 +34,13 @@ class LearnMemory {
   std::size_t KeepRest();
   void Note(std::int64_t time, const std::string& kind, const std::string& text);
 
+  /// Outcomes only are to be said. What is kept of it and of a text is the newest note of its kind.
+  bool brief() const { return brief_; }
+  void SetBrief(std::int64_t time, bool brief);
+  /// The learner's last own text; empty: none.
+  const std::string& own_text() const { return own_text_; }
+  void SetOwnText(std::int64_t time, const std::string& text);
+
   bool keeps_tracks() const { return records_ && learner_.keeps_tracks; }
   bool remembers() const { return records_.has_value(); }
   const std::string& name() const { return learner_.pseudonym; }
@@ -50,6 +57,8 @@ class LearnMemory {
   LearnerEntry learner_;
   std::string course_;
   bool fresh_ = false;
+  bool brief_ = false;
+  std::string own_text_;
   std::vector<Row> held_back_;
 };
 

@@ -36,9 +36,32 @@ std::string Awaited(lesson_action::Await await, Question question) {
 
 namespace {
 
-std::string TraceEnds() {
-  return "A trace has ended when you have followed it all and lift for half a second, when you say "
-         "done, or press the button twice. One press tells where you are; held, it stops.";
+constexpr const char* kTraceEnds =
+    "A trace has ended when you have followed it all and lift for half a second, when you say "
+    "done, or press the button twice.";
+constexpr const char* kButton = "One press tells where you are; held, it stops.";
+
+}  // namespace
+
+namespace {
+
+/// Words that a first lesson does without.
+bool IsForLater(LearnWord word) {
+  switch (word) {
+    case LearnWord::kLetter:
+    case LearnWord::kSpell:
+    case LearnWord::kWord:
+    case LearnWord::kSlower:
+    case LearnWord::kFaster:
+    case LearnWord::kLessons:
+    case LearnWord::kHow:
+    case LearnWord::kBrief:
+    case LearnWord::kFull:
+    case LearnWord::kMyText:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -50,20 +73,25 @@ std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys
   return {fmt::format("One key a word, without Enter: {}.", Joined(words, ", ")),
           "While something is asked, signs, numbers and names are answers, with Enter behind them; "
           "a word then begins with / and has Enter behind it: /again. Escape always stops.",
-          TraceEnds()};
+          kTraceEnds, kButton};
 }
 
 std::vector<std::string> LearnHelp() {
-  std::vector<std::string> words;
-  for (const std::string& word : LearnWords()) {
-    words.push_back(fmt::format("{} {}", words.size() + 1, word));
+  std::vector<std::string> words, later;
+  for (std::size_t i = 0; i < LearnWords().size(); ++i) {
+    std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(i)) ? later : words;
+    list.push_back(fmt::format("{} {}", i + 1, LearnWords()[i]));
   }
   return {fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
+          fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
           "While something is asked, signs, numbers and names are answers.",
           "A line that begins with / is a word: /7 is bigger, /a is again.",
           "Stop and quit always are words.",
-          "lesson and a number goes to that lesson: lesson 5. practise and a sign: practise b.",
-          TraceEnds(),
+          "lesson and a number goes to that lesson: lesson 5.",
+          "practise and a sign you know traces it once more: practise b.",
+          "my text and a text of your own lays it under your hand: my text the cat sat.",
+          kTraceEnds,
+          kButton,
           "An empty line tells what is waited for."};
 }
 
@@ -107,6 +135,13 @@ std::string HowSure(std::string_view name, std::size_t right, std::size_t of, do
   return fmt::format("{}: {} of {} right at {} mm.", OneLine(name), right, of, at);
 }
 std::string PractiseWhich() { return "Say which sign: practise b."; }
+std::string BriefNow() { return "Brief: outcomes only. full says all again."; }
+std::string FullNow() { return "Full: all is said again."; }
+std::string AskOwnText(std::string_view last) {
+  if (last.empty()) return "Your text? Type it and Enter.";
+  return fmt::format("Your text? Type it and Enter; Enter alone takes: {}.", OneLine(last, 30));
+}
+std::string NoOwnText() { return "No text so far: my text the cat sat."; }
 std::string NoLessonNow() { return "No lesson has begun."; }
 std::string LetterHere(std::string_view name) { return fmt::format("At {}.", OneLine(name)); }
 std::string NoLetterHere() { return "No sign is near the tip."; }

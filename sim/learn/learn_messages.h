@@ -37,6 +37,8 @@ inline constexpr const char* kDays =
     "with --simulate, sessions, one a day. Default: until the course is done.";
 inline constexpr const char* kKeys =
     "single keys without Enter, at a terminal; --keys=FILE changes them. Default off.";
+inline constexpr const char* kBrief =
+    "outcomes only, from now on for this learner; the word full says all again.";
 inline constexpr const char* kSpeak = "speak everything too, by speech-dispatcher. Default off.";
 inline constexpr const char* kSound = "sounds of the way and of what happens. Default off.";
 inline constexpr const char* kLetTutor =
@@ -45,6 +47,8 @@ inline constexpr const char* kLetTutor =
 
 /// A sentence of the lesson machine in words.
 std::string LessonSentence(const Course& course, const lesson_action::Say& sentence);
+/// The same to who wants outcomes only; empty: nothing is said.
+std::string BriefSentence(const Course& course, const lesson_action::Say& sentence);
 /// The same where the program's own hand traces and nobody's is led; empty: as it is.
 std::string DemonstrationSentence(const Course& course, const lesson_action::Say& sentence);
 /// An item, or two with a line feed between, as people call it.
@@ -78,6 +82,11 @@ std::string HowFar(std::size_t known, std::size_t all, double smallest);
 /// Right names of the last ones, at the size at which a sign is worked on [m].
 std::string HowSure(std::string_view name, std::size_t right, std::size_t of, double size);
 std::string PractiseWhich();
+std::string BriefNow();
+std::string FullNow();
+/// `last`: what Enter alone takes; empty: there is none.
+std::string AskOwnText(std::string_view last);
+std::string NoOwnText();
 std::string LetterHere(std::string_view name);
 std::string NoLetterHere();
 std::string WordHere(std::string_view word);

@@ -19,6 +19,7 @@ struct LearnOptions {
   LiveOptions live;             ///< `device` empty: the first one with motors
   std::optional<double> press;  ///< [N]
   std::uint64_t seed = 1;
+  bool brief = false;  ///< outcomes only, from now on
   bool speak = false, sound = false, tutor = false;
   std::string sounds;  ///< with `sound`: a file of the user's, see LoadSounds
   ViewOptions view;

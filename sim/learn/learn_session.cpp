@@ -40,6 +40,7 @@ LearnSession::LearnSession(const LearnParts& parts, std::uint64_t seed,
 std::int64_t LearnSession::Now() const { return static_cast<std::int64_t>(std::time(nullptr)); }
 
 Asked LearnSession::asked() const {
+  if (asks_text_) return Asked::kText;
   if (await_ != Await::kAnswer) return Asked::kNothing;
   return state_.question == Question::kSame ? Asked::kSame : Asked::kName;
 }
@@ -89,7 +90,10 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
 void LearnSession::Do(const lesson_action::Say& sentence) {
   std::string text;
   if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
-  if (text.empty()) text = say::LessonSentence(course_, sentence);
+  if (text.empty()) {
+    const bool brief = memory_.brief() && !in_full_;
+    text = brief ? say::BriefSentence(course_, sentence) : say::LessonSentence(course_, sentence);
+  }
   for (const std::string& line : Sentences(text)) {
     teller_.Say(PriorityOf(sentence.sentence), OneLine(line, 1000));
   }

@@ -61,6 +61,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   void GoToLesson(const std::string& given);
   void TellLessons();
   void TellHowItGoes();
+  void Brief(bool brief);
+  void OwnText(const std::string& given);
   void Speak(LearnWord word);
   void Next();
   void EndTrace();
@@ -88,6 +90,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool leading_ = false;       ///< the hand is led along, or would be
   bool led_by_tutor_ = false;  ///< the tutor leads the hand meanwhile
   bool shown_ = false;         ///< in this turn
+  bool in_full_ = false;       ///< asked for in this turn: said in full, brief or not
+  bool asks_text_ = false;     ///< the next line is a text of the learner's own
   bool stopped_ = false, stopped_by_tutor_ = false;
   bool paused_ = false;  ///< stopped by "pause", not by "stop"
   bool over_ = false;

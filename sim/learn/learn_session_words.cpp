@@ -41,6 +41,7 @@ void LearnSession::Obey(const std::string& line) {
   const bool was_stopped = stopped_;
   const bool goes = stopped_ && (line == "go" || line == "go ");
   const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
+  asks_text_ = false;
   switch (read.kind) {
     case LearnLine::Kind::kWord:
       Speak(read.word);
@@ -61,6 +62,9 @@ void LearnSession::Obey(const std::string& line) {
       Take(overrule);
       break;
     }
+    case LearnLine::Kind::kMyText:
+      OwnText(read.answer);
+      break;
     case LearnLine::Kind::kNothing:
       break;  // what is waited for
     case LearnLine::Kind::kUnknown:
@@ -77,6 +81,7 @@ void LearnSession::Obey(const std::string& line) {
   if ((teller_.told() == before || rests) && !over_) {
     teller_.Say(Priority::kText, Awaited());
   }
+  in_full_ = false;
   teller_.EndTurn();
 }
 
@@ -134,6 +139,19 @@ void LearnSession::TellHowItGoes() {
   }
 }
 
+void LearnSession::Brief(bool brief) {
+  memory_.SetBrief(Now(), brief);
+  teller_.Say(Priority::kText, brief ? say::BriefNow() : say::FullNow());
+}
+
+/// Kept once it could be set: what cannot be shown is not what Enter takes the next time.
+void LearnSession::OwnText(const std::string& given) {
+  const std::string text = given.empty() ? memory_.own_text() : given;
+  if (text.empty()) return teller_.Say(Priority::kText, say::NoOwnText());
+  Take(lesson_event::OwnText{text});
+  if (stage_.shown().text == text) memory_.SetOwnText(Now(), text);
+}
+
 void LearnSession::Answer(const std::string& text) {
   lesson_event::Answered answered;
   answered.text = text;
@@ -147,6 +165,7 @@ void LearnSession::Speak(LearnWord word) {
   const auto pass = [this](Word said) { Take(lesson_event::Said{said, false}); };
   switch (word) {
     case LearnWord::kAgain:
+      in_full_ = true;
       return pass(Word::kAgain);
     case LearnWord::kNext:
       return Next();
@@ -163,6 +182,7 @@ void LearnSession::Speak(LearnWord word) {
     case LearnWord::kFaster:
       return pass(Word::kFaster);
     case LearnWord::kHint:
+      in_full_ = true;
       return pass(Word::kHint);
     case LearnWord::kSkip:
       return pass(Word::kNext);
@@ -170,6 +190,13 @@ void LearnSession::Speak(LearnWord word) {
       return TellLessons();
     case LearnWord::kHow:
       return TellHowItGoes();
+    case LearnWord::kBrief:
+      return Brief(true);
+    case LearnWord::kFull:
+      return Brief(false);
+    case LearnWord::kMyText:
+      asks_text_ = true;
+      return teller_.Say(Priority::kText, say::AskOwnText(memory_.own_text()));
     case LearnWord::kDone:
       return EndTrace();
     case LearnWord::kWhere:

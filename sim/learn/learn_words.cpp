@@ -13,12 +13,14 @@ namespace {
 
 using Kind = LearnLine::Kind;
 
-std::string Trimmed(std::string_view line) {
+std::string_view WithoutBlanks(std::string_view line) {
   constexpr std::string_view kBlanks = " \t\r";
   const auto begin = line.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return {};
-  return LowerCase(line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1));
+  return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
 }
+
+std::string Trimmed(std::string_view line) { return LowerCase(WithoutBlanks(line)); }
 
 /// Without the slash before and the question mark behind: "/word?" -> "word".
 std::string Bare(std::string given) {
@@ -70,9 +72,11 @@ bool IsSign(const std::string& given) {
 
 const std::vector<std::string>& LearnWords() {
   static const std::vector<std::string> words = {
-      "stop",      "next",      "where",  "letter", "spell",   "word",          "bigger", "smaller",
-      "more help", "less help", "slower", "faster", "hint",    "again",         "go",     "pause",
-      "done",      "quit",      "help",   "skip",   "lessons", "how am i doing"};
+      "stop",    "next",           "where",   "letter",    "spell",
+      "word",    "bigger",         "smaller", "more help", "less help",
+      "slower",  "faster",         "hint",    "again",     "go",
+      "pause",   "done",           "quit",    "help",      "skip",
+      "lessons", "how am i doing", "brief",   "full",      "my text"};
   return words;
 }
 
@@ -93,6 +97,7 @@ std::vector<std::string> LearnWordsFrom(std::string_view line) {
 
 LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course) {
   const std::string given = Trimmed(line);
+  if (given.empty() && asked == Asked::kText) return {Kind::kMyText, LearnWord::kHelp, {}};
   if (given.empty()) return {};
   const std::string bare = Bare(given);
   if (bare.empty()) return Word(LearnWord::kHelp);  // a slash alone
@@ -104,9 +109,19 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
     return {Kind::kPractise, LearnWord::kHelp, *std::move(sign)};
   }
   if (bare == "practise" && !is_item) return {Kind::kPractise, LearnWord::kHelp, {}};
+  if (Behind("my text", bare) && !is_item) {
+    // as it was typed: capitals are part of a text
+    constexpr std::string_view kWord = "my text";
+    const std::size_t begin = LowerCase(line).find(kWord) + kWord.size();
+    return {Kind::kMyText, LearnWord::kHelp, std::string(WithoutBlanks(line.substr(begin)))};
+  }
   if (asked == Asked::kNothing || given.front() == '/') return Command(bare);
   if (bare == "stop") return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);
+  if (asked == Asked::kText) {
+    if (given == "?") return Word(LearnWord::kHelp);
+    return {Kind::kMyText, LearnWord::kHelp, std::string(WithoutBlanks(line))};
+  }
   if (asked == Asked::kSame) {
     if (SameSaid(given)) return Answer(given);
     for (const char* word : {"same", "different"}) {

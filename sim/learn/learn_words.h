@@ -33,6 +33,9 @@ enum class LearnWord : std::uint8_t {
   kSkip,
   kLessons,
   kHow,
+  kBrief,   ///< outcomes only
+  kFull,    ///< all again
+  kMyText,  ///< asks for a text of one's own
 };
 
 /// The words by their numbers, from 1: stop, next, where, ...
@@ -42,7 +45,8 @@ const std::vector<std::string>& LearnWords();
 enum class Asked : std::uint8_t {
   kNothing,
   kName,  ///< any sign or word is an answer
-  kSame   ///< "same" and "different" are
+  kSame,  ///< "same" and "different" are
+  kText   ///< a text of one's own, any line; an empty one: the last
 };
 
 /// What a typed line means.
@@ -52,18 +56,21 @@ struct LearnLine {
     kAnswer,
     kLesson,    ///< "lesson 5"
     kPractise,  ///< "practise b"
+    kMyText,    ///< "my text the cat sat", or what was typed where a text was asked for
     kNothing,   ///< an empty line
     kUnknown,   ///< no such word, and nothing was asked
     kAmbiguous  ///< the beginning of several words
   };
   Kind kind = Kind::kNothing;
   LearnWord word = LearnWord::kHelp;  ///< of kWord
-  std::string answer;  ///< of kAnswer, in small letters; of kLesson and kPractise which one
+  std::string answer;  ///< of kAnswer, in small letters; of kLesson and kPractise which one;
+                       ///< of kMyText as it was typed
 };
 
 /// A word, an unambiguous beginning of one, its number, or "?"; capitals and blanks around do not
 /// count, nor does a question mark behind a word. A line that begins with "/" is never an answer,
-/// nor is "lesson" or "practise" with a word behind it, where that is no item of the course.
+/// nor is "lesson", "practise" or "my text" with words behind it, where that is no item of the
+/// course.
 ///
 /// While something is asked, in this order: stop and quit are always words; the text or the name of
 /// an item of the course is an answer; then whole words; single signs and digits are answers;

@@ -89,6 +89,8 @@ std::string OfTask(const Course& course, const lesson_action::Say& sentence) {
       return "Feel the page; say next to go on.";
     case Sentence::kReadIt:
       return "Read the page; say next to go on.";
+    case Sentence::kNotLearnt:
+      return fmt::format("Not learnt yet: {}.", OneLine(sentence.text, 100));
     case Sentence::kLedAlong:
       return fmt::format("Let your hand be led: {}.", text);
     default:
@@ -171,6 +173,42 @@ std::string LessonSentence(const Course& course, const lesson_action::Say& sente
   if (words.empty()) words = OfChange(course, sentence);
   if (words.empty()) words = OfCourse(course, sentence);
   return words;
+}
+
+std::string BriefSentence(const Course& course, const lesson_action::Say& sentence) {
+  const std::string text = Called(course, sentence.text);
+  switch (sentence.sentence) {
+    case Sentence::kWelcome:
+    case Sentence::kWelcomeBack:
+    case Sentence::kCourseText:
+    case Sentence::kHint:
+    case Sentence::kReviewDue:
+      return {};
+    case Sentence::kAskName:
+      return "What is it?";
+    case Sentence::kAskSame:
+      return "Same or different?";
+    case Sentence::kTraceIt:
+      return fmt::format("Trace {}.", text);
+    case Sentence::kProbe:
+      return "No help.";
+    case Sentence::kExploreIt:
+      return "Feel.";
+    case Sentence::kReadIt:
+      return "Read.";
+    case Sentence::kLedAlong:
+      return fmt::format("Led: {}.", text);
+    case Sentence::kRight:
+      return "Right.";
+    case Sentence::kWrong:
+      return fmt::format("Wrong: {}.", text);
+    case Sentence::kTraceGood:
+      return "Good.";
+    case Sentence::kTraceBad:
+      return "Not yet.";
+    default:
+      return LessonSentence(course, sentence);
+  }
 }
 
 std::string DemonstrationSentence(const Course& course, const lesson_action::Say& sentence) {

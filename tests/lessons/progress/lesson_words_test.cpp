@@ -44,6 +44,41 @@ class LessonWords : public testing::Test {
   LessonRun run_;
 };
 
+TEST_F(LessonWords, ATextOfOnesOwnIsReadAndTheQuestionComesAgainBehindIt) {
+  GoToQuestion();
+  const std::size_t kept = run_.kept.size();
+  const Progress before = run_.state.progress;
+  run_.Do(lesson_event::OwnText{"Lit: go"});
+  EXPECT_EQ(run_.show.text, "Lit: go");
+  EXPECT_TRUE(run_.show.told);
+  EXPECT_EQ(run_.state.await, Await::kNext);
+  EXPECT_TRUE(run_.Said(Sentence::kReadIt));
+  const auto* unmet = run_.Find(Sentence::kNotLearnt);
+  ASSERT_NE(unmet, nullptr);
+  EXPECT_EQ(unmet->text, ":, g, o");
+  run_.Say(Word::kBigger);  // of the page that lies there
+  EXPECT_EQ(run_.show.text, "Lit: go");
+  run_.Next();
+  EXPECT_EQ(run_.state.await, Await::kAnswer);
+  EXPECT_FALSE(run_.show.told);
+  EXPECT_EQ(run_.kept.size(), kept);  // nothing of it counts
+  EXPECT_EQ(run_.state.progress, before);
+}
+
+TEST_F(LessonWords, AReviewThatIsLeftForATextComesAgain) {
+  GoToQuestion();
+  run_.state.reviews = {"i", "t"};
+  run_.Answer(run_.state.item);  // right, whatever is asked
+  ASSERT_TRUE(run_.state.review);
+  ASSERT_EQ(run_.state.item, "i");
+  run_.Do(lesson_event::OwnText{"lit"});
+  run_.Do(lesson_event::OwnText{"till"});
+  run_.Next();
+  EXPECT_TRUE(run_.state.review);
+  EXPECT_EQ(run_.state.item, "i");
+  EXPECT_EQ(run_.state.reviews, (std::vector<std::string>{"t"}));
+}
+
 TEST_F(LessonWords, EveryWordIsAnsweredAtEveryState) {
   int states = 0;
   for (int i = 0; i < 400; ++i) {

@@ -81,9 +81,42 @@ TEST(LearnMessages, AnUnknownKeyIsToldWithoutTheSlashOfWords) {
 }
 
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
-  const std::string words = say::LearnHelp().front();
+  const std::vector<std::string> help = say::LearnHelp();
+  const std::string words = help[0] + help[1];
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     EXPECT_NE(words.find(std::to_string(i + 1) + " " + LearnWords()[i]), std::string::npos);
+  }
+}
+
+TEST(LearnMessages, HelpMarksWordsThatAFirstLessonDoesWithout) {
+  const std::vector<std::string> help = say::LearnHelp();
+  EXPECT_EQ(help[1].rfind("For later, ", 0), 0U) << help[1];
+  // what lesson 1 names in its own texts is not for later
+  for (const char* word :
+       {"1 stop", "2 next", "3 where", "7 bigger", "9 more help", "14 again", "15 go", "17 done"}) {
+    EXPECT_NE(help[0].find(word), std::string::npos) << word;
+  }
+  for (const char* word : {"5 spell", "25 my text"}) {
+    EXPECT_NE(help[1].find(word), std::string::npos) << word;
+  }
+}
+
+TEST(LearnMessages, BriefSaysOutcomesAndQuestionsButNoExplanation) {
+  const Course course;
+  lesson_action::Say say;
+  say.text = "b";
+  say.other = "j";
+  const auto brief = [&](Sentence sentence) {
+    say.sentence = sentence;
+    return say::BriefSentence(course, say);
+  };
+  EXPECT_EQ(brief(Sentence::kCourseText), "");
+  EXPECT_EQ(brief(Sentence::kHint), "");
+  EXPECT_EQ(brief(Sentence::kWrong), "Wrong: b.");
+  EXPECT_EQ(brief(Sentence::kAskPick), "Is it b or j?");
+  for (int i = 0; i <= static_cast<int>(Sentence::kNoSuchLesson); ++i) {
+    say.sentence = static_cast<Sentence>(i);
+    EXPECT_LE(say::BriefSentence(course, say).size(), say::LessonSentence(course, say).size()) << i;
   }
 }
 

@@ -93,6 +93,49 @@ TEST_F(LearnSessionTest, TellsTheLessonsAndHowItGoesAndPractisesWhatIsKnown) {
   EXPECT_TRUE(Holds(outcome.out, "Skipped, not sure yet: l.\n")) << outcome.out;
 }
 
+TEST_F(LearnSessionTest, ReadsATextOfOnesOwnAndGoesOnWhereItWas) {
+  const Outcome outcome = RunLine(Learn(), "next\nmy text Till it\nword\nnext\n");
+  EXPECT_TRUE(Holds(outcome.out, "Read the page") || Holds(outcome.out, "goes over the page"))
+      << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Not learnt yet: t, i, l.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Word: Till.") || Holds(outcome.out, "Word: it.") ||
+              Holds(outcome.out, "No sign is near"))
+      << outcome.out;
+  // led along "i" before and behind it
+  const std::string led = "The program's hand traces i.\n";
+  EXPECT_NE(outcome.out.find(led), outcome.out.rfind(led)) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Feel the line."), outcome.out.rfind("Feel the line."));
+}
+
+TEST_F(LearnSessionTest, KeepsTheLastTextOfEachLearner) {
+  const Outcome none = RunLine(Learn(), "my text\n\nquit\n");
+  EXPECT_TRUE(Holds(none.out, "Your text? Type it and Enter.\n")) << none.out;
+  EXPECT_TRUE(Holds(none.out, "No text so far")) << none.out;
+  RunLine(Learn(), "my text\nTill it\nquit\n");
+  const Outcome again = RunLine(Learn(), "my text\n\nletter\nquit\n");
+  EXPECT_TRUE(Holds(again.out, "Enter alone takes: Till it.\n")) << again.out;
+  EXPECT_TRUE(Holds(again.out, "Not learnt yet: t, i, l.\n")) << again.out;
+  EXPECT_EQ(Records::OpenToRead(In("records.sqlite")).ExportAnonymous("ann").find("Till"),
+            std::string::npos);
+}
+
+TEST_F(LearnSessionTest, IsBriefForThisLearnerUntilFullIsSaid) {
+  const Outcome first = RunLine(Learn({"--brief"}), "again\nquit\n");
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_FALSE(Holds(first.err, "? tells the words")) << first.err;
+  EXPECT_FALSE(Holds(first.out, "Welcome")) << first.out;
+  const std::size_t text = first.out.find("Feel the line.");  // it was asked for, once
+  EXPECT_NE(text, std::string::npos) << first.out;
+  EXPECT_EQ(text, first.out.rfind("Feel the line.")) << first.out;
+  const Outcome second = RunLine(Learn(), "full\nagain\nquit\n");
+  EXPECT_FALSE(Holds(second.out, "Welcome back")) << second.out;
+  EXPECT_TRUE(Holds(second.out, "Full: all is said again.\n")) << second.out;
+  const Outcome third = RunLine(Learn(), "brief\nnext\nquit\n");
+  EXPECT_TRUE(Holds(third.out, "Welcome back")) << third.out;
+  EXPECT_TRUE(Holds(third.out, "New: i.\n")) << third.out;
+  EXPECT_FALSE(Holds(third.out, "Hint: ")) << third.out;
+}
+
 TEST_F(LearnSessionTest, TakesANameThatDiffersByCapitalsForTheKeptOne) {
   const auto learn = [this](const std::string& name) {
     return RunLine({"learn", "--course", In("course"), "--records", In("r.sqlite"), "--device",

@@ -56,6 +56,35 @@ TEST(LearnWords, ThatCameLaterTakeNobodysShortFormsAway) {
   ExpectWord(Read("How am I doing?"), LearnWord::kHow);
 }
 
+TEST(LearnWords, MyTextTakesATextAsItWasTyped) {
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
+    for (const char* line : {"my text The Cat", "/My text  The Cat ", " MY TEXT The Cat"}) {
+      const LearnLine read = Read(line, asked);
+      EXPECT_EQ(read.kind, Kind::kMyText) << line;
+      EXPECT_EQ(read.answer, "The Cat") << line;
+    }
+    ExpectWord(Read("my text", asked), LearnWord::kMyText);
+  }
+  ExpectWord(Read("my"), LearnWord::kMyText);
+  ExpectWord(Read("m"), LearnWord::kMoreHelp);
+  ExpectWord(Read("b"), LearnWord::kBigger);
+  ExpectWord(Read("f"), LearnWord::kFaster);
+}
+
+TEST(LearnWords, AnyLineIsTheTextThatWasAskedForButStopQuitAndSlashes) {
+  for (const char* line : {"The Cat", "next", "7", "my"}) {
+    const LearnLine read = Read(line, Asked::kText);
+    EXPECT_EQ(read.kind, Kind::kMyText) << line;
+    EXPECT_EQ(read.answer, line);
+  }
+  EXPECT_EQ(Read("", Asked::kText).kind, Kind::kMyText);
+  EXPECT_EQ(Read("", Asked::kText).answer, "");
+  ExpectWord(Read("stop", Asked::kText), LearnWord::kStop);
+  ExpectWord(Read("quit", Asked::kText), LearnWord::kQuit);
+  ExpectWord(Read("/next", Asked::kText), LearnWord::kNext);
+  ExpectWord(Read("?", Asked::kText), LearnWord::kHelp);
+}
+
 TEST(LearnWords, PractiseTakesASign) {
   for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
     const LearnLine read = Read("practise B", asked);
@@ -85,7 +114,7 @@ TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(Read(" \t ").kind, Kind::kNothing);
   EXPECT_EQ(Read("fly").kind, Kind::kUnknown);
   EXPECT_EQ(Read("0").kind, Kind::kUnknown);
-  EXPECT_EQ(Read("23").kind, Kind::kUnknown);
+  EXPECT_EQ(Read("26").kind, Kind::kUnknown);
   EXPECT_EQ(Read("le").kind, Kind::kAmbiguous);
   EXPECT_EQ(LearnWordsFrom("le"), (std::vector<std::string>{"letter", "less help"}));
   EXPECT_EQ(LearnWordsFrom("/w"), (std::vector<std::string>{"where", "word"}));
