@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/console/line_wrap.h"
+#include "sim/console/word_messages.h"
 #include "sim/demonstration/demonstration_messages.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
@@ -30,18 +31,6 @@ std::string Trimmed(const std::string& line) {
   const auto begin = line.find_first_not_of(kBlanks);
   if (begin == std::string::npos) return line.find('?') == std::string::npos ? "" : "?";
   return LowerCase(line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1));
-}
-
-/// The only word that is `given` or begins with it; empty: none, or several.
-std::string WordOf(const std::string& given) {
-  std::string found;
-  for (const std::string& word : DemonstrationWords()) {
-    if (word == given) return word;
-    if (word.compare(0, given.size(), given) != 0) continue;
-    if (!found.empty()) return {};
-    found = word;
-  }
-  return found;
 }
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
@@ -81,12 +70,6 @@ std::vector<DemonstrationStep> ParseDemonstration(std::string_view toml, const s
 std::vector<DemonstrationStep> ShippedDemonstration() {
   const std::string path = ResourcePath("lessons/demonstration.toml");
   return ParseDemonstration(ReadTextFile(path, kMostBytes), path);
-}
-
-const std::vector<std::string>& DemonstrationWords() {
-  static const std::vector<std::string> words = {"next",      "pause", "go",   "again",
-                                                 "more time", "stop",  "quit", "help"};
-  return words;
 }
 
 Demonstration::Demonstration(const std::vector<DemonstrationStep>& steps, LearnStage& stage,
@@ -157,23 +140,27 @@ void Demonstration::Answer(const std::string& given) {
 void Demonstration::Obey(const std::string& line) {
   teller_.Interrupt();
   const std::string given = Trimmed(line);
-  const std::string word = given == "?" ? "help" : given.empty() ? "" : WordOf(given);
-  const bool is_word = word == given || (given.size() > 1 && !word.empty());
+  const SaidLine said = ReadLine(given, WordPlace::kDemonstration);
+  // while something is asked, signs and numbers are answers
+  const bool number = given.find_first_not_of("0123456789") == std::string::npos;
+  const bool answers = asking_ && (given.size() == 1 || number) && given != "?";
   if (given.empty()) {
     teller_.Say(Priority::kText, paused_   ? say::DemonstrationPauses()
                                  : asking_ ? step().ask
                                            : say::DemonstrationGoesOn());
-  } else if (asking_ && !is_word) {
+  } else if (said.word != nullptr && said.behind.empty() && !answers) {
+    Do(said.word->word);
+  } else if (asking_) {
     Answer(given);
-  } else if (word.empty()) {
-    teller_.Say(Priority::kText, say::DemonstrationUnknown(line));
+  } else if (said.word != nullptr) {  // only "help" takes something behind it here
+    teller_.Say(Priority::kText, say::HelpWith(said.behind, WordPlace::kDemonstration));
   } else {
-    Do(word);
+    teller_.Say(Priority::kText, said.refusal);
   }
   teller_.EndTurn();
 }
 
-void Demonstration::Do(const std::string& word) {
+void Demonstration::Do(std::string_view word) {
   if (word == "quit") {
     over_ = true;
   } else if (word == "help") {

@@ -61,7 +61,7 @@ class Demonstration final : public RunningStage, private LoopListener {
   void NextStep();
   void Say(const std::string& line);
   void Answer(const std::string& given);
-  void Do(const std::string& word);
+  void Do(std::string_view word);
   void WaitFor(double seconds);
 
   void Happened(const LoopEvent&, const std::string&) override {}  // nothing is felt here
@@ -81,8 +81,5 @@ class Demonstration final : public RunningStage, private LoopListener {
   bool begun_ = false, asking_ = false, asked_ = false;
   bool paused_ = false, hurries_ = false, over_ = false;
 };
-
-/// The words that are understood, in the order in which they are told.
-const std::vector<std::string>& DemonstrationWords();
 
 }  // namespace moontrace

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include "lessons/records/learner_history.h"
+#include "sim/console/word_messages.h"
 #include "sim/console/wording.h"
 #include "sim/learn/learn_path.h"
-#include "sim/tutor/word_messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {

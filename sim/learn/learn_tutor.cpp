@@ -8,13 +8,13 @@
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
+#include "sim/console/word_messages.h"
 #include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
 #include "sim/learn/learn_tutor_messages.h"
 #include "sim/tutor/page_messages.h"
 #include "sim/tutor/tutor_messages.h"
-#include "sim/tutor/word_messages.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -25,8 +25,9 @@ namespace {
 constexpr std::size_t kAtWindow = 0;
 
 /// The lesson machine says what became of it, before the page shows it.
-bool LessonTells(TutorWord word) {
-  return word == TutorWord::kSize || word == TutorWord::kHelp || word == TutorWord::kMode;
+bool LessonTells(const TutorCommand& command) {
+  const bool size = command.page && command.page->word == PageWord::kSize;
+  return size || command.word == TutorWord::kHelp || command.word == TutorWord::kMode;
 }
 
 }  // namespace
@@ -92,7 +93,10 @@ void TutorDesk::Answer(std::size_t tutor, std::string_view line) {
 void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   switch (command.word) {
     case TutorWord::kQuestion:
-      Answer(line.tutor, say::NumberedWords(TutorWords()));
+      if (!command.text.empty()) {
+        return Answer(line.tutor, say::HelpWith(command.text, WordPlace::kTutor));
+      }
+      Answer(line.tutor, say::NumberedWords(WordPlace::kTutor));
       return Answer(line.tutor, say::PageWordsHelp());
     case TutorWord::kWhere:
       return Answer(line.tutor, lesson_.Status());
@@ -128,7 +132,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   }
   if (command.page && command.page->word != PageWord::kSize) return ChangeForm(line, command);
   const bool gives_back = command.word == TutorWord::kRecord && recorder_;
-  if (!LessonTells(command.word)) {
+  if (!LessonTells(command)) {
     teller_.Say(Priority::kMessage, gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
     teller_.Flush();
   }
@@ -183,7 +187,7 @@ bool TutorDesk::DoToPage(std::size_t tutor, const TutorCommand& command) {
 void TutorDesk::DoToLesson(const TutorCommand& command) {
   lesson_event::Overrule overrule;
   switch (command.word) {
-    case TutorWord::kSize:
+    case TutorWord::kPage:  // size: the rest was done by ChangeForm
       overrule.size = command.page->value;
       break;
     case TutorWord::kHelp:
@@ -196,6 +200,8 @@ void TutorDesk::DoToLesson(const TutorCommand& command) {
       overrule.skip = true;
       break;
     case TutorWord::kNext:
+      return lesson_.Obey("/next");
+    case TutorWord::kNextLesson:
       overrule.next_lesson = true;
       break;
     case TutorWord::kLesson:

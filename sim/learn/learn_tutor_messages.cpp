@@ -31,6 +31,8 @@ std::string TutorDoes(const TutorCommand& command) {
     case TutorWord::kSkip:
       return "Tutor: skipped.";
     case TutorWord::kNext:
+      return "Tutor: next.";
+    case TutorWord::kNextLesson:
       return "Tutor: the next lesson.";
     case TutorWord::kLesson:
       return "Tutor: another lesson.";  // which one, the lesson says itself

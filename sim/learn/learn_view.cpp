@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "sim/console/vocabulary.h"
 #include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
 #include "sim/session/view_controls.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
-#include "sim/tutor/tutor_command.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -31,12 +31,13 @@ std::string TitleOf(const Course& course, const std::string& id) {
   return {};
 }
 
-/// Whether a line begins with a tutor's whole word. Whole, since a learner's answer may be short;
-/// "quit" at the window ends the lesson, not the tutor's visit.
+/// Whether a line begins with a whole word that is a tutor's. Whole, since a learner's answer may
+/// be short; "next" is what lessons tell the learner to say, and "quit" at the window ends the
+/// lesson, not the tutor's visit.
 bool IsTutorsWord(const std::string& line) {
-  const std::string word = LowerCase(line.substr(0, line.find(' ')));
-  const std::vector<std::string>& words = TutorWords();
-  return word != "quit" && std::find(words.begin(), words.end(), word) != words.end();
+  if (line == "next" || line == "quit") return false;
+  const TypedWord* word = WordNamed(LowerCase(line.substr(0, line.find(' '))));
+  return word != nullptr && word->HoldsIn(WordPlace::kTutor);
 }
 
 }  // namespace
@@ -68,8 +69,7 @@ void LearnView::Look() {
 void LearnView::Obey(const std::string& line) {
   if (const std::optional<std::string> done = feed_.Obey(line)) return Answer(*done);
   if (line == "?") return Help();
-  // a bare "next" is what lessons tell the learner to say; the panel says "skip" and "next lesson"
-  if (line == "next" || !IsTutorsWord(line)) return lesson_.Obey(line);
+  if (!IsTutorsWord(line)) return lesson_.Obey(line);
   desk_.Hear(line, [this](std::string_view answer) { Answer(answer); });
 }
 

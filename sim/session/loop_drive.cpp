@@ -4,6 +4,7 @@
 #include <ostream>
 #include <string>
 
+#include "sim/console/word_messages.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_poll.h"
 #include "sim/session/loop_words.h"
@@ -11,7 +12,6 @@
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
 #include "sim/tutor/page_messages.h"
-#include "sim/tutor/word_messages.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -155,8 +155,9 @@ class Driver : private LoopListener {
     }
   }
 
-  void Help() {
-    Say(say::NumberedWords(LoopWords()));
+  void Help(const std::string& word) {
+    if (!word.empty()) return Say(say::HelpWith(word, WordPlace::kLoop));
+    Say(say::NumberedWords(WordPlace::kLoop));
     Say(say::PageWordsHelp());
     if (options_.view == nullptr) return;
     Say(say::ViewWordsHelp());
@@ -192,7 +193,7 @@ class Driver : private LoopListener {
         quit_ = true;
         return;
       case LoopWord::kHelp:
-        return Help();
+        return Help(said.text);
       case LoopWord::kNothing:
         return;
       case LoopWord::kRefused:

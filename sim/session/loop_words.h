@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "sim/tutor/page_words.h"
 
@@ -12,17 +11,17 @@ namespace moontrace {
 /// What people can say to a running loop.
 enum class LoopWord : std::uint8_t {
   kStop,
-  kGo,
+  kNext,
+  kWhere,
   kBigger,
   kSmaller,
-  kNext,
-  kBack,
-  kWhere,
-  kMark,
-  kQuit,
-  kPage,  ///< one of PageWords
+  kGo,
   kPause,
-  kHelp,
+  kQuit,
+  kHelp,  ///< text: the word that is asked about; empty: all
+  kBack,
+  kMark,
+  kPage,     ///< one of PageWords
   kNothing,  ///< an empty line
   kRefused,  ///< no such word, the beginning of several, or what stands behind it is wrong
 };
@@ -31,14 +30,12 @@ enum class LoopWord : std::uint8_t {
 struct LoopLine {
   LoopWord word = LoopWord::kNothing;
   PageCommand page = {};     ///< of kPage
+  std::string text = {};     ///< what stands behind the word
   std::string refusal = {};  ///< of kRefused: one line: what is wrong, and the cure
 };
 
-/// The words by their numbers, from 1: stop, go, ...
-const std::vector<std::string>& LoopWords();
-
-/// A word, an unambiguous beginning of one, its number, or "?" for help; behind those that change
-/// the page what they want (ReadPageCommand). Capitals and blanks around do not count.
+/// A word of a loop as ReadLine has it (sim/console/vocabulary.h); behind those that change the
+/// page what they want (ReadPageCommand).
 LoopLine ReadLoopLine(std::string_view line);
 
 }  // namespace moontrace

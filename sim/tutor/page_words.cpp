@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/console/word_messages.h"
 #include "sim/console/wording.h"
-#include "sim/tutor/word_line.h"
-#include "sim/tutor/word_messages.h"
+#include "sim/tutor/number_behind.h"
 #include "textures/base/enum_names.h"
 #include "textures/base/text_file.h"
 #include "textures/base/units.h"
@@ -103,6 +103,13 @@ const std::vector<std::string>& PaperChoices() {
 const std::vector<std::string>& PageWords() {
   static const std::vector<std::string> words = AllNames(&NameOf);
   return words;
+}
+
+std::optional<PageWord> PageWordOf(std::string_view word) {
+  const std::vector<std::string>& words = PageWords();
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end()) return std::nullopt;
+  return static_cast<PageWord>(found - words.begin());
 }
 
 std::variant<PageCommand, std::string> ReadPageCommand(PageWord word, std::string_view behind) {

@@ -40,6 +40,8 @@ struct PageCommand {
 
 /// The words, in the order of PageWord.
 const std::vector<std::string>& PageWords();
+/// None: another word.
+std::optional<PageWord> PageWordOf(std::string_view word);
 
 /// What stands behind a word: "20 mm", "50 %", "arc", "noise"; a number without unit is in mm,
 /// times the usual, or degrees. Else one line: what is wrong, and the cure. Which forms of H there

@@ -4,60 +4,52 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "sim/console/vocabulary.h"
+#include "sim/console/word_messages.h"
+#include "sim/tutor/number_behind.h"
 #include "sim/tutor/tutor_messages.h"
-#include "sim/tutor/word_line.h"
-#include "sim/tutor/word_messages.h"
-#include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
 
 namespace {
 
-enum class Behind { kNothing, kPage, kHelp, kMode, kText, kLessonWord };
+enum class Behind { kNothing, kHelp, kMode, kText };
 
 /// What stands behind a word.
 struct Rule {
   TutorWord word;
-  const char* name;
+  std::string_view name;
   Behind behind = Behind::kNothing;
   const char* wants = "";
 };
 
-/// In the order of TutorWord; "?" stands for itself.
+/// Those that change the page are PageWords.
 constexpr auto kRules = [] {
   using W = TutorWord;
   return std::to_array<Rule>({
       {W::kStop, "stop"},
-      {W::kHelp, "help", Behind::kHelp},
-      {W::kMode, "mode", Behind::kMode, kGuidanceModes},
-      {W::kDepth, "depth", Behind::kPage},
-      {W::kSpacing, "spacing", Behind::kPage},
-      {W::kTilt, "tilt", Behind::kPage},
-      {W::kPause, "pause"},
+      {W::kNext, "next"},
+      {W::kWhere, "where"},
+      {W::kAgain, "again"},
       {W::kGo, "go"},
+      {W::kPause, "pause"},
+      {W::kQuit, "quit"},
+      {W::kHelp, "help", Behind::kHelp},
+      {W::kSkip, "skip"},
+      {W::kMode, "mode", Behind::kMode, kGuidanceModes},
       {W::kShow, "show"},
       {W::kSay, "say", Behind::kText, "a text for the learner"},
-      {W::kAgain, "again"},
-      {W::kSkip, "skip"},
-      {W::kNext, "next", Behind::kLessonWord},
       {W::kLesson, "lesson", Behind::kText, "the number of a lesson"},
       {W::kRecord, "record"},
       {W::kPlayback, "playback"},
-      {W::kWhere, "where"},
       {W::kWho, "who"},
-      {W::kQuit, "quit"},
-      {W::kWidth, "width", Behind::kPage},
-      {W::kPitch, "pitch", Behind::kPage},
-      {W::kEngraved, "engraved", Behind::kPage},
-      {W::kEmbossed, "embossed", Behind::kPage},
-      {W::kForm, "form", Behind::kPage},
-      {W::kPaper, "paper", Behind::kPage},
-      {W::kSize, "size", Behind::kPage},
+      {W::kNextLesson, "next lesson"},
   });
 }();
-static_assert(kRules.size() == static_cast<std::size_t>(TutorWord::kQuestion));
 
 /// Without control characters and broken bytes, and without blanks at the ends.
 std::string Cleaned(std::string_view line) {
@@ -71,18 +63,22 @@ std::string Cleaned(std::string_view line) {
   return clean.substr(begin, clean.find_last_not_of(' ') - begin + 1);
 }
 
-std::variant<TutorCommand, TutorRefusal> ReadPage(const Rule& rule, const std::string& behind) {
-  const std::vector<std::string>& words = PageWords();
-  const auto word = std::find(words.begin(), words.end(), rule.name) - words.begin();
-  const auto read = ReadPageCommand(static_cast<PageWord>(word), behind);
+std::variant<TutorCommand, TutorRefusal> ReadPage(PageWord word, const std::string& behind) {
+  const auto read = ReadPageCommand(word, behind);
   if (const std::string* refusal = std::get_if<std::string>(&read)) return TutorRefusal{*refusal};
-  TutorCommand command{rule.word};
+  TutorCommand command{TutorWord::kPage};
   command.page = std::get<PageCommand>(read);
   return command;
 }
 
+/// The strength of the push; alone, or before a word, what can be said.
 std::variant<TutorCommand, TutorRefusal> ReadHelp(const Rule& rule, const std::string& behind) {
   static const NumberRule number = {"a number from 0 to 10", 0, 10, 1, {}};
+  if (behind.empty() || WordNamed(LowerCase(behind)) != nullptr) {
+    TutorCommand command;
+    command.text = behind;
+    return command;
+  }
   const auto read = ReadNumberBehind(rule.name, number, behind);
   if (const std::string* refusal = std::get_if<std::string>(&read)) return TutorRefusal{*refusal};
   TutorCommand command{rule.word};
@@ -103,8 +99,6 @@ std::variant<TutorCommand, TutorRefusal> ReadBehind(const Rule& rule, const std:
   const bool wanted = rule.behind == Behind::kMode || rule.behind == Behind::kText;
   if (wanted && behind.empty()) return TutorRefusal{say::WordWants(rule.name, rule.wants)};
   switch (rule.behind) {
-    case Behind::kPage:
-      return ReadPage(rule, behind);
     case Behind::kHelp:
       return ReadHelp(rule, behind);
     case Behind::kMode:
@@ -112,40 +106,29 @@ std::variant<TutorCommand, TutorRefusal> ReadBehind(const Rule& rule, const std:
     case Behind::kText:
       command.text = behind;
       return command;
-    case Behind::kLessonWord: {
-      const std::string lower = LowerCase(behind);
-      if (std::string_view("lesson").substr(0, lower.size()) == lower) return command;
-      return TutorRefusal{say::WordStandsAlone(rule.name, behind)};
-    }
     case Behind::kNothing:
       break;
   }
-  if (!behind.empty()) return TutorRefusal{say::WordStandsAlone(rule.name, behind)};
   return command;
 }
 
 }  // namespace
 
-const std::vector<std::string>& TutorWords() {
-  static const std::vector<std::string> words = [] {
-    std::vector<std::string> names;
-    names.reserve(kRules.size());
-    for (const Rule& rule : kRules) names.emplace_back(rule.name);
-    return names;
-  }();
-  return words;
-}
-
 std::variant<TutorCommand, TutorRefusal> ReadTutorCommand(std::string_view line) {
   const std::string clean = Cleaned(line);
   if (clean.empty()) return TutorRefusal{say::TutorSaidNothing()};
-  // not a broken byte, which is shown as "?" too
-  if (clean == "?" && line.find('?') != std::string_view::npos) return TutorCommand{};
-  const WordLine said = SplitWord(clean);
-  const WordChoice choice = ChooseWord(said.word, TutorWords());
-  if (choice.index) return ReadBehind(kRules[*choice.index], said.behind);
-  if (!choice.begun.empty()) return TutorRefusal{say::WordAmbiguous(said.word, choice.begun)};
-  return TutorRefusal{say::WordUnknown(said.word, NearestWord(said.word, TutorWords()))};
+  // a broken byte is shown as "?" too, and asks nothing
+  const bool broken = clean == "?" && line.find('?') == std::string_view::npos;
+  if (broken) return TutorRefusal{say::WordUnknown(clean, "")};
+  if (clean == "?") return TutorCommand{};
+  SaidLine said = ReadLine(clean, WordPlace::kTutor);
+  if (!said.refusal.empty()) return TutorRefusal{std::move(said.refusal)};
+  if (said.word == nullptr) return TutorRefusal{say::TutorSaidNothing()};
+  const std::string_view name = said.word->word;
+  if (const std::optional<PageWord> page = PageWordOf(name)) return ReadPage(*page, said.behind);
+  const auto rule = std::find_if(kRules.begin(), kRules.end(),
+                                 [name](const Rule& one) { return one.name == name; });
+  return ReadBehind(*rule, said.behind);
 }
 
 }  // namespace moontrace

@@ -77,7 +77,7 @@ TEST_F(LoopCommand, ObeysWordsUntilQuit) {
                                   "?\nwhere\nnext\nback\nback\nbigger\nsmaller\ns\nfly\nquit\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   ExpectTextFace(outcome.out);
-  EXPECT_TRUE(Holds(outcome.out, "1 stop, 2 go, 3 bigger"));
+  EXPECT_TRUE(Holds(outcome.out, "1 stop, 2 next, 3 where, 7 bigger"));
   EXPECT_TRUE(Holds(outcome.out, "Page 2 of")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "This is the first page."));
   EXPECT_TRUE(Holds(outcome.out, "s could be stop, smaller, size or spacing."));

@@ -1,4 +1,4 @@
-#include "sim/tutor/word_messages.h"
+#include "sim/console/word_messages.h"
 
 #include <fmt/core.h>
 
@@ -14,13 +14,29 @@ std::string Given(std::string_view given) { return OneLine(given, 12); }
 
 }  // namespace
 
-std::string NumberedWords(const std::vector<std::string>& words) {
+std::string NumberedWords(WordPlace place) {
   std::vector<std::string> numbered;
-  numbered.reserve(words.size());
-  for (const std::string& word : words) {
-    numbered.push_back(fmt::format("{} {}", numbered.size() + 1, word));
+  for (const TypedWord& word : Vocabulary()) {
+    if (word.HoldsIn(place)) numbered.push_back(fmt::format("{} {}", word.number, word.word));
   }
   return fmt::format("Words, or their beginning or number: {}.", Joined(numbered, ", "));
+}
+
+std::string HelpWith(std::string_view given, WordPlace place) {
+  const SaidLine said = ReadLine(given, place);
+  if (said.word == nullptr) return said.refusal;
+  const TypedWord& word = *said.word;
+  const std::string behind = word.behind.empty() ? "" : fmt::format(" {}", word.behind);
+  return fmt::format("{}{}, {}: {}.", word.word, behind, word.number, word.help);
+}
+
+std::string WordNotHere(std::string_view word) {
+  return fmt::format("{} is no word here. Type ? for the words.", word);
+}
+
+std::string WordShortElsewhere(std::string_view given, std::string_view elsewhere,
+                               std::string_view here) {
+  return fmt::format("{} is short for {} elsewhere: say {}.", Given(given), elsewhere, here);
 }
 
 std::string WordUnknown(std::string_view given, std::string_view nearest) {

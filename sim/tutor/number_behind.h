@@ -1,28 +1,11 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 namespace moontrace {
-
-/// A typed line: a word, and what stands behind it, without blanks at their ends.
-struct WordLine {
-  std::string word;  ///< in small letters
-  std::string behind;
-};
-WordLine SplitWord(std::string_view line);
-
-/// Which of several words was meant.
-struct WordChoice {
-  std::optional<std::size_t> index;  ///< of the word; none: unknown or ambiguous
-  std::vector<std::string> begun;    ///< the words that begin with what was given
-};
-/// A word, an unambiguous beginning of one, or its number from 1. `given` in small letters.
-WordChoice ChooseWord(std::string_view given, const std::vector<std::string>& words);
 
 /// A unit that may stand behind a number.
 struct NumberUnit {

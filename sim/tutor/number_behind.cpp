@@ -1,10 +1,10 @@
-#include "sim/tutor/word_line.h"
+#include "sim/tutor/number_behind.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
-#include "sim/tutor/word_messages.h"
+#include "sim/console/word_messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -42,25 +42,6 @@ std::optional<double> NumberIn(const NumberRule& rule, std::string_view text) {
 }
 
 }  // namespace
-
-WordLine SplitWord(std::string_view line) {
-  const std::string_view whole = Trimmed(line);
-  const std::size_t end = std::min(whole.find_first_of(kBlanks), whole.size());
-  return {LowerCase(whole.substr(0, end)), std::string(Trimmed(whole.substr(end)))};
-}
-
-WordChoice ChooseWord(std::string_view given, const std::vector<std::string>& words) {
-  WordChoice choice;
-  std::size_t begun = 0;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (given == words[i] || given == std::to_string(i + 1)) return {i, {}};
-    if (words[i].compare(0, given.size(), given) != 0) continue;
-    choice.begun.push_back(words[i]);
-    begun = i;
-  }
-  if (choice.begun.size() == 1) choice.index = begun;
-  return choice;
-}
 
 std::variant<double, std::string> ReadNumberBehind(std::string_view word, const NumberRule& rule,
                                                    std::string_view behind) {

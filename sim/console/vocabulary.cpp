@@ -1,0 +1,215 @@
+#include "sim/console/vocabulary.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "sim/console/word_messages.h"
+#include "textures/base/nearest_word.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::array<bool, kWordPlaces> In(std::string_view places) {
+  return {places.find('L') != std::string_view::npos, places.find('O') != std::string_view::npos,
+          places.find('T') != std::string_view::npos, places.find('D') != std::string_view::npos};
+}
+
+/// L: a lesson, O: a loop or view, T: the tutor's terminal, D: the demonstration.
+constexpr auto kWords = std::to_array<TypedWord>({
+    {1, "stop", In("LOTD"), false, "", "no force at once; go goes on"},
+    {2, "next", In("LOTD"), false, "", "on: the next page, the next step; leaves a sign"},
+    {3, "where", In("LOT"), false, "", "where the tip is, where the lesson is"},
+    {4, "letter", In("L"), false, "", "the sign under the tip"},
+    {5, "spell", In("L"), false, "", "its word, sign by sign"},
+    {6, "word", In("L"), false, "", "its word"},
+    {7, "bigger", In("LO"), false, "", "larger letters"},
+    {8, "smaller", In("LO"), false, "", "smaller letters"},
+    {9, "more help", In("L"), false, "", "a stronger push"},
+    {10, "less help", In("L"), false, "", "a weaker push"},
+    {11, "slower", In("L"), false, "", "a slower push"},
+    {12, "faster", In("L"), false, "", "a faster push"},
+    {13, "hint", In("L"), false, "", "the memory aid of a sign"},
+    {14, "again", In("LTD"), false, "", "the same once more"},
+    {15, "go", In("LOTD"), false, "", "on again after a stop or a pause"},
+    {16, "pause", In("LOTD"), false, "", "a rest, without force"},
+    {17, "done", In("L"), false, "", "what you traced is finished"},
+    {18, "quit", In("LOTD"), false, "", "ends; a tutor leaves, and the lesson goes on"},
+    {19, "help", In("LOTD"), false, "WORD",
+     "the words, or what one does; a tutor's help 7: the push"},
+    {20, "skip", In("LT"), true, "", "leaves a sign"},
+    {21, "lessons", In("L"), true, "", "the lessons with their numbers, and where you are"},
+    {22, "how am i doing", In("L"), true, "", "what is sure, and how sure"},
+    {23, "brief", In("L"), true, "", "outcomes only"},
+    {24, "full", In("L"), true, "", "all is said again"},
+    {25, "my text", In("L"), true, "TEXT", "a text of your own to read"},
+    {26, "back", In("O"), false, "", "the page before"},
+    {27, "mark", In("O"), false, "", "the way to the bookmark that two presses set"},
+    {28, "size", In("OT"), false, "20 mm", "letters of that height"},
+    {29, "depth", In("OT"), false, "50 %", "grooves as deep, of the usual"},
+    {30, "width", In("OT"), false, "120 %", "grooves as wide, of the usual"},
+    {31, "spacing", In("OT"), false, "120 %", "from letter to letter and line to line"},
+    {32, "pitch", In("OT"), false, "150 %", "from line to line alone"},
+    {33, "tilt", In("OT"), false, "10 degrees", "the far edge of the page raised"},
+    {34, "engraved", In("OT"), false, "", "letters are grooves"},
+    {35, "embossed", In("OT"), false, "", "letters are ridges"},
+    {36, "form", In("OT"), false, "arc", "of H: crescent, arc, pocket or reverse-n"},
+    {37, "paper", In("OT"), false, "sine", "smooth, sine, grid or noise"},
+    {38, "mode", In("T"), false, "bead", "how it pushes"},
+    {39, "show", In("T"), false, "", "leads the hand along what lies there"},
+    {40, "say", In("T"), false, "TEXT", "a line to the learner"},
+    {41, "lesson", In("LT"), true, "5", "goes to that lesson, by number or name"},
+    {42, "record", In("T"), false, "", "begins and ends taking the tutor's own stroke"},
+    {43, "playback", In("T"), false, "", "leads the learner along that stroke"},
+    {44, "who", In("T"), false, "", "who is here"},
+    {45, "practise", In("L"), true, "b", "a sign that is known, once more"},
+    {46, "more time", In("D"), false, "", "all waits are longer"},
+    {47, "next lesson", In("T"), true, "", "on to the next lesson"},
+});
+
+bool Begins(std::string_view whole, std::string_view begin) {
+  return whole.substr(0, begin.size()) == begin;
+}
+
+/// The words of a place that begin so: the older ones, else those that came late.
+std::vector<const TypedWord*> Begun(std::string_view given, WordPlace place) {
+  std::vector<const TypedWord*> found;
+  for (const bool late : {false, true}) {
+    for (const TypedWord& word : kWords) {
+      const bool fits = word.late == late && word.HoldsIn(place) && Begins(word.word, given);
+      if (fits) found.push_back(&word);
+    }
+    if (!found.empty()) break;
+  }
+  return found;
+}
+
+/// The one that was meant, if the others are only longer.
+const TypedWord* Meant(const std::vector<const TypedWord*>& begun) {
+  for (const TypedWord* word : begun) {
+    const auto longer = [word](const TypedWord* other) { return Begins(other->word, word->word); };
+    if (std::all_of(begun.begin(), begun.end(), longer)) return word;
+  }
+  return nullptr;
+}
+
+/// The word that a beginning is short for in some place, the one of the smallest number.
+const TypedWord* OwnerOf(std::string_view given) {
+  const TypedWord* owner = nullptr;
+  for (std::size_t place = 0; place < kWordPlaces; ++place) {
+    const TypedWord* word = Meant(Begun(given, static_cast<WordPlace>(place)));
+    if (word != nullptr && (owner == nullptr || word->number < owner->number)) owner = word;
+  }
+  return owner;
+}
+
+const TypedWord* WholeOrNumber(std::string_view given) {
+  for (const TypedWord& word : kWords) {
+    if (given == word.word || given == std::to_string(word.number)) return &word;
+  }
+  return given == "?" ? WordNamed("help") : nullptr;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const auto begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+bool Empty(const WordFound& found) {
+  return found.word == nullptr && found.begun.empty() && found.elsewhere == nullptr;
+}
+
+/// The longest word that stands whole at a line's begin with something behind it that it wants.
+const TypedWord* WholeBefore(std::string_view line, WordPlace place) {
+  const TypedWord* longest = nullptr;
+  for (const TypedWord& word : kWords) {
+    const bool fits = word.HoldsIn(place) && Begins(line, word.word) &&
+                      line.size() > word.word.size() && line[word.word.size()] == ' ';
+    if (!fits) continue;
+    const bool better = longest == nullptr || (longest->behind.empty() != word.behind.empty()
+                                                   ? longest->behind.empty()
+                                                   : word.word.size() > longest->word.size());
+    if (better) longest = &word;
+  }
+  return longest;
+}
+
+SaidLine Refused(std::string refusal) { return {nullptr, {}, std::move(refusal)}; }
+
+SaidLine Said(const WordFound& found, std::string_view given, std::string_view behind,
+              WordPlace place) {
+  if (found.word != nullptr) return {found.word, std::string(behind), {}};
+  if (!found.begun.empty()) {
+    return Refused(say::WordAmbiguous(given, {found.begun.begin(), found.begun.end()}));
+  }
+  if (found.here != nullptr) {
+    return Refused(say::WordShortElsewhere(given, found.elsewhere->word, found.here->word));
+  }
+  if (found.elsewhere != nullptr) return Refused(say::WordNotHere(found.elsewhere->word));
+  return Refused(say::WordUnknown(given, NearestWord(std::string(given), WordsIn(place))));
+}
+
+}  // namespace
+
+const std::vector<TypedWord>& Vocabulary() {
+  static const std::vector<TypedWord> words(kWords.begin(), kWords.end());
+  return words;
+}
+
+const TypedWord* WordNamed(std::string_view word) {
+  const auto found = std::find_if(kWords.begin(), kWords.end(),
+                                  [word](const TypedWord& one) { return one.word == word; });
+  return found == kWords.end() ? nullptr : found;
+}
+
+std::vector<std::string> WordsIn(WordPlace place) {
+  std::vector<std::string> words;
+  for (const TypedWord& word : kWords) {
+    if (word.HoldsIn(place)) words.emplace_back(word.word);
+  }
+  return words;
+}
+
+WordFound FindWord(std::string_view given, WordPlace place) {
+  WordFound found;
+  if (given.empty()) return found;
+  const TypedWord* whole = WholeOrNumber(given);
+  if (whole != nullptr && whole->HoldsIn(place)) return {whole};
+  const std::vector<const TypedWord*> begun = Begun(given, place);
+  const TypedWord* meant = Meant(begun);
+  if (meant != nullptr) {
+    const TypedWord* owner = OwnerOf(given);
+    if (owner == meant) return {meant};
+    found.elsewhere = owner;
+    found.here = meant;
+    return found;
+  }
+  if (begun.empty()) found.elsewhere = whole;
+  std::transform(begun.begin(), begun.end(), std::back_inserter(found.begun),
+                 [](const TypedWord* word) { return word->word; });
+  return found;
+}
+
+SaidLine ReadLine(std::string_view line, WordPlace place) {
+  std::string_view typed = Trimmed(line);
+  if (!typed.empty() && typed.front() == '/') typed = Trimmed(typed.substr(1));
+  if (typed.empty()) return {};
+  const std::string given = LowerCase(typed);
+  const WordFound alone = FindWord(given, place);
+  if (!Empty(alone)) return Said(alone, given, {}, place);
+  std::size_t end = std::min(given.find_first_of(" \t"), given.size());
+  WordFound first = FindWord(given.substr(0, end), place);
+  if (const TypedWord* whole = WholeBefore(given, place)) {
+    first = {whole};
+    end = whole->word.size();
+  }
+  const std::string_view behind = Trimmed(typed.substr(end));
+  const bool alone_only = first.word != nullptr && first.word->behind.empty() && !behind.empty();
+  if (alone_only) return Refused(say::WordStandsAlone(first.word->word, behind));
+  return Said(first, given.substr(0, end), behind, place);
+}
+
+}  // namespace moontrace

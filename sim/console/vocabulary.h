@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moontrace {
+
+/// Where words are typed. A window with a panel has those of what runs in it.
+enum class WordPlace : std::uint8_t { kLesson, kLoop, kTutor, kDemonstration };
+inline constexpr std::size_t kWordPlaces = 4;
+
+/// A word that can be said while something runs.
+struct TypedWord {
+  int number = 0;                         ///< the same wherever the word holds; 1 is "stop"
+  std::string_view word;                  ///< in small letters; may hold blanks
+  std::array<bool, kWordPlaces> holds{};  ///< by WordPlace
+  bool late = false;                      ///< came later: see FindWord
+  std::string_view behind;                ///< what stands behind it, for people; often empty
+  std::string_view help;                  ///< one clause, without capital and stop
+
+  bool HoldsIn(WordPlace place) const { return holds[static_cast<std::size_t>(place)]; }
+};
+
+/// All words, by ascending numbers.
+const std::vector<TypedWord>& Vocabulary();
+/// Null: no such word.
+const TypedWord* WordNamed(std::string_view word);
+/// The words that hold in a place, by ascending numbers.
+std::vector<std::string> WordsIn(WordPlace place);
+
+/// Which word of a place was meant.
+struct WordFound {
+  const TypedWord* word = nullptr;           ///< null: see the others
+  std::vector<std::string_view> begun = {};  ///< several words begin so
+  /// A whole word or number that holds in other places only, or a beginning that is short for
+  /// another word there; `here`: the word that begins so in this place.
+  const TypedWord* elsewhere = nullptr;
+  const TypedWord* here = nullptr;
+};
+
+/// A whole word, its number, or an unambiguous beginning; "?" is help. `given` in small letters,
+/// without blanks at its ends.
+///
+/// Beginnings mean the same in all places, or ask. Words that came late take nobody's short forms
+/// away: they are looked at where no older word begins so. Of "next" and "next line" the shorter is
+/// meant. A beginning that is short for two words in two places belongs to the smaller number.
+WordFound FindWord(std::string_view given, WordPlace place);
+
+/// A typed line.
+struct SaidLine {
+  const TypedWord* word = nullptr;  ///< null: nothing was said, or see `refusal`
+  std::string behind = {};          ///< as typed, without blanks at its ends
+  std::string refusal = {};         ///< one line: what is wrong, and the cure
+};
+
+/// Reads a line: a word as FindWord has it, and what stands behind it, where the word wants
+/// something. A "/" before, blanks and capitals do not count.
+SaidLine ReadLine(std::string_view line, WordPlace place);
+
+}  // namespace moontrace
