@@ -340,7 +340,18 @@ void TraceRing(PlanWriter& writer, const WalkStep& step, const IntendedStroke& s
   }
 }
 
-/// Leaves a ring: along it as far as needed, then away from it.
+/// The ring of a stroke's letter, if it has one.
+std::optional<Arc> RingBeside(const std::vector<IntendedStroke>& strokes, std::size_t stroke) {
+  for (const IntendedStroke& other : strokes) {
+    const std::optional<Arc> ring =
+        other.glyph == strokes[stroke].glyph ? RingOf(other.spine_P) : std::nullopt;
+    if (ring) return ring;
+  }
+  return std::nullopt;
+}
+
+/// Leaves a letter that has a ring: to that if it is not there, along it as far as needed, then
+/// away from it.
 void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& path, double width,
                const Outlines& fills) {
   const auto in_ring = [&ring](const Piece& piece) {
@@ -348,8 +359,11 @@ void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& pa
     return arc && glm::distance(arc->center, ring.center) < 1e-9 &&
            std::abs(arc->radius - ring.radius) < 1e-9;
   };
-  const auto away = std::find_if_not(path.begin(), path.end(), in_ring);
-  FollowRing(writer, {path.begin(), away}, width, fills, 1);
+  const auto on_it = std::find_if(path.begin(), path.end(), in_ring);
+  const auto begin = on_it == path.end() ? path.begin() : on_it;
+  const auto away = std::find_if_not(begin, path.end(), in_ring);
+  FollowRuns(writer, RunsOf({path.begin(), begin}, width, 0), width);
+  FollowRing(writer, {begin, away}, width, fills, 1);
   const auto runs = RunsOf({away, path.end()}, width, 0);
   if (runs.empty()) return;
   const glm::dvec2 start = StartOf(runs.front().front());
@@ -362,31 +376,33 @@ void LeaveRing(PlanWriter& writer, const Arc& ring, const std::vector<Piece>& pa
 
 void WriteWalk(PlanWriter& writer, const Walk& walk, const std::vector<IntendedStroke>& strokes,
                const PlanOptions& options) {
-  std::optional<Arc> left;  // the ring traced last
-  Outlines left_fills;      // beside it
+  bool on_ring = false;  // it was traced last
   for (const WalkStep& step : walk) {
     const IntendedStroke& stroke = strokes[step.stroke];
     if (&step == &walk.front()) {
       Land(writer, stroke, step.stroke, options);
     } else {
-      if (left) {
-        LeaveRing(writer, *left, step.path_P, stroke.width, left_fills);
+      const std::size_t last = (&step - 1)->stroke;
+      const std::optional<Arc> ring = RingBeside(strokes, last);
+      // a link begins shallower than the stroke: a hand that has drifted would slide back in that
+      if (!on_ring && stroke.relief == Relief::kEngraved) {
+        writer.Ease(stroke.width, PressOn(stroke, options));
+      }
+      if (ring) {
+        LeaveRing(writer, *ring, step.path_P, stroke.width, FillsBeside(strokes, last));
       } else {
-        // a link begins shallower than the stroke: a hand that has drifted would slide back in that
-        if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));
         FollowRuns(writer, RunsOf(step.path_P, stroke.width, 0), stroke.width);
       }
       writer.Rest(kEndRest);
       if (stroke.relief == Relief::kEngraved) writer.Ease(stroke.width, PressOn(stroke, options));
       writer.EndSpan(TracePhase::kTravel, step.stroke);
     }
-    left = walk.size() > 1 ? RingOf(step.trace_P) : std::nullopt;
-    const auto runs = RunsOf(step.trace_P, stroke.width, stroke.width / 4);
     const bool is_ring = RingOf(step.trace_P).has_value();
+    on_ring = is_ring && walk.size() > 1;
+    const auto runs = RunsOf(step.trace_P, stroke.width, stroke.width / 4);
     const Outlines fills = is_ring ? FillsBeside(strokes, step.stroke) : Outlines();
-    if (left) {
+    if (on_ring) {
       TraceRing(writer, step, stroke, fills, options);
-      left_fills = fills;
     } else if (!fills.empty()) {
       FollowRing(writer, runs.front(), stroke.width, fills, 0);
     } else {

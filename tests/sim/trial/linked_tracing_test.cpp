@@ -1,7 +1,9 @@
 // With links on, the simulated stylus traces whole lines like cursive.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdio>
+#include <string>
 
 #include "sim/trial/trial.h"
 #include "textures/fonts/script_library.h"
@@ -9,6 +11,29 @@
 
 namespace moontrace {
 namespace {
+
+/// The links of a line of text that the hand left, of one seed.
+std::size_t LinksLeft(const std::string& text, double size, std::uint64_t seed) {
+  const Script script = FindScript("moon");
+  TrialSetup setup;
+  setup.script = &script;
+  setup.style = DefaultStyle(size, Relief::kEngraved, script);
+  setup.style.links.reach = LinkReach::kWords;
+  const Typeset set = SetText(text, script, setup.style, {"custom", 0.6, 0.1, 0.02});
+  setup.page = &set.pages.front();
+  setup.hand = ShippedHand();
+  setup.plan.press = setup.hand.press;
+  setup.seed = seed;
+  return RunTrial(setup).links_left.value().size();
+}
+
+// The link behind H leaves its ring, where the hand comes from the fill.
+TEST(LinkedTracing, KeepsTheLinksBehindAHalfFilledRing) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_EQ(LinksLeft("ship", 0.012, seed), 0u) << seed;
+    EXPECT_EQ(LinksLeft("bright", 0.012, seed), 0u) << seed;
+  }
+}
 
 class SlowLinkedTracing : public ::testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, SlowLinkedTracing, ::testing::Values(0.020, 0.012));
