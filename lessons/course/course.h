@@ -54,6 +54,8 @@ struct Step {
   std::optional<double> size;
   /// At how many sizes its items are sure before it ends, where it has no size; none: the rule's.
   std::optional<int> sure_sizes;
+  bool own_name = false;  ///< of kRecognise by name: the learner's name is one of the items
+  bool one_page = false;  ///< of kExplore and kRead with a size: the text has no second page
   std::size_t line = 0, column = 0;  ///< in the lesson's file, from 1
 };
 
@@ -66,6 +68,9 @@ struct Lesson {
   std::vector<std::string> items;  ///< taught here, in order of introduction ("new" in the file)
   std::vector<std::string> needs;  ///< ids of lessons that must be done before
   std::map<std::string, std::string> hints;  ///< item -> memory aid, said when it is introduced
+  /// Item that no lesson teaches -> the taught ones with whose signs its page is written, each
+  /// once; none where that is not known (spelling.h).
+  std::map<std::string, std::vector<std::string>> spellings;
   bool optional = false;  ///< beside the course: gone to when asked for, offered to who fails
   std::vector<Step> steps;
   SourcePlaces places;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "lessons/course/course_values.h"
+#include "lessons/course/spelling.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
@@ -282,6 +283,7 @@ Course LoadCourse(const std::string& name_or_path) {
   CourseReading reading = ReadCourse(name_or_path);
   if (reading.faults.empty()) reading.faults = CheckReach(reading.course);
   if (!reading.faults.empty()) throw InputError(LineOf(reading.faults.front()));
+  AddSpellings(reading.course);
   return std::move(reading.course);
 }
 

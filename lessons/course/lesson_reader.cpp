@@ -92,6 +92,18 @@ void ReadStepSizes(const TomlTable& table, Step& step) {
   step.sure_sizes = static_cast<int>(sizes);
 }
 
+void ReadFlags(const TomlTable& table, Step& step) {
+  step.own_name = table.Bool("own_name", false);
+  const bool names = step.kind == StepKind::kRecognise && step.question == Question::kName;
+  if (step.own_name && !names) {
+    table.Fail("own_name", "only of recognise by name; leave it out");
+  }
+  step.one_page = table.Bool("one_page", false);
+  if (step.one_page && !(ShowsText(step.kind) && step.size)) {
+    table.Fail("one_page", "only of explore and read with size_mm; leave it out");
+  }
+}
+
 Step ReadStep(const TomlTable& table, std::size_t index, Lesson& lesson, FaultList& faults) {
   Step step;
   const SourcePlace place = PlaceIn(table, "");
@@ -115,6 +127,7 @@ Step ReadStep(const TomlTable& table, std::size_t index, Lesson& lesson, FaultLi
   });
   faults.Try([&] { ReadStepSize(table, step); });
   faults.Try([&] { ReadStepSizes(table, step); });
+  if (has_kind) faults.Try([&] { ReadFlags(table, step); });
   faults.AddUnknown(table);
   for (std::size_t i = 0; i < step.items.size(); ++i) {
     lesson.places[fmt::format("{}[{}]", KeyOf(index, "items"), i)] = PlaceIn(table, "items", i);

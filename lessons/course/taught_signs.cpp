@@ -36,6 +36,7 @@ SignUse SignsOf(std::string_view text, const Script& script, double grade,
       if (sign.space) continue;
       const std::string& name = script.glyphs[sign.glyph].name;
       use.signs.push_back(name);
+      use.pieces.emplace_back(text.substr(sign.begin, sign.end - sign.begin));
       const bool known = taught == nullptr || taught->count(name) > 0;
       // A numeral sign stands for no text of its own: its first digit is noted.
       if (sign.end == sign.begin) {

@@ -12,6 +12,7 @@ namespace moontrace {
 /// The signs that a text is written with.
 struct SignUse {
   std::vector<std::string> signs;     ///< names, in the order of the text, with repetitions
+  std::vector<std::string> pieces;    ///< what each stands for in the text; a numeral sign: nothing
   std::vector<std::string> missing;   ///< characters without a form in the script, each once
   std::vector<std::string> untaught;  ///< characters and groups whose sign is not taught, each once
 };

@@ -171,7 +171,7 @@ void LearnItem(const Course& course, const Trial& trial, Progress& progress) {
   }
   AddEvidenceAt(course, trial, evidence, pair.first, item);
   if (!evidence.named || !evidence.good || IsTaught(course, pair.first)) return;
-  for (const std::string& part : PartsOf(progress, pair.first)) {
+  for (const std::string& part : PartsOf(course, progress, pair.first)) {
     ItemProgress& letter = progress.items[part];
     if (letter.introduced && IsTaught(course, part)) {
       AddEvidenceAt(course, trial, evidence, part, letter);

@@ -259,6 +259,7 @@ void ShowPage(Turn& turn) {
   show.script = home != nullptr && !home->script.empty() ? home->script : turn.course.script;
   show.grade = home != nullptr ? home->grade : own ? turn.course.grade : 1;
   show.size = state.overrule.size.value_or(SizeByRules(turn));
+  show.one_page = text && !own && StepNow(turn) != nullptr && StepNow(turn)->one_page;
   show.told = !IsAsked(state.task);
   state.size = show.size;
   turn.actions.emplace_back(show);

@@ -119,11 +119,12 @@ struct Say {
 };
 /// Lets a page be felt; replaces the last one.
 struct Show {
-  std::string text;    ///< to be set; two items of kSame with a space between
-  std::string script;  ///< as FindScript takes it
-  double grade = 1;    ///< of the script
-  double size = 0;     ///< [m]
-  bool told = true;    ///< false: it is asked for, so it must not be said or shown
+  std::string text;       ///< to be set; two items of kSame with a space between
+  std::string script;     ///< as FindScript takes it
+  double grade = 1;       ///< of the script
+  double size = 0;        ///< [m]
+  bool one_page = false;  ///< all of it on one page: lines closer, then letters smaller
+  bool told = true;       ///< false: it is asked for, so it must not be said or shown
 };
 /// The push from now on. `demonstrate`: the hand is led along all strokes, then Traced comes.
 struct Push {

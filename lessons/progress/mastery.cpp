@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -57,6 +58,23 @@ std::string PartAt(const Progress& progress, const std::string& text, std::size_
   return part;
 }
 
+/// How the page of an item is written: by the present lesson if its step asks for the item, else by
+/// its home; null: not known.
+const std::vector<std::string>* SpellingOf(const Course& course, const Progress& progress,
+                                           const std::string& item) {
+  const auto here = LessonIndex(course, progress.lesson);
+  const Step* step = StepAt(course, progress.lesson, progress.step);
+  const Lesson* lesson = HomeOf(course, item);
+  if (here && step != nullptr) {
+    const std::vector<std::string> asked = ItemsOf(course.lessons[*here], *step);
+    const bool asks = std::find(asked.begin(), asked.end(), item) != asked.end();
+    if (asks) lesson = &course.lessons[*here];
+  }
+  if (lesson == nullptr) return nullptr;
+  const auto found = lesson->spellings.find(item);
+  return found != lesson->spellings.end() ? &found->second : nullptr;
+}
+
 }  // namespace
 
 double SizeAt(const Course& course, std::size_t size_step) {
@@ -101,7 +119,14 @@ bool TracesCount(const Practice& practice, const ItemProgress& item) {
   return practice.traced && (item.size_step == 0 || !practice.named);
 }
 
-std::vector<std::string> PartsOf(const Progress& progress, std::string_view item) {
+std::vector<std::string> PartsOf(const Course& course, const Progress& progress,
+                                 std::string_view item) {
+  if (const auto* spelling = SpellingOf(course, progress, std::string(item))) {
+    std::vector<std::string> known;
+    std::copy_if(spelling->begin(), spelling->end(), std::back_inserter(known),
+                 [&](const std::string& part) { return progress.items.count(part) > 0; });
+    return known;
+  }
   std::string text(item);
   for (char& c : text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -137,7 +162,7 @@ std::string UnmetSigns(const Progress& progress, std::string_view given) {
 
 std::size_t FirstSizeOf(const Course& course, const Progress& progress, std::string_view item) {
   if (IsTaught(course, item)) return 0;
-  const std::vector<std::string> parts = PartsOf(progress, item);
+  const std::vector<std::string> parts = PartsOf(course, progress, item);
   std::size_t step = parts.empty() ? 0 : LastSize(course);
   for (const std::string& part : parts) step = std::min(step, progress.items.at(part).size_step);
   return step;

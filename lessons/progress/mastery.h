@@ -47,9 +47,11 @@ bool SureForStep(const Course& course, const Step& step, const ItemProgress& ite
 /// first size or never named.
 bool TracesCount(const Practice& practice, const ItemProgress& item);
 
-/// The letters and signs known of which an item is made, each once: the longest first that fits, so
+/// The taught letters and signs known of which an item's page is made where the learner is, each
+/// once (Lesson::spellings). Where that is not known: the longest known item first that fits, so
 /// that "the" in "then" is one. None for an item that is not made of others.
-std::vector<std::string> PartsOf(const Progress& progress, std::string_view item);
+std::vector<std::string> PartsOf(const Course& course, const Progress& progress,
+                                 std::string_view item);
 
 /// Characters of a text, each once, that belong to no sign that the learner has met: "g, w"; empty:
 /// none.

@@ -168,6 +168,8 @@ Json StepJson(const Step& step) {
   }
   if (!step.items.empty()) json["items"] = step.items;
   if (!step.text.empty()) json["text"] = step.text;
+  if (step.own_name) json["own_name"] = true;
+  if (step.one_page) json["one_page"] = true;
   if (step.size) json["size_mm"] = kMillimetres * *step.size;
   return json;
 }

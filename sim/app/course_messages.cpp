@@ -132,8 +132,10 @@ std::string HintLine(const Course& course, const std::string& item, std::string_
 std::string StepLine(const Course& course, const Step& step, std::size_t number) {
   std::string what = step.text.empty() ? Named(course, step.items) : InOneLine(step.text);
   if (what.empty()) what = "what is new";
+  if (step.own_name) what += ", and one's own name";
   std::string size;
   if (step.size) size = fmt::format(" At {} mm.", Short(kMillimetres * *step.size, 2));
+  if (step.one_page) size += " On one page.";
   if (step.sure_sizes) size = fmt::format(" Until sure at {} sizes.", *step.sure_sizes);
   return fmt::format("Step {}, {}: {}.{}", number, Doing(step), what, size);
 }

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "lessons/course/course.h"
+#include "lessons/course/spelling.h"
 #include "sim/audio/sound_messages.h"
 #include "sim/demonstration/demonstrate.h"
 #include "sim/learn/learn_drive.h"
@@ -90,7 +91,7 @@ std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, const LearnParts
   return std::make_unique<TutorDesk>(parts, lesson, options.tutor, std::move(window));
 }
 
-int Learn(LearnOptions options, const Course& course, Console& console) {
+int Learn(LearnOptions options, Course course, Console& console) {
   const bool at_terminal = AtTerminal(console);
   std::optional<KeyMap> keys;
   if (!options.keys.empty()) {
@@ -107,6 +108,7 @@ int Learn(LearnOptions options, const Course& course, Console& console) {
       OpenMemory(options, course, at_terminal, lines, teller, console);
   if (!opened) return exit_code::kGood;
   LearnMemory& memory = *opened;
+  AddOwnName(course, memory.name());
   teller.EndTurn();
 
   const auto aims = AimsFor(options.live.device, options.view);

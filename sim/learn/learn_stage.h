@@ -75,7 +75,8 @@ class LearnStage {
   double tick() const { return 1 / session_.rate(); }
 
  private:
-  TextRequest RequestFor(const lesson_action::Show& show, double size) const;
+  TextRequest RequestFor(const lesson_action::Show& show, double size, double pitch) const;
+  void SetAt(const lesson_action::Show& show, double size);
   void Set(const lesson_action::Show& show);
   void Guide();
 

@@ -150,12 +150,16 @@ void LoopSession::SetAnew(TextRequest request, glm::dvec2 tip_P) {
   request_ = std::move(request);
 }
 
-void LoopSession::ChangeText(TextRequest request, bool blank) {
+void LoopSession::ChangeText(TextRequest request, bool blank, std::size_t most_pages) {
   request.room = request_.room;
   request.feel = request_.feel;
   request.model_page = request_.model_page;
   const std::size_t number = felt_.number - felt_.index + text().set.pages.size();
-  Show(FeltPageOf(SetUp(request), 0, blank, static_cast<std::uint32_t>(number)), std::nullopt);
+  const std::shared_ptr<const TextSetup> next = SetUp(request);
+  if (next->set.pages.size() > most_pages) {
+    throw InputError(say::MorePagesThan(next->set.pages.size(), most_pages));
+  }
+  Show(FeltPageOf(next, 0, blank, static_cast<std::uint32_t>(number)), std::nullopt);
   form_ = request.form.value_or(form_);
   request_ = std::move(request);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -47,8 +48,10 @@ class LoopSession {
   void SetForm(const PageForm& form, glm::dvec2 tip_P);
   const PageForm& form() const { return form_; }
   /// Another text for the same device and loop: its first page is felt from now on, and a simulated
-  /// hand begins it. Throws InputError, and leaves all as it was.
-  void ChangeText(TextRequest request, bool blank);
+  /// hand begins it. Throws InputError, and leaves all as it was: it cannot be set, or not on
+  /// `most_pages`.
+  void ChangeText(TextRequest request, bool blank,
+                  std::size_t most_pages = std::numeric_limits<std::size_t>::max());
   /// Force again after a stop. A simulated hand has run on meanwhile, and begins the page anew.
   void GoOn();
   /// The page raised at its far edge [rad], see PageChange::tilt; a simulated hand begins it anew,

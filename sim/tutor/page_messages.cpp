@@ -58,4 +58,9 @@ std::string NoTiltInPlane() {
   return "this device feels in the page's plane only; one with a third axis can tilt it";
 }
 
+std::string MorePagesThan(std::size_t pages, std::size_t most) {
+  return fmt::format("the text takes {}, and may have {}: choose smaller letters",
+                     Counted(pages, "page", "pages"), most);
+}
+
 }  // namespace moontrace::say

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,6 @@ std::string PageNow(const PageCommand& command);
 std::string PageStays(std::string_view why);
 std::string PageStaysWhileScored();
 std::string NoTiltInPlane();
+std::string MorePagesThan(std::size_t pages, std::size_t most);
 
 }  // namespace moontrace::say

@@ -90,6 +90,13 @@ TEST_F(CourseReader, ReadsALessonBesideTheCourseAndAtHowManySizesAStepIsSure) {
             "two.toml:5:14: sure_sizes: only of recognise without size_mm; leave it out\n");
   Write("two", "title = \"A\"\nnew = [\"a\"]\n[[steps]]\nkind = \"recognise\"\nsure_sizes = 0\n");
   EXPECT_EQ(Faults(), "two.toml:5:14: sure_sizes: not from 1 to 100; correct it\n");
+  Write("two", "title = \"A\"\nnew = [\"a\"]\n[[steps]]\nkind = \"trace\"\nown_name = true\n");
+  EXPECT_EQ(Faults(), "two.toml:5:12: own_name: only of recognise by name; leave it out\n");
+  Write("two",
+        "title = \"A\"\nnew = [\"a\"]\n[[steps]]\nkind = \"trace\"\n"
+        "[[steps]]\nkind = \"read\"\ntext = \"a\"\none_page = true\n");
+  EXPECT_EQ(Faults(),
+            "two.toml:8:12: one_page: only of explore and read with size_mm; leave it out\n");
 }
 
 TEST_F(CourseReader, EachBrokenCourseGivesOneLineWithPlaceCauseAndNearestKey) {

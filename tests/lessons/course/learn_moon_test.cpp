@@ -141,6 +141,7 @@ TEST(LearnMoon, FitsEachPageOnADeskTopDevice) {
         TypeStyle style =
             DefaultStyle(step.size.value_or(course.sizes.back()), Relief::kEngraved, script);
         style.grade = lesson.grade;
+        if (step.one_page) style.line_pitch *= 0.9;  // a step that a lesson's stage takes
         const Typeset typeset = SetText(text, script, style, FindPage("workspace"));
         EXPECT_EQ(typeset.pages.size(), 1U) << lesson.id << ": " << text;
         if (step.question == Question::kSame) continue;  // may lie one below the other
@@ -150,6 +151,39 @@ TEST(LearnMoon, FitsEachPageOnADeskTopDevice) {
       }
     }
   }
+}
+
+TEST(LearnMoon, HasANoteOfFourLinesAtSixteenMillimetresAfterTenLetters) {
+  const Course course = LoadCourse("learn-moon");
+  std::set<std::string> letters;
+  for (const Lesson& lesson : course.lessons) {
+    letters.insert(lesson.items.begin(), lesson.items.end());
+    for (const Step& step : lesson.steps) {
+      if (!step.one_page) continue;
+      EXPECT_EQ(letters.size(), 10U);
+      EXPECT_EQ(step.kind, StepKind::kRead);
+      EXPECT_DOUBLE_EQ(step.size.value_or(0), 0.016);
+      EXPECT_EQ(std::count(step.text.begin(), step.text.end(), '\n'), 3);
+      EXPECT_EQ(lesson.steps.back().kind, StepKind::kTest);
+      return;
+    }
+  }
+  FAIL() << "no note";
+}
+
+TEST(LearnMoon, HasALineOfOnesOwnToReadByTheTenthLetter) {
+  const Course course = LoadCourse("learn-moon");
+  std::size_t letters = 0;
+  for (const Lesson& lesson : course.lessons) {
+    letters += lesson.items.size();
+    for (const Step& step : lesson.steps) {
+      // words with a space between, to be read for oneself
+      if (step.kind != StepKind::kRead || step.text.find(' ') == std::string::npos) continue;
+      EXPECT_LE(letters, 10U) << lesson.id;
+      return;
+    }
+  }
+  FAIL() << "no line";
 }
 
 TEST(LearnMoon, SpeaksOfNothingThatNeedsSight) {

@@ -164,9 +164,9 @@ TEST(Mastery, AWordThatIsNamedRightIsEvidenceOfItsLetters) {
 TEST(Mastery, TheLongestKnownSignsMakeAWord) {
   Progress progress;
   for (const char* item : {"t", "h", "e", "n", "the", "then"}) progress.items[item];
-  EXPECT_EQ(PartsOf(progress, "then"), (std::vector<std::string>{"the", "n"}));
-  EXPECT_EQ(PartsOf(progress, "Tent"), (std::vector<std::string>{"t", "e", "n"}));
-  EXPECT_EQ(PartsOf(progress, "box"), std::vector<std::string>{});
+  EXPECT_EQ(PartsOf(Course{}, progress, "then"), (std::vector<std::string>{"the", "n"}));
+  EXPECT_EQ(PartsOf(Course{}, progress, "Tent"), (std::vector<std::string>{"t", "e", "n"}));
+  EXPECT_EQ(PartsOf(Course{}, progress, "box"), std::vector<std::string>{});
 }
 
 TEST(Mastery, WantsMeanCoverageAndErrorOfTheTraces) {
