@@ -19,6 +19,13 @@ std::uint8_t Byte(double part) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
 }
 
+/// From 0 to 1: roughness of paper stays paper, and a line is darkest along its middle.
+double TintOf(double share) {
+  constexpr double kNone = 0.15, kFull = 0.95;
+  const double t = std::clamp((share - kNone) / (kFull - kNone), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 /// One picture's constants.
 struct Shader {
   const TextureField& field;
@@ -33,7 +40,7 @@ struct Shader {
     const double h = sample.displacement;
     Color color = on_sheet ? shade.paper : shade.desk;
     if (h != 0 && greatest > 0) {
-      color = Mixed(color, h < 0 ? shade.groove : shade.ridge, std::abs(h) / greatest);
+      color = Mixed(color, h < 0 ? shade.groove : shade.ridge, TintOf(std::abs(h) / greatest));
     }
     const glm::dvec2 g = sample.gradient;
     const glm::dvec3 normal = glm::normalize(glm::dvec3(-g.x, -g.y, 1));
@@ -67,9 +74,8 @@ PageShade HighContrastShade() {
   PageShade shade;
   shade.paper = {1, 1, 1};
   shade.groove = {0, 0, 0};
-  shade.ridge = {1, 0.8, 0};
+  shade.ridge = {0.45, 0.20, 0};
   shade.desk = {0.1, 0.1, 0.1};
-  shade.ambient = 0.5;
   return shade;
 }
 

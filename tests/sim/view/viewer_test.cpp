@@ -182,7 +182,7 @@ class ViewPainterTest : public ViewerTest {
 };
 
 // Half way along each stroke of each letter there is a groove in the picture: the floor is darker
-// than paper by the tint of full depth, from 0.96 to 0.30 red; more than half of that is left
+// than paper by the tint of full depth, from 0.96 to 0.24 red; more than half of that is left
 // wherever the picture's point lies within a quarter of the groove's width.
 TEST_F(ViewPainterTest, EachLettersStrokesAreSeenWhereTheFieldSays) {
   for (char c = 'a'; c <= 'z'; ++c) {
@@ -224,11 +224,13 @@ TEST_F(ViewPainterTest, AGrooveIsAsBrightAsItsGradient) {
     const double slope = d > 0 ? s : -s;
     const double h = -depth + s * r / 2 + s * (std::abs(d) - r);
     const double lit = (0.48 * slope + 0.60) / std::sqrt(1 + s * s) / 0.60;
-    const double bright = 0.35 + 0.65 * std::max(lit, 0.0);
-    const double tint = 0.96 + (0.30 - 0.96) * -h / depth;
+    const double bright = 0.72 + 0.28 * std::max(lit, 0.0);
+    const double t = (-h / depth - 0.15) / 0.80;
+    const double tint = 0.96 + (0.24 - 0.96) * t * t * (3 - 2 * t);
     const auto share = ShareOf(painter_->camera(), painter_->aspect(), middle + glm::dvec2(d, 0));
-    // a point of the picture is w / 360: depth changes by s w / 360 within it, and 1/255 of steps
-    EXPECT_NEAR(BrightnessAt(raster, *share), std::min(1.0, bright * tint), 0.015) << d;
+    // a point of the picture is w / 360, which changes the depth's share by at most 2 s / 360 and
+    // the tint by 0.72 * 1.5 / 0.80 of that; and 1/255 of steps
+    EXPECT_NEAR(BrightnessAt(raster, *share), std::min(1.0, bright * tint), 0.018) << d;
   }
 }
 
