@@ -84,7 +84,7 @@ int Run(const ReplayOptions& options, Console& console) {
   if (page.field->Hash() != record.head.field_hash) {
     throw InputError(say::OtherField(options.folder));
   }
-  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
   std::optional<TrialView> view;
   TickWatch watch;
   if (feed) {

@@ -203,7 +203,7 @@ int Run(const TraceOptions& options, Console& console) {
   SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
   CheckRecords(options, trace.text.set.pages.size());
   WarnOfDirect(options, trace, console);
-  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
   std::optional<TrialView> view;
   if (feed) view.emplace(*feed, console);
   std::optional<PagePictures> pictures;

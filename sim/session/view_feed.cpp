@@ -10,15 +10,32 @@
 
 namespace moontrace {
 
+namespace {
+
+ViewerOptions ViewerOf(const ViewOptions& options) {
+  ViewerOptions viewer;
+  viewer.frames = options.frames;
+  viewer.high_contrast = options.contrast;
+  viewer.large_text = options.large_text;
+  return viewer;
+}
+
+}  // namespace
+
+std::unique_ptr<ViewFeed> ViewFeed::OpenOfTrial(const ViewOptions& options, Console& console) {
+  if (options.frames.empty()) return Open(options, nullptr, console);
+  CheckTogether(options);
+  ViewerOptions viewer = ViewerOf(options);
+  viewer.offline = true;
+  return std::make_unique<ViewFeed>(viewer);
+}
+
 std::unique_ptr<ViewFeed> ViewFeed::Open(const ViewOptions& options,
                                          const std::shared_ptr<Mailbox<StylusAim>>& aims,
                                          Console& console) {
   CheckTogether(options);
   if (!options.asked()) return nullptr;
-  ViewerOptions viewer;
-  viewer.frames = options.frames;
-  viewer.high_contrast = options.contrast;
-  viewer.large_text = options.large_text;
+  ViewerOptions viewer = ViewerOf(options);
   if (aims != nullptr) {
     viewer.pointer = [aims](const PointerAim& aim) {
       aims->Put({glm::dvec3(aim.p_P, 0), aim.over_page ? aim.press : 0});

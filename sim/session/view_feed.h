@@ -30,6 +30,8 @@ class ViewFeed {
   static std::unique_ptr<ViewFeed> Open(const ViewOptions& options,
                                         const std::shared_ptr<Mailbox<StylusAim>>& aims,
                                         Console& console);
+  /// Of a trial or a replay, whose time is its own: frames are drawn by DrawFrame.
+  static std::unique_ptr<ViewFeed> OpenOfTrial(const ViewOptions& options, Console& console);
   explicit ViewFeed(const ViewerOptions& options)
       : viewer_(options), window_(options.frames.empty()) {}
 
@@ -40,6 +42,8 @@ class ViewFeed {
 
   void Show(std::shared_ptr<const ViewPage> page) { viewer_.Show(std::move(page)); }
   void Add(const ViewMoment& moment) { viewer_.Add(moment); }
+  /// Of a trial, without a window: see Viewer.
+  void DrawFrame() { viewer_.DrawFrame(); }
   void SetPanel(std::vector<PanelControl> controls);
   void SetValues(std::vector<PanelValue> values);
   /// A line of the text face.

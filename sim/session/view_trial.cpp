@@ -23,17 +23,34 @@ void TrialView::Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts) {
   feed_.Show(std::move(page));
   begin_ = std::chrono::steady_clock::now();
   shown_ = looked_ = -1;
+  frames_ = 0;
 }
 
 void TrialView::Look(double time, const TickResult& felt, const GuidanceResult& push) {
-  if (over_ || time < shown_ + kShowEvery) return;
+  if (over_) return;
+  const bool frame = !feed_.window() && time >= static_cast<double>(frames_ + 1) / kFramesPerSecond;
+  if (!frame && time < shown_ + kShowEvery) return;
   shown_ = time;
   ViewMoment moment = MomentOf(time, felt, push);
   moment.page = page_;
   feed_.Add(moment);
+  if (frame) DrawFrame(time);
+  if (feed_.window()) KeepTime(time);
+}
+
+void TrialView::DrawFrame(double time) {
+  ++frames_;
+  ShowTime(time);
+  feed_.DrawFrame();
+  Hear();
+}
+
+/// What is seen in a window happens as fast as it would.
+void TrialView::KeepTime(double time) {
   if (time >= looked_ + kLookEvery) {
     looked_ = time;
-    LookAtWindow();
+    ShowTime(time);
+    Hear();
   }
   if (over_) return;
   const std::chrono::duration<double> since_begin(time);
@@ -41,9 +58,12 @@ void TrialView::Look(double time, const TickResult& felt, const GuidanceResult& 
       begin_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(since_begin));
 }
 
-void TrialView::LookAtWindow() {
-  texts_.time = say::PanelSeconds(shown_);
+void TrialView::ShowTime(double time) {
+  texts_.time = say::PanelSeconds(time);
   feed_.SetValues(TrialPanelValues(texts_));
+}
+
+void TrialView::Hear() {
   feed_.Hear([this](const std::string& line) { Obey(line); },
              [this](const std::string& notice) { console_.Remark(notice); });
   if (feed_.closed()) console_.Remark(say::RunsOnUnseen());

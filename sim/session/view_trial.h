@@ -9,8 +9,10 @@
 
 namespace moontrace {
 
-/// Shows a trial or a replay, which would run faster than can be seen: holds it to real time while
-/// it is looked at. When its window is closed the rest runs as fast as it can.
+/// Shows a trial or a replay, which would run faster than can be seen: in a window it is held to
+/// real time while it is looked at; when that is closed the rest runs as fast as it can. Without a
+/// window frame k of a page is drawn at its first tick from k / kFramesPerSecond on, however long
+/// that takes: the same trial gives the same frames, to the byte.
 class TrialView {
  public:
   TrialView(ViewFeed& feed, Console& console);
@@ -21,7 +23,10 @@ class TrialView {
   void Look(double time, const TickResult& felt, const GuidanceResult& push);
 
  private:
-  void LookAtWindow();
+  void DrawFrame(double time);
+  void KeepTime(double time);
+  void ShowTime(double time);
+  void Hear();
   void Obey(const std::string& line);
 
   ViewFeed& feed_;
@@ -30,6 +35,7 @@ class TrialView {
   TrialTexts texts_;
   std::chrono::steady_clock::time_point begin_;
   double shown_ = 0, looked_ = 0;  ///< when last [s]
+  std::size_t frames_ = 0;         ///< of this page, drawn
   bool over_ = false;
 };
 

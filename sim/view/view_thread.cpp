@@ -50,6 +50,14 @@ void ViewMailbox::Fail(const std::string& why) {
   changed.notify_all();
 }
 
+void ViewMailbox::FrameDrawn() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++drawn;
+  }
+  changed.notify_all();
+}
+
 void ViewMailbox::Say(std::string line) {
   const std::lock_guard<std::mutex> lock(mutex);
   lines.push_back(std::move(line));
@@ -173,18 +181,46 @@ void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
 
 constexpr std::size_t kMostFrameBytes = std::size_t{1} << 30U;
 
-/// The time of a frame that came late is filled by the picture before it.
-void Repeat(const std::string& folder, std::size_t from, std::size_t to) {
-  WriteWhole(FramePath(folder, to), ReadTextFile(FramePath(folder, from), kMostFrameBytes), false);
+/// A frame that looks like the one before, or came late for its time, is that picture again.
+void Repeat(const std::string& folder, std::size_t number) {
+  WriteWhole(FramePath(folder, number),
+             ReadTextFile(FramePath(folder, number - 1), kMostFrameBytes), false);
 }
 
-void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>& mailbox) {
-  const HeadlessGl gl;
-  ViewPainter painter(false, options.width, options.height, LookOf(options));
-  Opened(*mailbox);
+void DrawFrame(const std::string& folder, std::size_t number, ViewPainter& painter,
+               ViewMailbox& mailbox) {
+  const Clock::time_point start = Clock::now();
+  painter.Await();  // each frame is whole
+  painter.Draw();
+  const Raster picture = painter.Picture();
+  Timed(mailbox, start, painter);
+  WritePicture(FramePath(folder, number), picture, false);
+}
+
+/// Each frame when it is asked for.
+void RunOffline(const ViewerOptions& options, ViewPainter& painter, ViewMailbox& mailbox) {
+  for (std::size_t number = 1; number <= options.most_frames; ++number) {
+    {
+      std::unique_lock<std::mutex> lock(mailbox.mutex);
+      mailbox.changed.wait(lock, [&] { return mailbox.stop || mailbox.asked >= number; });
+      const bool wanted = mailbox.asked >= number || (number == 1 && mailbox.news.page);
+      if (!wanted) return;
+    }
+    Deliver(mailbox.TakeNews(), painter);
+    if (number > 1 && !painter.changed()) {
+      Repeat(options.frames, number);
+    } else {
+      DrawFrame(options.frames, number, painter, mailbox);
+    }
+    mailbox.FrameDrawn();
+  }
+}
+
+/// Each frame at its time, of what runs in real time.
+void RunTimed(const ViewerOptions& options, ViewPainter& painter, ViewMailbox& mailbox) {
   {  // the first frame is of a page
-    std::unique_lock<std::mutex> lock(mailbox->mutex);
-    mailbox->changed.wait(lock, [&] { return mailbox->stop || mailbox->news.page; });
+    std::unique_lock<std::mutex> lock(mailbox.mutex);
+    mailbox.changed.wait(lock, [&] { return mailbox.stop || mailbox.news.page; });
   }
   const Clock::time_point begin = Clock::now();
   const auto due_at = [&](std::size_t frame) {
@@ -193,22 +229,28 @@ void RunFrames(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
   };
   for (std::size_t number = 1; number <= options.most_frames; ++number) {
     {
-      std::unique_lock<std::mutex> lock(mailbox->mutex);
-      mailbox->changed.wait_until(lock, due_at(number), [&] { return mailbox->stop; });
-      if (mailbox->stop && (number > 1 || !mailbox->news.page)) return;
+      std::unique_lock<std::mutex> lock(mailbox.mutex);
+      mailbox.changed.wait_until(lock, due_at(number), [&] { return mailbox.stop; });
+      if (mailbox.stop && (number > 1 || !mailbox.news.page)) return;
     }
-    Deliver(mailbox->TakeNews(), painter);
+    Deliver(mailbox.TakeNews(), painter);
     const bool late = Clock::now() > due_at(number + 1);
     if (number > 1 && (late || !painter.changed())) {
-      Repeat(options.frames, number - 1, number);
-      continue;
+      Repeat(options.frames, number);
+    } else {
+      DrawFrame(options.frames, number, painter, mailbox);
     }
-    const Clock::time_point start = Clock::now();
-    painter.Await();  // each frame is whole
-    painter.Draw();
-    const Raster picture = painter.Picture();
-    Timed(*mailbox, start, painter);
-    WritePicture(FramePath(options.frames, number), picture, false);
+  }
+}
+
+void RunFrames(const ViewerOptions& options, ViewMailbox& mailbox) {
+  const HeadlessGl gl;
+  ViewPainter painter(false, options.width, options.height, LookOf(options));
+  Opened(mailbox);
+  if (options.offline) {
+    RunOffline(options, painter, mailbox);
+  } else {
+    RunTimed(options, painter, mailbox);
   }
 }
 
@@ -240,7 +282,7 @@ void RunViewer(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
     if (options.frames.empty()) {
       RunWindow(options, mailbox);
     } else {
-      RunFrames(options, mailbox);
+      RunFrames(options, *mailbox);
     }
   } catch (const std::exception& error) {
     const std::lock_guard<std::mutex> lock(mailbox->mutex);

@@ -49,7 +49,8 @@ struct ViewMailbox {
   std::mutex mutex;
   std::condition_variable changed;
   ViewNews news;
-  bool stop = false;  ///< the thread shall end
+  bool stop = false;                 ///< the thread shall end
+  std::size_t asked = 0, drawn = 0;  ///< frames, offline
 
   bool opened = false, closed = false, finished = false;
   std::exception_ptr refused;  ///< why it could not open
@@ -62,6 +63,7 @@ struct ViewMailbox {
   ViewNews TakeNews();
   bool Stopped();
   void Fail(const std::string& why);
+  void FrameDrawn();
   void Say(std::string line);
   void Notice(std::string sentence);
   /// For the viewer: the oldest of `lines` or `notices`.

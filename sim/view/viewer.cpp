@@ -102,6 +102,16 @@ void Viewer::Add(const ViewMoment& moment) {
   mailbox.news.moments.push_back(moment);
 }
 
+void Viewer::DrawFrame() {
+  ViewMailbox& mailbox = *state_->mailbox;
+  std::unique_lock<std::mutex> lock(mailbox.mutex);
+  const std::size_t number = ++mailbox.asked;
+  mailbox.changed.notify_all();
+  mailbox.changed.wait(lock, [&] {
+    return mailbox.drawn >= number || mailbox.finished || !mailbox.failure.empty();
+  });
+}
+
 void Viewer::SetPanel(std::vector<PanelControl> controls) {
   ViewMailbox& mailbox = *state_->mailbox;
   const std::lock_guard<std::mutex> lock(mailbox.mutex);

@@ -13,8 +13,8 @@
 namespace moontrace {
 
 /// The view of the page, the hand on it and the tutor's panel, drawn by a thread of its own that
-/// does all of OpenGL and of the window. Nothing here ever waits for it, and it never touches the
-/// loop: it is given what to show, and asked. All calls from one thread.
+/// does all of OpenGL and of the window. But for DrawFrame nothing here ever waits for it, and it
+/// never touches the loop: it is given what to show, and asked. All calls from one thread.
 class Viewer {
  public:
   /// Throws LackError, one line: no display, no OpenGL, built without, or the folder of frames
@@ -29,6 +29,10 @@ class Viewer {
   /// The newest instant; those between are not lost to plots and to the tip's path, as long as
   /// there are fewer than 4000 between two frames.
   void Add(const ViewMoment& moment);
+  /// Offline: the next frame shows what was given until now. Waits until it is written, so that the
+  /// same calls write the same frames on every machine. Does nothing behind the last, or once
+  /// nothing is drawn any more.
+  void DrawFrame();
   /// What the panel holds; then its values, one a control, as often as they change.
   void SetPanel(std::vector<PanelControl> controls);
   void SetPanelValues(std::vector<PanelValue> values);

@@ -14,13 +14,18 @@ struct PointerAim {
   bool over_page = false;
 };
 
+/// Of pictures that become a film.
+inline constexpr double kFramesPerSecond = 30;
+
 /// Where the viewer draws.
 struct ViewerOptions {
   /// Empty: into a window. Else into this folder, without a display: frame-00001.png and so on,
   /// `frames_per_second` of them, until `most_frames`.
   std::string frames;
-  double frames_per_second = 30;
+  double frames_per_second = kFramesPerSecond;
   std::size_t most_frames = 18000;
+  /// A frame is drawn whenever Viewer::DrawFrame asks for it, not as time goes by.
+  bool offline = false;
   std::string title = "Moontrace";
   int width = 1280, height = 720;  ///< of the picture, or of the window when it opens [pixels]
   bool high_contrast = false, large_text = false;

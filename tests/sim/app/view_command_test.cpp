@@ -1,5 +1,6 @@
 #include "sim/app/commands.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -133,6 +134,34 @@ TEST_F(SlowViewCommand, AReplayThatIsSeenIsEqualToTheBit) {
   if (!CanDraw(seen)) return;
   EXPECT_EQ(seen.Json()["bit_equal"], true);
   EXPECT_GT(seen.Json()["view"]["frames"], 0);
+}
+
+// Frame k is of k / 30 s of the record. The hand moves all the time, so no two are equal; drawn as
+// time went by, a busy machine gave the same picture twice and others in the next run.
+TEST_F(SlowViewCommand, FramesOfAReplayAreOfItsMomentsToTheByte) {
+  ASSERT_EQ(RunLine({"trace", "i", "--record", In("r")}).code, 0);
+  const Outcome first = RunLine({"replay", In("r"), "--frames", In("f"), "--json"});
+  if (!CanDraw(first)) return;
+  ASSERT_EQ(RunLine({"replay", In("r"), "--frames", In("g"), "--contrast"}).code, 0);
+  ASSERT_EQ(RunLine({"replay", In("r"), "--frames", In("h")}).code, 0);
+  const double seconds = first.Json()["ticks"].get<double>() / 1000;
+  const auto count = static_cast<std::size_t>(seconds * 30);
+  ASSERT_GT(count, 10U);
+  std::string before;
+  std::size_t files = 0, others = 0;
+  for (const auto& entry : fs::directory_iterator(In("f"))) {
+    ++files;
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(ReadAll(In("f/" + name)), ReadAll(In("h/" + name))) << name;
+    others += ReadAll(In("f/" + name)) != ReadAll(In("g/" + name)) ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(files), static_cast<double>(count), 1);
+  EXPECT_EQ(others, files);
+  for (std::size_t k = 1; k <= files; ++k) {
+    const std::string picture = ReadAll(In(fmt::format("f/frame-{:05}.png", k)));
+    EXPECT_NE(picture, before) << k;
+    before = picture;
+  }
 }
 
 TEST_F(ViewCommand, WithoutADisplaySaysSoInOneLineAndGoesOn) {

@@ -117,6 +117,34 @@ TEST_F(ViewerTest, TheFirstFrameIsOfAPage) {
   EXPECT_EQ(BytesOf(folder_ / "frame-00001.png"), page);
 }
 
+// However long the machine takes between them: as many as were asked for, each of its moment.
+TEST_F(ViewerTest, OfflineAFrameIsDrawnWheneverItIsAskedFor) {
+  ViewerOptions options = SmallFrames();
+  options.offline = true;
+  options.frames_per_second = 1000;
+  options.most_frames = 3;
+  Viewer viewer(options);
+  viewer.Show(PageOf("moon"));
+  ViewMoment moment;
+  moment.page = 1;
+  moment.present = true;
+  for (int i = 0; i < 2; ++i) {
+    moment.tip_P = {0.02 + 0.02 * i, 0.04, 0};
+    viewer.Add(moment);
+    viewer.DrawFrame();
+    const std::string number = std::to_string(i + 1);
+    EXPECT_TRUE(fs::exists(folder_ / ("frame-0000" + number + ".png"))) << number;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "frame-00003.png"));
+  viewer.DrawFrame();  // nothing has changed: that picture again
+  EXPECT_NE(BytesOf(folder_ / "frame-00001.png"), BytesOf(folder_ / "frame-00002.png"));
+  EXPECT_EQ(BytesOf(folder_ / "frame-00002.png"), BytesOf(folder_ / "frame-00003.png"));
+  viewer.DrawFrame();  // behind the last
+  viewer.Finish();
+  EXPECT_FALSE(fs::exists(folder_ / "frame-00004.png"));
+}
+
 TEST_F(ViewerTest, AShortRunHasAFrame) {
   Viewer viewer(SmallFrames());
   viewer.Show(PageOf("moon"));
