@@ -151,7 +151,11 @@ void AddOptions(CLI::App& app, LayoutOptions& options) {
   BeginGroup(app, help_group::kPage);
   AddValue(
       app, "--page", "PAPER",
-      [&options](const std::string& given) { options.page = ParsePage(given); }, help::kPaper);
+      [&options](const std::string& given) {
+        options.page = ParsePage(given);
+        options.fitted = false;
+      },
+      help::kPaper);
   AddNumber(app, "--margin-mm", options.margin, 0, kLongest, kMillimetre, help::kMargin);
   AddNumber(app, "--letter-gap-mm", options.letter_gap, 0, kLongest, kMillimetre, help::kLetterGap);
   AddNumber(app, "--word-gap-mm", options.word_gap, 0, kLongest, kMillimetre, help::kWordGap);

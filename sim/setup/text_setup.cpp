@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/setup/fitted_sheet.h"
 #include "sim/setup/link_options.h"
 #include "sim/setup/model_messages.h"
 #include "sim/setup/setup_messages.h"
@@ -99,6 +100,9 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   if (request.room.x < sheet.width || request.room.y < sheet.height) sheet.name = "custom";
   sheet = CutTo(request.room, sheet, kDeviceMargin, margin_given);
   setup.set = SetText(setup.text, setup.script, style, sheet);
+  if (request.layout.fitted && sheet.name == LayoutOptions().page.name) {
+    FitSheet(setup.set, setup.script);
+  }
   const std::size_t signs = CountSigns(setup.set);
   if (signs > kMostSigns) throw InputError(say::TooLong(signs, kMostSigns));
   KeepLinks(setup.set, setup.script, console);

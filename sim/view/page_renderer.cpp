@@ -207,7 +207,7 @@ struct PageRenderer::State {
     const int y = rect.bottom + static_cast<int>(share->y * rect.height) - height / 2;
     const bool inside = x >= rect.left && y >= rect.bottom && x + width <= rect.left + rect.width &&
                         y + height <= rect.bottom + rect.height;
-    if (inside) WriteText(print.text, x, y, width, print.big, {0.35, 0.12, 0.30}, context);
+    if (inside) WriteText(print.text, x, y, width, print.big, view_color::kPrint, context);
   }
 
   /// Below the surface, wherever it does not reach.

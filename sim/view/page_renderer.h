@@ -16,13 +16,15 @@ struct mjrContext_;
 
 namespace moontrace {
 
-/// Colours that colour-blind people tell apart (Okabe and Ito, 2008).
+/// Colours that colour-blind people tell apart (after Okabe and Ito, 2008), dark enough to be seen
+/// on paper: contrast of 3 and more, the print of 4.5 (WCAG 2.1 AA).
 namespace view_color {
 inline constexpr Color kForce{0.00, 0.45, 0.70};      ///< blue
-inline constexpr Color kGuidance{0.90, 0.62, 0.00};   ///< orange
-inline constexpr Color kOnStroke{0.00, 0.62, 0.45};   ///< bluish green
-inline constexpr Color kOffStroke{0.84, 0.37, 0.00};  ///< vermilion
-inline constexpr Color kLetter{0.80, 0.47, 0.65};     ///< reddish purple
+inline constexpr Color kGuidance{0.72, 0.44, 0.00};   ///< orange
+inline constexpr Color kOnStroke{0.00, 0.55, 0.40};   ///< bluish green
+inline constexpr Color kOffStroke{0.80, 0.30, 0.00};  ///< vermilion
+inline constexpr Color kLetter{0.70, 0.36, 0.56};     ///< reddish purple
+inline constexpr Color kPrint{0.35, 0.12, 0.30};      ///< letters for the sighted
 }  // namespace view_color
 
 /// What is drawn over the page, frame P.

@@ -12,6 +12,7 @@
 
 #include "sim/picture/field_shading.h"
 #include "sim/view/gl_headless.h"
+#include "tests/sim/contrast.h"
 #include "textures/base/error.h"
 #include "textures/fonts/script_library.h"
 #include "textures/relief/glyph_group.h"
@@ -94,6 +95,26 @@ TEST_F(PageRendererTest, MarksLieWhereTheirPointsOfThePageAre) {
     // half of the ball is below the paper when seen aslant: within its radius of 0.9 %
     EXPECT_NEAR(seen.x, share.x, 0.005);
     EXPECT_NEAR(seen.y, share.y, 0.012);
+  }
+}
+
+// Before, the push had 2.0 and the letter that is meant 2.8.
+TEST(ViewColor, MarksAreSeenOnThePaper) {
+  for (const PageShade& shade : {PageShade{}, HighContrastShade()}) {
+    for (const Color& relief : {shade.groove, shade.ridge}) {
+      EXPECT_GE(Contrast(relief, shade.paper), kContrastOfGraphics);
+    }
+    for (const Color& mark : {view_color::kForce, view_color::kGuidance, view_color::kLetter}) {
+      EXPECT_GE(Contrast(mark, shade.paper), kContrastOfGraphics);
+    }
+    for (int i = 0; i <= 10; ++i) {  // the tip's way, from on the stroke to beside it
+      const Color &on = view_color::kOnStroke, &off = view_color::kOffStroke;
+      const double t = i / 10.0;
+      const Color between{on.red + t * (off.red - on.red), on.green + t * (off.green - on.green),
+                          on.blue + t * (off.blue - on.blue)};
+      EXPECT_GE(Contrast(between, shade.paper), kContrastOfGraphics) << i;
+    }
+    EXPECT_GE(Contrast(view_color::kPrint, shade.paper), kContrastOfText);
   }
 }
 
