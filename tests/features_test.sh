@@ -6,7 +6,7 @@ set -euo pipefail
 program=$1
 shift
 declare -A function_of=([cairo]=cairo_create [hidapi]=hid_enumerate [louis]=lou_translate
-  [portaudio]=Pa_OpenStream [sqlite]=sqlite3_prepare_v2 [egl]=eglInitialize [glfw]=glfwInit
+  [portaudio]=Pa_OpenStream [sqlite]=sqlite3_prepare_v2 [egl]=eglInitialize [imgui]=ImGui [glfw]=glfwInit
   [hyphen]=hnj_hyphen_load)
 for library in "$@"; do
   name=${function_of[$library]:?$library: no function of it is known here}

@@ -39,6 +39,7 @@ check_rooms() {
       library["liblouis.h"] = "PkgConfig::louis"; library["sqlite3.h"] = "PkgConfig::sqlite"
       library["hyphen.h"] = "hyphen::hyphen"; library["cairo.h"] = "PkgConfig::cairo"; library["portaudio.h"] = "PkgConfig::portaudio"
       library["EGL/"] = "PkgConfig::egl"; library["GLFW/"] = "PkgConfig::glfw"
+      library["imgui.h"] = library["backends/"] = "PkgConfig::imgui"; library["fontconfig/"] = "PkgConfig::fontconfig"
     }
     {
       file = $1; name = $2; folder = file; sub(/\/[^\/]*$/, "", folder)

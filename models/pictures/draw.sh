@@ -7,10 +7,9 @@ here=$(dirname "$(realpath "$0")")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-"$program" view abcdefghijklmnopqrstuvwxyz --size-mm 14 --page 220x105 --margin-mm 10 \
-  --line-pitch-mm 27 --picture "$here/alphabet.png"
+"$program" view abcdefghijklmnopqrstuvwxyz --line-pitch-mm 25 --picture "$here/alphabet.png"
 "$program" view 'The moon is bright tonight, and the sea is still.' \
-  --size-mm 10 --page 190x130 --margin-mm 12 --seconds 16 --picture "$here/page.png"
+  --size-mm 10 --line-pitch-mm 20 --seconds 16 --picture "$here/page.png"
 
 # A lesson, some seconds of it: a tutor goes to the first letters, and gives help.
 export XDG_RUNTIME_DIR=$work

@@ -90,7 +90,6 @@ void AddOptions(CLI::App& app, ViewCommandOptions& options) {
   AddLoopOptions(app, options);
   options.layout.fitted = true;
   Redescribe(app, "--device", say::help::kViewDevice);
-  Redescribe(app, "--page", say::help::kViewPage);
   BeginGroup(app, help_group::kView);
   AddPath(app, "--picture", "F.png", options.picture, say::help::kViewPicture);
   AddLookOptions(app, options.view);

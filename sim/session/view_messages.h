@@ -54,9 +54,6 @@ inline constexpr const char* kViewText = "the text; - reads standard input. Defa
 inline constexpr const char* kViewDevice =
     "what moves the tip: mouse, simulated, or a name that devices lists. Default the mouse in a "
     "window, else simulated.";
-inline constexpr const char* kViewPage =
-    "a4, a5, workspace (160 by 120 mm) or width x height in mm like 120x80. Default a sheet with "
-    "the text in its middle, for a long text a4.";
 }  // namespace help
 
 }  // namespace moontrace::say

@@ -16,7 +16,7 @@ void FitSheet(Typeset& set, const Script& script) {
   }
   const glm::dvec2 size = text.max - text.min;
   const double side = std::max(size.x, size.y) + 2 * set.page.margin;
-  if (side > set.page.width) return;
+  if (size.y + 2 * set.page.margin > set.page.width) return;
   const glm::dvec2 shift = 0.5 * (glm::dvec2(side, side) - text.min - text.max);
   for (PlacedGlyph& placed : page.glyphs) placed.origin_P += shift;
   set.page.name = "custom";

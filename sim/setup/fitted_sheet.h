@@ -6,8 +6,8 @@
 namespace moontrace {
 
 /// A text of one page lies in the middle of a square sheet that it fills but for the margins, as
-/// long as that is no wider than the sheet it was set on; else all stays as it is. Before links are
-/// looked for.
+/// long as it is no higher than the sheet that it was set on is wide, margins included; else all
+/// stays as it is. Before links are looked for.
 void FitSheet(Typeset& set, const Script& script);
 
 }  // namespace moontrace

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "sim/physics/mujoco_compat.h"
-#include "sim/view/view_text.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -135,12 +134,8 @@ void AddMarks(mjvScene& scene, const PageCamera& camera, const ViewMarks& marks)
   if (marks.proxy_P) pen.Ball(*marks.proxy_P, 0.7 * unit, view_color::kForce, 1);
   if (!marks.tip_P) return;
   const glm::dvec3 tip = *marks.tip_P;
-  pen.Ball(tip, 0.5 * unit, {0.1, 0.1, 0.1}, 0.9);
-  // Above the paper, which is drawn flat and would hide what lies in a groove. The stylus leans
-  // away from the reader's eye and to the right, so that it hides little.
+  // above the paper, which is drawn flat and would hide what lies in a groove
   const glm::dvec3 foot(tip.x, tip.y, std::max(tip.z, 0.0));
-  pen.Segment(foot, foot + 22 * unit * glm::normalize(glm::dvec3(0.5, -0.45, 0.9)), mjGEOM_CAPSULE,
-              0.35 * unit, {0.25, 0.28, 0.33});
   const glm::dvec3 seen = foot + glm::dvec3(0, 0, 0.8 * unit);
   pen.Arrow(seen, marks.force_P, view_color::kForce);
   pen.Arrow(seen, marks.guidance_P, view_color::kGuidance);
@@ -170,7 +165,7 @@ struct PageRenderer::State {
       scene.flags[flag] = 0;
     }
     mjr_defaultContext(&context);
-    mjr_makeContext(m.get(), &context, size.font);
+    mjr_makeContext(m.get(), &context, mjFONTSCALE_50);
   }
   ~State() {
     mjr_freeContext(&context);
@@ -194,20 +189,6 @@ struct PageRenderer::State {
     if (!Contains(surface_P, seen.min) || !Contains(surface_P, seen.max)) LayDesk();
     AddMarks(scene, camera, marks);
     mjr_render(rect, &scene, &context);
-    for (const ViewMarks::Print& print : marks.print) Write(print, camera, rect);
-  }
-
-  void Write(const ViewMarks::Print& print, const PageCamera& camera, mjrRect rect) const {
-    const double aspect = static_cast<double>(rect.width) / rect.height;
-    const std::optional<glm::dvec2> share = ShareOf(camera, aspect, print.at_P);
-    if (!share || share->x < 0 || share->x > 1 || share->y < 0 || share->y > 1) return;
-    const int width = TextWidth(print.text, print.big, context);
-    const int height = print.big ? context.charHeightBig : context.charHeight;
-    const int x = rect.left + static_cast<int>(share->x * rect.width) - width / 2;
-    const int y = rect.bottom + static_cast<int>(share->y * rect.height) - height / 2;
-    const bool inside = x >= rect.left && y >= rect.bottom && x + width <= rect.left + rect.width &&
-                        y + height <= rect.bottom + rect.height;
-    if (inside) WriteText(print.text, x, y, width, print.big, view_color::kPrint, context);
   }
 
   /// Below the surface, wherever it does not reach.
@@ -240,7 +221,6 @@ PageRenderer::PageRenderer(PageRenderer&&) noexcept = default;
 PageRenderer& PageRenderer::operator=(PageRenderer&&) noexcept = default;
 
 const RendererSize& PageRenderer::size() const { return state_->size; }
-mjrContext_& PageRenderer::context() { return state_->context; }
 
 void PageRenderer::SetSurface(const Raster& raster, const Box& covers_P) {
   mjModel& m = *state_->m;

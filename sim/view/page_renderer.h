@@ -12,8 +12,6 @@
 #include "sim/view/page_camera.h"
 #include "textures/field/element.h"
 
-struct mjrContext_;
-
 namespace moontrace {
 
 /// Colours that colour-blind people tell apart (after Okabe and Ito, 2008), dark enough to be seen
@@ -27,7 +25,7 @@ inline constexpr Color kLetter{0.70, 0.36, 0.56};     ///< reddish purple
 inline constexpr Color kPrint{0.35, 0.12, 0.30};      ///< letters for the sighted
 }  // namespace view_color
 
-/// What is drawn over the page, frame P.
+/// What is drawn over the page, frame P: here, and as DrawPageOverlay `print` and the stylus.
 struct ViewMarks {
   std::optional<glm::dvec3> tip_P, proxy_P;  ///< [m]
   glm::dvec3 force_P{0, 0, 0};               ///< on the hand [N]
@@ -44,7 +42,7 @@ struct ViewMarks {
   std::vector<std::vector<Piece>> stroke_P;  ///< the current stroke's centre line [m]
   struct Print {
     glm::dvec2 at_P{0, 0};  ///< its middle [m]
-    std::string text;       ///< printable ASCII
+    std::string text;       ///< UTF-8
     bool big = false;
   };
   std::vector<Print> print;  ///< letters for the sighted
@@ -53,7 +51,6 @@ struct ViewMarks {
 /// What a renderer is made for.
 struct RendererSize {
   int width = 0, height = 0;  ///< of the picture, and the most that a surface has [points]
-  int font = 150;             ///< 50, 100 ... 300 % of MuJoCo's letters
 };
 
 /// Draws the page by MuJoCo's renderer into whatever OpenGL context is current when it is made; all
@@ -82,9 +79,6 @@ class PageRenderer {
   Raster Picture();
   /// All of the picture drawn with these.
   Raster DrawToPicture(const PageCamera& camera, const ViewMarks& marks);
-
-  /// For what else MuJoCo draws there: figures, panels, letters.
-  mjrContext_& context();
 
  private:
   struct State;

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "sim/view/view_text.h"
+#include "textures/base/text_file.h"
 
 namespace moontrace {
 
@@ -76,8 +76,8 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
     const ViewPage::Letter& letter = page.letters[i];
     const double em = letter.box_P.max.y - letter.box_P.min.y;
     if (em * points < 1.7 * print_height || !Overlap(letter.box_P, seen)) continue;
-    std::string text = AsciiOf(letter.print, "");
-    if (text.empty()) continue;
+    std::string text = OneLine(letter.print);
+    if (text.find_first_not_of(' ') == std::string::npos) continue;
     const Box& above = drawn[i].min.x <= drawn[i].max.x ? drawn[i] : letter.box_P;
     const glm::dvec2 at(0.5 * (above.min.x + above.max.x), letter.box_P.min.y - kGap * em);
     marks.print.push_back({at, std::move(text), em * points > 2.5 * big_print_height});

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/view/canvas.h"
+#include "sim/view/page_overlay.h"
 #include "sim/view/page_renderer.h"
 #include "sim/view/surface_worker.h"
 #include "sim/view/view_marks.h"
+#include "sim/view/view_plots.h"
 #include "sim/view/view_text.h"
 
 namespace moontrace {
@@ -20,10 +23,10 @@ using Clock = std::chrono::steady_clock;
 
 // a slow reader: 16 letters a second
 constexpr std::chrono::milliseconds kReadLine(3000), kReadLetter(60);
-constexpr int kFont = 100, kLargeFont = 150;  // [%]
-constexpr int kPlotsWidth = 280;              // at 100 % [points]
-constexpr double kLeastShare = 0.6;           // of the view that a page's letters fill
-constexpr int kRowGap = 10;                   // between the lower edge's lines [points]
+constexpr int kLetter = 16, kLargeLetter = 24;  // heights [points]
+constexpr int kPlotsWidth = 17;                 // in heights of a small letter
+constexpr double kLeastShare = 0.6;             // of the view that a page's letters fill
+constexpr int kRowGap = 8;                      // between the lower edge's lines [points]
 constexpr int kGrowBy = 256;  // a window's renderer is made for a little more [points]
 
 int RoundUp(int value) { return (value + kGrowBy - 1) / kGrowBy * kGrowBy; }
@@ -58,14 +61,15 @@ struct ViewPainter::State {
   int width, height;
   ViewLook look;
   std::optional<PageRenderer> renderer;
+  std::optional<Canvas> canvas;
   ViewPanel panel;
-  ViewPlots plots;
   ViewHistory history;
   std::shared_ptr<const ViewPage> page;
   PageCamera camera;
   bool camera_moved = false;  // by someone: a new page leaves it
   bool follow = false;
   ViewLayout layout;
+  int letter = 0;                       // height of a small one on the canvas [points]
   std::string talk, line, typed, hint;  // all lines that came together, and their last
   Clock::time_point read_by;
   bool reading = false;  // when it was drawn last
@@ -81,7 +85,7 @@ struct ViewPainter::State {
   State(bool to_window, int to_width, int to_height, const ViewLook& to_look)
       : window(to_window), width(to_width), height(to_height), look(to_look) {}
 
-  int Font() const { return look.large_text ? kLargeFont : kFont; }
+  void MakeCanvas();
   void MakeRenderer();
   void Arrange();
   void WishSurface();
@@ -90,29 +94,37 @@ struct ViewPainter::State {
   void Follow();
   void DrawTalk(int x, int y, int room);
   void DrawText();
+  void DrawOver(const ViewMarks& marks);
 };
 
 void ViewPainter::State::MakeRenderer() {
-  RendererSize size{std::max(width, 1), std::max(height, 1), Font()};
-  if (window) size = {RoundUp(size.width), RoundUp(size.height), size.font};
+  RendererSize size{std::max(width, 1), std::max(height, 1)};
+  if (window) size = {RoundUp(size.width), RoundUp(size.height)};
   renderer.reset();  // its memory first
   renderer.emplace(size);
   renderer->Aim(window);
-  panel.Prepare(renderer->context(), ColorsOf(look));
   wished.reset();  // the new one has no surface
   drawn = 0;
   drawn_page.reset();
 }
 
+/// Letters of the height that the look wants.
+void ViewPainter::State::MakeCanvas() {
+  canvas.reset();
+  canvas.emplace(look.large_text ? kLargeLetter : kLetter);
+  letter = canvas->TextHeight(false);
+}
+
 /// Brings renderer and layout up to date with size and look.
 void ViewPainter::State::Arrange() {
-  const bool fits = renderer && renderer->size().font == Font() &&
-                    renderer->size().width >= width && renderer->size().height >= height;
+  const bool fits =
+      renderer && renderer->size().width >= width && renderer->size().height >= height;
   if (!fits) MakeRenderer();
-  const mjrContext& context = renderer->context();
-  const int rows = context.charHeightBig + context.charHeight + 2 * kRowGap;
+  if (!canvas || letter != (look.large_text ? kLargeLetter : kLetter)) MakeCanvas();
+  panel.Prepare(letter, ColorsOf(look));
+  const int rows = canvas->TextHeight(true) + letter + 2 * kRowGap;
   const int text_height = window || !line.empty() ? rows : 0;
-  const int plots_width = look.plots ? kPlotsWidth * (Font() + 100) / 200 : 0;
+  const int plots_width = look.plots ? kPlotsWidth * (letter + kLetter) / 2 : 0;
   layout = LayoutOf(width, height, look.panel ? panel.width() : 0, plots_width, text_height);
   const PageShade shade = look.high_contrast ? HighContrastShade() : PageShade{};
   renderer->SetDesk(shade.desk);
@@ -172,19 +184,20 @@ void ViewPainter::State::Follow() {
 /// the page.
 void ViewPainter::State::DrawTalk(int x, int y, int room) {
   const ViewColors colors = ColorsOf(look);
-  const mjrContext& context = renderer->context();
   reading = Clock::now() < read_by;
   const std::string& told = reading ? talk : line;
-  if (TextWidth(told, true, context) <= room) {
-    return WriteText(told, x, y, room, true, colors.text, context);
+  if (canvas->TextWidth(told, true) <= room) {
+    return WriteText(told, x, y, room, true, colors.text, *canvas);
   }
-  const int row = context.charHeight + kRowGap / 2;
+  const int row = letter + kRowGap / 2;
   const int most = reading ? std::max(layout.page.height / 2 / row, 1) : 1;
-  const std::vector<std::string> rows = RowsOf(told, room, static_cast<std::size_t>(most), context);
+  const auto width_of = [this](std::string_view text) { return canvas->TextWidth(text, false); };
+  const std::vector<std::string> rows =
+      RowsOf(told, room, static_cast<std::size_t>(most), width_of);
   const int top = y + static_cast<int>(rows.size()) * row;
-  FillBox({layout.text.x, y, layout.text.width, top - y}, colors.back);
+  canvas->Fill({layout.text.x, y, layout.text.width, top - y}, colors.back);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    WriteText(rows[i], x, top - static_cast<int>(i + 1) * row, room, false, colors.text, context);
+    WriteText(rows[i], x, top - static_cast<int>(i + 1) * row, room, false, colors.text, *canvas);
   }
 }
 
@@ -192,19 +205,37 @@ void ViewPainter::State::DrawText() {
   reading = false;
   if (layout.text.empty()) return;
   const ViewColors colors = ColorsOf(look);
-  const mjrContext& context = renderer->context();
   const PixelBox& box = layout.text;
-  FillBox(box, colors.back);
+  canvas->Fill(box, colors.back);
   const int x = box.x + kRowGap, room = box.width - 2 * kRowGap;
-  const int hint_width = TextWidth(hint, false, context);
+  const int hint_width = canvas->TextWidth(hint, false);
   const int low = box.y + kRowGap / 2;
-  DrawTalk(x, low + context.charHeight + kRowGap, room);
-  WriteText(hint, x + room - hint_width, low, hint_width, false, colors.text, context);
+  DrawTalk(x, low + letter + kRowGap / 2, room);
+  WriteText(hint, x + room - hint_width, low, hint_width, false, colors.text, *canvas);
   // of a long line the end is what is being typed
-  std::string writing = typed.empty() ? std::string() : "> " + AsciiOf(typed, "?") + "_";
+  std::string writing = typed.empty() ? std::string() : "> " + typed + "_";
   const int left = room - hint_width - kRowGap;
-  while (!writing.empty() && TextWidth(writing, false, context) > left) writing.erase(0, 1);
-  WriteText(writing, x, low, left, false, colors.text, context);
+  while (!writing.empty() && canvas->TextWidth(writing, false) > left) DropFirst(writing);
+  WriteText(writing, x, low, left, false, colors.text, *canvas);
+}
+
+/// All that stands over and round the page. Twice, since controls know where they are, how far they
+/// scroll, and what the mouse is over only behind a first time.
+void ViewPainter::State::DrawOver(const ViewMarks& marks) {
+  canvas->Begin(width, height, panel.mouse());
+  panel.Draw(layout.panel, *canvas);
+  canvas->End(false);
+  canvas->Begin(width, height, panel.mouse());
+  if (page && !layout.page.empty()) {
+    DrawPageOverlay(marks, camera, layout.page, *canvas);
+  } else {
+    canvas->Fill(layout.page, ColorsOf(look).back);
+  }
+  if (!layout.plots.empty()) DrawPlots(history, look, layout.plots, *canvas);
+  DrawText();
+  canvas->Fill(layout.panel, ColorsOf(look).back);
+  panel.Draw(layout.panel, *canvas);
+  canvas->End(true);
 }
 
 ViewPainter::ViewPainter(bool window, int width, int height, const ViewLook& look)
@@ -233,8 +264,8 @@ void ViewPainter::ShowLines(std::vector<std::string> lines) {
   if (lines.empty()) return;
   State& s = *state_;
   const bool first = s.line.empty();
-  s.talk = AsciiOf(fmt::format("{}", fmt::join(lines, " ")), "?");
-  s.line = AsciiOf(lines.back(), "?");
+  s.talk = fmt::format("{}", fmt::join(lines, " "));
+  s.line = lines.back();
   s.read_by = Clock::now() + kReadLine + kReadLetter * s.talk.size();
   if (first) s.Arrange();
   s.changed = true;
@@ -253,7 +284,6 @@ void ViewPainter::SetHint(std::string_view hint) {
 void ViewPainter::SetControls(std::vector<PanelControl> controls) {
   State& s = *state_;
   s.panel.SetControls(std::move(controls));
-  s.panel.Prepare(s.renderer->context(), ColorsOf(s.look));
   s.Arrange();
   if (s.page && !s.camera_moved) s.camera = FirstView(*s.page, aspect());
   s.changed = true;
@@ -274,9 +304,7 @@ const PageCamera& ViewPainter::camera() const { return state_->camera; }
 void ViewPainter::SetLook(const ViewLook& look) {
   State& s = *state_;
   if (s.look == look) return;
-  const bool colors = s.look.high_contrast != look.high_contrast;
   s.look = look;
-  if (colors) s.panel.Prepare(s.renderer->context(), ColorsOf(look));
   s.Arrange();
   s.changed = true;
 }
@@ -293,7 +321,7 @@ void ViewPainter::Resize(int width, int height) {
 
 void ViewPainter::PanelEvent(const WindowEvent& event, double now) {
   State& s = *state_;
-  s.panel.Handle(event, s.layout.panel, s.renderer->context(), now);
+  s.panel.Handle(event, s.layout.panel, *s.canvas, {s.width, s.height}, now);
 }
 
 double ViewPainter::aspect() const {
@@ -339,23 +367,16 @@ void ViewPainter::Draw() {
   s.TakeSurface();
   s.renderer->Aim(s.window);
   const PixelBox& box = s.layout.page;
-  const ViewColors colors = ColorsOf(s.look);
+  ViewMarks marks;
   if (s.page && !box.empty()) {
-    ViewMarks marks;
     // while the grooves are still those of the page before, marks would be of other letters
     if (s.drawn_page == s.page) {
-      marks = MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print, box.height,
-                      s.renderer->context().charHeight, s.renderer->context().charHeightBig);
+      marks = MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print, box.height, s.letter,
+                      s.canvas->TextHeight(true));
     }
     s.renderer->Draw(s.camera, marks, box.x, box.y, box.width, box.height);
-  } else if (!box.empty()) {
-    FillBox(box, colors.back);
   }
-  s.panel.Draw(s.layout.panel, s.renderer->context());
-  if (!s.layout.plots.empty()) {
-    s.plots.Draw(s.history, colors, s.layout.plots, s.renderer->context());
-  }
-  s.DrawText();
+  s.DrawOver(marks);
   s.changed = false;
   if (s.drawn == s.wishes && s.wished_at != Clock::time_point{}) {
     mjr_finish();

@@ -12,7 +12,6 @@
 #include "sim/view/view_history.h"
 #include "sim/view/view_look.h"
 #include "sim/view/view_panel.h"
-#include "sim/view/view_plots.h"
 
 namespace moontrace {
 

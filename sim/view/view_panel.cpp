@@ -1,18 +1,13 @@
 #include "sim/view/view_panel.h"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <deque>
 #include <utility>
 
-#include "sim/view/view_look.h"
-#include "sim/view/view_text.h"
-#include "textures/base/text_file.h"
+#ifdef MOONTRACE_HAVE_IMGUI
+#include <imgui.h>
+#endif
 
 namespace moontrace {
 
@@ -20,15 +15,9 @@ namespace {
 
 constexpr double kKeep = 0.7;      // a change made here outweighs the values that come [s]
 constexpr double kSayEvery = 0.1;  // of a dragged slider [s]
-constexpr int kAux = 0, kRect = 1;
+constexpr double kWidth = 21.5;    // of the panel, in heights of a letter
 
 using Kind = PanelControl::Kind;
-
-template <std::size_t N>
-void Copy(char (&to)[N], const std::string& text) {
-  std::memset(to, 0, N);
-  std::strncpy(to, text.c_str(), N - 1);
-}
 
 bool CanFocus(Kind kind) {
   return kind == Kind::kSlider || kind == Kind::kChoice || kind == Kind::kButton;
@@ -37,17 +26,9 @@ bool CanFocus(Kind kind) {
 }  // namespace
 
 struct ViewPanel::State {
-  std::unique_ptr<mjUI> ui = std::make_unique<mjUI>();  // 1 to 3 MB
-  mjuiState mouse{};
+  CanvasMouse mouse;
   std::vector<PanelControl> controls;
-  std::vector<PanelValue> told;
-  // what the controls point to, one a control
-  std::vector<mjtNum> numbers;
-  std::vector<int> choices;
-  struct Place {
-    int section = -1, item = -1;
-  };
-  std::vector<Place> places;
+  std::vector<PanelValue> told, shown;  ///< one a control, what came and what is seen
   std::vector<double> kept_until;
   std::vector<std::string> said;
   struct Pending {
@@ -55,140 +36,47 @@ struct ViewPanel::State {
     bool dragged = false;
   };
   std::optional<Pending> pending;
-  double said_at = -1;
+  double said_at = -1, now = 0;
   std::deque<std::string> lines;
   std::optional<std::size_t> focus;
-  int height = 0;  // of the panel when it was drawn last [points]
+  bool reveal = false;  // the focused control shall be seen
   ViewColors colors;
-  mjrContext* context = nullptr;  // it was prepared for
-  bool redraw = true;             // the picture of the controls
-  bool changed = true;            // what is shown
+  int width = 0;
+  bool changed = true;
 
-  void Build();
-  void AddItem(std::size_t index, int section);
-  std::string Fitting(const std::string& text) const;
   void Apply();
-  std::optional<std::size_t> ControlOf(const mjuiItem* item) const;
-  const mjuiItem& ItemOf(std::size_t control) const {
-    const Place& place = places[control];
-    return ui->sect[place.section].item[place.item];
-  }
-  PanelValue Now(std::size_t control) const { return {numbers[control], choices[control], {}}; }
-  void Touched(std::size_t control, bool dragged, double now);
-  void SayPending(double now);
+  void Touched(std::size_t control, bool dragged);
+  void SayPending();
+  // the controls as they are drawn and asked, within a canvas's frame
+  void Build(const PixelBox& box, const Canvas& canvas);
+  void Row(std::size_t index);
+  void Slider(std::size_t index);
+  void Choice(std::size_t index);
+  void Button(std::size_t index);
   void ShowFocus();
-  int BottomOf(std::size_t control) const {
-    return height - ui->height + ui->scroll + ItemOf(control).rect.bottom;
-  }
-  void Reveal(std::size_t control);
 };
-
-void ViewPanel::State::AddItem(std::size_t index, int section) {
-  const PanelControl& control = controls[index];
-  const auto def = std::make_unique<std::array<mjuiDef, 2>>();
-  std::memset(def->data(), 0, sizeof *def);
-  mjuiDef& item = def->front();
-  item.state = 1;
-  std::string label = control.label;
-  switch (control.kind) {
-    case Kind::kHeading:
-    case Kind::kText:
-      item.type = mjITEM_STATIC;
-      Copy(item.other, " ");
-      break;
-    case Kind::kSlider:
-      item.type = mjITEM_SLIDERNUM;
-      item.pdata = &numbers[index];
-      std::snprintf(item.other, sizeof item.other, "%.9g %.9g", control.low, control.high);
-      if (!control.unit.empty()) label += " " + control.unit;
-      break;
-    case Kind::kChoice: {
-      item.type = mjITEM_RADIO;
-      item.pdata = &choices[index];
-      std::string names;
-      for (const std::string& choice : control.choices) {
-        if (!names.empty()) names += '\n';
-        names += OneLine(choice, mjMAXUINAME - 1);
-      }
-      Copy(item.other, names);
-      break;
-    }
-    case Kind::kButton:
-      item.type = mjITEM_BUTTON;
-      break;
-  }
-  Copy(item.name, OneLine(label, mjMAXUINAME - 1));
-  (*def)[1].type = mjITEM_END;
-  if (ui->sect[section].nitem >= mjMAXUIITEM) return;
-  mjui_addToSection(ui.get(), section, def->data());
-  places[index] = {section, ui->sect[section].nitem - 1};
-}
-
-void ViewPanel::State::Build() {
-  std::memset(static_cast<void*>(ui.get()), 0, sizeof *ui);
-  ui->rectid = kRect;
-  ui->auxid = kAux;
-  ui->radiocol = 2;
-  SetTheme(*ui, colors);
-  places.assign(controls.size(), {});
-  for (std::size_t i = 0; i < controls.size(); ++i) {
-    const bool heading = controls[i].kind == Kind::kHeading;
-    if ((heading || ui->nsect == 0) && ui->nsect < mjMAXUISECT) {
-      const auto def = std::make_unique<std::array<mjuiDef, 2>>();
-      std::memset(def->data(), 0, sizeof *def);
-      def->front().type = mjITEM_SECTION;
-      def->front().state = 1;
-      Copy(def->front().name, heading ? OneLine(controls[i].label, mjMAXUINAME - 1) : " ");
-      (*def)[1].type = mjITEM_END;
-      mjui_add(ui.get(), def->data());
-      if (heading) continue;
-    }
-    AddItem(i, ui->nsect - 1);
-  }
-  Apply();
-}
-
-/// What there is room for behind a label.
-std::string ViewPanel::State::Fitting(const std::string& text) const {
-  std::string line = OneLine(text, mjMAXUINAME - 1);
-  if (context == nullptr) return line;
-  return RowsOf(AsciiOf(line, "?"), TextRoom(*context), 1, *context).front();
-}
 
 /// The values that have come are shown.
 void ViewPanel::State::Apply() {
   for (std::size_t i = 0; i < std::min(told.size(), controls.size()); ++i) {
-    if (kept_until[i] > 0) continue;
-    numbers[i] = told[i].number;
-    choices[i] = told[i].choice;
-    if (controls[i].kind == Kind::kText && places[i].section >= 0) {
-      mjuiItem& item = ui->sect[places[i].section].item[places[i].item];
-      Copy(item.multi.name[0], Fitting(told[i].text));
-    }
+    if (kept_until[i] <= 0) shown[i] = told[i];
   }
-  redraw = changed = true;
+  changed = true;
 }
 
-std::optional<std::size_t> ViewPanel::State::ControlOf(const mjuiItem* item) const {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (places[i].section >= 0 && &ItemOf(i) == item) return i;
-  }
-  return std::nullopt;
-}
-
-void ViewPanel::State::Touched(std::size_t control, bool dragged, double now) {
+void ViewPanel::State::Touched(std::size_t control, bool dragged) {
   kept_until[control] = now + kKeep;
-  redraw = changed = true;
-  if (pending && pending->control != control) SayPending(now);
+  changed = true;
+  if (pending && pending->control != control) SayPending();
   pending = Pending{control, dragged};
-  if (!dragged) SayPending(now);
+  if (!dragged) SayPending();
 }
 
-void ViewPanel::State::SayPending(double now) {
+void ViewPanel::State::SayPending() {
   if (!pending) return;
   const std::size_t control = pending->control;
   pending.reset();
-  std::string line = LineOf(controls[control], Now(control));
+  std::string line = LineOf(controls[control], shown[control]);
   const bool button = controls[control].kind == Kind::kButton;
   if (line.empty() || (!button && line == said[control])) return;
   said[control] = line;
@@ -196,14 +84,179 @@ void ViewPanel::State::SayPending(double now) {
   lines.push_back(std::move(line));
 }
 
-/// Scrolls as far as it must so that all of a control is seen.
-void ViewPanel::State::Reveal(std::size_t control) {
-  constexpr int kMargin = 12;
-  const int bottom = BottomOf(control), top = bottom + ItemOf(control).rect.height;
-  if (bottom < kMargin) ui->scroll += kMargin - bottom;
-  if (top > height - kMargin) ui->scroll -= top - (height - kMargin);
-  ui->scroll = std::clamp(ui->scroll, 0, std::max(ui->height - height, 0));
+#ifdef MOONTRACE_HAVE_IMGUI
+
+namespace {
+
+constexpr float kLabelWidth = 7.2F;  // in heights of a letter
+
+/// Of the slider's steps.
+double Stepped(const PanelControl& slider, double value) {
+  if (slider.step <= 0) return std::clamp(value, slider.low, slider.high);
+  const double steps = std::round((value - slider.low) / slider.step);
+  return std::clamp(slider.low + steps * slider.step, slider.low, slider.high);
 }
+
+ImVec4 ColorOf(const Color& color) {
+  return {static_cast<float>(color.red), static_cast<float>(color.green),
+          static_cast<float>(color.blue), 1};
+}
+
+void SetTheme(ImGuiStyle& style, const ViewColors& colors, float em) {
+  style.WindowPadding = {0.7F * em, 0.7F * em};
+  style.FramePadding = {0.5F * em, 0.22F * em};
+  style.ItemSpacing = {0.45F * em, 0.42F * em};
+  style.WindowBorderSize = 0;
+  style.WindowRounding = 0;
+  style.FrameBorderSize = 1;
+  style.FrameRounding = style.GrabRounding = style.ScrollbarRounding = 0.22F * em;
+  style.GrabMinSize = 0.9F * em;
+  style.ScrollbarSize = 0.8F * em;
+  ImVec4* const color = style.Colors;
+  color[ImGuiCol_WindowBg] = color[ImGuiCol_ScrollbarBg] = ColorOf(colors.back);
+  color[ImGuiCol_Text] = ColorOf(colors.text);
+  color[ImGuiCol_Border] = color[ImGuiCol_Separator] = ColorOf(colors.edge);
+  color[ImGuiCol_ScrollbarGrab] = color[ImGuiCol_ScrollbarGrabHovered] =
+      color[ImGuiCol_ScrollbarGrabActive] = ColorOf(colors.edge);
+  for (const int part : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                         ImGuiCol_Button, ImGuiCol_ButtonHovered}) {
+    color[part] = ColorOf(colors.button);
+  }
+  for (const int part : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_ButtonActive}) {
+    color[part] = ColorOf(colors.chosen);
+  }
+}
+
+/// How many of the buttons with these names stand side by side.
+int SideBySide(const std::vector<std::string>& names) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
+  const bool fit = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return ImGui::CalcTextSize(name.c_str()).x + 2 * style.FramePadding.x <= half;
+  });
+  return fit ? 2 : 1;
+}
+
+}  // namespace
+
+void ViewPanel::State::Slider(std::size_t index) {
+  const PanelControl& control = controls[index];
+  double value = shown[index].number;
+  int digits = 0;
+  for (double step = control.step; step > 0 && step < 0.999 && digits < 6; step *= 10) ++digits;
+  const std::string format = "%." + std::to_string(digits) + "f";
+  ImGui::SetNextItemWidth(-1);
+  ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &control.low, &control.high,
+                      format.c_str());
+  if (ImGui::IsItemActive() && mouse.left) {
+    value = Stepped(control, value);
+    if (value != shown[index].number) {
+      shown[index].number = value;
+      Touched(index, true);
+    }
+  }
+  if (ImGui::IsItemDeactivated()) SayPending();
+}
+
+void ViewPanel::State::Choice(std::size_t index) {
+  const PanelControl& control = controls[index];
+  const int columns = SideBySide(control.choices);
+  ImGui::BeginGroup();
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float wide = columns == 2 ? 0.5F * (room - spacing) : room;
+  for (int i = 0; i < static_cast<int>(control.choices.size()); ++i) {
+    if (columns == 2 && i % 2 == 1) ImGui::SameLine(0, spacing);
+    const bool chosen = i == shown[index].choice;
+    const ImVec4 color = ColorOf(chosen ? colors.chosen : colors.button);
+    ImGui::PushStyleColor(ImGuiCol_Button, color);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, color);
+    ImGui::PushID(i);
+    if (ImGui::Button(control.choices[static_cast<std::size_t>(i)].c_str(), {wide, 0})) {
+      shown[index].choice = i;
+      Touched(index, false);
+    }
+    ImGui::PopID();
+    ImGui::PopStyleColor(2);
+  }
+  ImGui::EndGroup();
+}
+
+/// Two side by side, as far as they follow each other.
+void ViewPanel::State::Button(std::size_t index) {
+  std::size_t first = index;
+  while (first > 0 && controls[first - 1].kind == Kind::kButton) --first;
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const bool right = (index - first) % 2 == 1;
+  if (right) ImGui::SameLine(0, spacing);
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (ImGui::Button(controls[index].label.c_str(), {right ? room : 0.5F * (room - spacing), 0})) {
+    Touched(index, false);
+  }
+}
+
+void ViewPanel::State::Row(std::size_t index) {
+  const PanelControl& control = controls[index];
+  if (control.kind == Kind::kHeading) {
+    ImGui::Dummy({0, 0.1F * ImGui::GetFontSize()});
+    ImGui::PushStyleColor(ImGuiCol_Text, ColorOf(colors.title));
+    ImGui::TextUnformatted(control.label.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Separator();
+    return;
+  }
+  if (control.kind == Kind::kButton) return Button(index);
+  ImGui::AlignTextToFramePadding();
+  std::string label = control.label;
+  if (control.kind == Kind::kSlider && !control.unit.empty()) label += ", " + control.unit;
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::SameLine(kLabelWidth * ImGui::GetFontSize());
+  if (control.kind == Kind::kSlider) {
+    Slider(index);
+  } else if (control.kind == Kind::kChoice) {
+    Choice(index);
+  } else {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(shown[index].text.c_str());
+    ImGui::PopTextWrapPos();
+  }
+}
+
+/// Round the control that was drawn last.
+void ViewPanel::State::ShowFocus() {
+  constexpr float kThick = 3;
+  ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  low = {low.x - 2, low.y - 2};
+  high = {high.x + 2, high.y + 2};
+  ImGui::GetWindowDrawList()->AddRect(low, high,
+                                      ImGui::ColorConvertFloat4ToU32(ColorOf(colors.focus)), 3,
+                                      ImDrawFlags_None, kThick);
+  if (std::exchange(reveal, false)) ImGui::SetScrollHereY(0.5F);
+}
+
+void ViewPanel::State::Build(const PixelBox& box, const Canvas& canvas) {
+  SetTheme(ImGui::GetStyle(), colors, ImGui::GetFontSize());
+  ImGui::SetNextWindowPos(
+      {static_cast<float>(box.x), static_cast<float>(canvas.height() - box.y - box.height)});
+  ImGui::SetNextWindowSize({static_cast<float>(box.width), static_cast<float>(box.height)});
+  ImGui::Begin("panel", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav);
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    Row(i);
+    if (focus == i) ShowFocus();
+    ImGui::PopID();
+  }
+  ImGui::End();
+}
+
+#else
+
+void ViewPanel::State::Build(const PixelBox& /*box*/, const Canvas& /*canvas*/) {}
+
+#endif
 
 ViewPanel::ViewPanel() : state_(std::make_unique<State>()) {}
 ViewPanel::~ViewPanel() = default;
@@ -212,18 +265,16 @@ void ViewPanel::SetControls(std::vector<PanelControl> controls) {
   State& s = *state_;
   s.controls = std::move(controls);
   s.told.clear();
-  s.numbers.assign(s.controls.size(), 0);
-  s.choices.assign(s.controls.size(), -1);
+  PanelValue none;
+  none.choice = -1;
+  s.shown.assign(s.controls.size(), none);
   s.kept_until.assign(s.controls.size(), 0);
   s.said.assign(s.controls.size(), {});
   s.pending.reset();
   if (s.focus && (*s.focus >= s.controls.size() || !CanFocus(s.controls[*s.focus].kind))) {
     s.focus.reset();
   }
-  const int scroll = s.ui->scroll;
-  s.Build();
-  s.ui->scroll = scroll;
-  if (s.context != nullptr) Prepare(*s.context, s.colors);
+  s.changed = true;
 }
 
 void ViewPanel::SetValues(std::vector<PanelValue> values) {
@@ -235,94 +286,55 @@ void ViewPanel::SetValues(std::vector<PanelValue> values) {
 
 bool ViewPanel::empty() const { return state_->controls.empty(); }
 
-void ViewPanel::Prepare(mjrContext_& context, const ViewColors& colors) {
-  State& s = *state_;
-  s.context = &context;
-  s.colors = colors;
-  if (empty()) return;
-  SetTheme(*s.ui, colors);
-  s.Apply();
-  mjui_resize(s.ui.get(), &context);
-  mjr_addAux(kAux, s.ui->width, s.ui->maxheight, s.ui->spacing.samples, &context);
-  s.redraw = s.changed = true;
+void ViewPanel::Prepare(int text_height, const ViewColors& colors) {
+  state_->width = static_cast<int>(std::lround(kWidth * text_height));
+  state_->colors = colors;
+  state_->changed = true;
 }
 
-int ViewPanel::width() const { return empty() ? 0 : state_->ui->width; }
+int ViewPanel::width() const { return empty() ? 0 : state_->width; }
 
 bool ViewPanel::changed() const { return state_->changed; }
 
-void ViewPanel::Draw(const PixelBox& box, const mjrContext_& context) {
-  State& s = *state_;
-  s.changed = false;
-  if (empty() || box.empty()) return;
-  s.height = box.height;
-  const mjrRect rect = {box.x, box.y, box.width, box.height};
-  s.mouse.nrect = 2;
-  s.mouse.rect[0] = s.mouse.rect[kRect] = rect;
-  if (s.redraw) mjui_update(-1, -1, s.ui.get(), &s.mouse, &context);
-  s.redraw = false;
-  FillBox(box, s.colors.back);
-  mjui_render(s.ui.get(), &s.mouse, &context);
-  s.ShowFocus();
+const CanvasMouse& ViewPanel::mouse() const { return state_->mouse; }
+
+void ViewPanel::Draw(const PixelBox& box, const Canvas& canvas) {
+  state_->changed = false;
+  if (!empty() && !box.empty()) state_->Build(box, canvas);
 }
 
-void ViewPanel::State::ShowFocus() {
-  if (!focus || places[*focus].section < 0) return;
-  const mjrRect& item = ItemOf(*focus).rect;
-  FrameBox({item.left, BottomOf(*focus), item.width, item.height}, 3, colors.focus);
-}
-
-void ViewPanel::Handle(const WindowEvent& event, const PixelBox& box, const mjrContext_& context,
-                       double now) {
+void ViewPanel::Handle(const WindowEvent& event, const PixelBox& box, Canvas& canvas,
+                       glm::ivec2 picture, double now) {
   State& s = *state_;
   if (empty() || box.empty()) return;
-  mjuiState& mouse = s.mouse;
-  mouse.nrect = 2;
-  mouse.rect[0] = mouse.rect[kRect] = {box.x, box.y, box.width, box.height};
-  mouse.dx = event.at.x - mouse.x;
-  mouse.dy = event.at.y - mouse.y;
-  mouse.x = event.at.x;
-  mouse.y = event.at.y;
-  mouse.sx = mouse.sy = 0;
-  mouse.mouserect = box.Has(mouse.x, mouse.y) ? kRect : 0;
+  s.now = now;
+  s.mouse.at = event.at;
+  s.mouse.wheel = 0;
   const bool left = event.button == WindowEvent::Button::kLeft;
   switch (event.kind) {
     case WindowEvent::Kind::kMove:
-      mouse.type = mjEVENT_MOVE;
       break;
     case WindowEvent::Kind::kPress:
       if (!left) return;
       s.focus.reset();
-      mouse.type = mjEVENT_PRESS;
-      mouse.left = 1;
-      mouse.button = mjBUTTON_LEFT;
-      mouse.buttontime = now;
-      mouse.dragrect = mouse.mouserect;
-      mouse.dragbutton = mjBUTTON_LEFT;
+      s.mouse.left = true;
       break;
     case WindowEvent::Kind::kRelease:
       if (!left) return;
-      mouse.type = mjEVENT_RELEASE;
-      mouse.left = 0;
-      mouse.button = mjBUTTON_LEFT;
+      s.mouse.left = false;
       break;
     case WindowEvent::Kind::kWheel:
-      mouse.type = mjEVENT_SCROLL;
-      mouse.sy = event.wheel;
+      s.mouse.wheel = event.wheel;
       break;
     default:
       return;
   }
-  if (const mjuiItem* item = mjui_event(s.ui.get(), &mouse, &context)) {
-    if (const std::optional<std::size_t> control = s.ControlOf(item)) {
-      s.Touched(*control, mouse.left != 0 && item->type == mjITEM_SLIDERNUM, now);
-    }
-  }
+  canvas.Begin(picture.x, picture.y, s.mouse);
+  s.Build(box, canvas);
+  canvas.End(false);
+  s.mouse.wheel = 0;
+  if (event.kind == WindowEvent::Kind::kRelease) s.SayPending();
   s.changed = true;
-  if (mouse.type == mjEVENT_RELEASE) {
-    mouse.dragrect = mouse.dragbutton = 0;
-    s.SayPending(now);
-  }
 }
 
 void ViewPanel::MoveFocus(int by) {
@@ -332,15 +344,9 @@ void ViewPanel::MoveFocus(int by) {
   for (int tried = 0; tried < count; ++tried) {
     at = (at + by + count) % count;
     const auto index = static_cast<std::size_t>(at);
-    if (!CanFocus(s.controls[index].kind) || s.places[index].section < 0) continue;
+    if (!CanFocus(s.controls[index].kind)) continue;
     s.focus = index;
-    mjuiSection& section = s.ui->sect[s.places[index].section];
-    if (section.state == 0) {
-      section.state = 1;
-      if (s.context != nullptr) mjui_resize(s.ui.get(), s.context);
-      s.redraw = true;
-    }
-    s.Reveal(index);
+    s.reveal = true;
     break;
   }
   s.changed = true;
@@ -356,28 +362,30 @@ bool ViewPanel::has_focus() const { return state_->focus.has_value(); }
 void ViewPanel::ChangeFocused(int by, double now) {
   State& s = *state_;
   if (!s.focus) return;
+  s.now = now;
   const PanelControl& control = s.controls[*s.focus];
   if (control.kind == Kind::kSlider) {
-    double& number = s.numbers[*s.focus];
+    double& number = s.shown[*s.focus].number;
     number = std::clamp(number + by * control.step, control.low, control.high);
-    s.Touched(*s.focus, true, now);
+    s.Touched(*s.focus, true);
   } else if (control.kind == Kind::kChoice && !control.choices.empty()) {
-    int& choice = s.choices[*s.focus];
+    int& choice = s.shown[*s.focus].choice;
     choice = std::clamp(choice + by, 0, static_cast<int>(control.choices.size()) - 1);
-    s.Touched(*s.focus, false, now);
+    s.Touched(*s.focus, false);
   }
 }
 
 void ViewPanel::PressFocused(double now) {
   State& s = *state_;
   if (!s.focus) return;
+  s.now = now;
   const PanelControl& control = s.controls[*s.focus];
   if (control.kind == Kind::kButton) {
-    s.Touched(*s.focus, false, now);
+    s.Touched(*s.focus, false);
   } else if (control.kind == Kind::kChoice && !control.choices.empty()) {
-    int& choice = s.choices[*s.focus];
+    int& choice = s.shown[*s.focus].choice;
     choice = (choice + 1) % static_cast<int>(control.choices.size());
-    s.Touched(*s.focus, false, now);
+    s.Touched(*s.focus, false);
   }
 }
 
@@ -390,9 +398,10 @@ bool ViewPanel::Has(std::string_view word) const {
 
 std::optional<std::string> ViewPanel::NextLine(double now) {
   State& s = *state_;
-  if (s.pending && now - s.said_at >= kSayEvery) s.SayPending(now);
+  s.now = now;
+  if (s.pending && now - s.said_at >= kSayEvery) s.SayPending();
   for (std::size_t i = 0; i < s.kept_until.size(); ++i) {
-    if (s.kept_until[i] <= 0 || s.kept_until[i] > now || s.mouse.left != 0) continue;
+    if (s.kept_until[i] <= 0 || s.kept_until[i] > now || s.mouse.left) continue;
     s.kept_until[i] = 0;
     s.said[i].clear();
     s.Apply();

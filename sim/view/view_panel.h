@@ -1,20 +1,20 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "sim/view/canvas.h"
 #include "sim/view/panel.h"
 #include "sim/view/view_look.h"
 #include "sim/view/window_event.h"
 
-struct mjrContext_;
-
 namespace moontrace {
 
-/// The tutor's panel by MuJoCo's own controls. What its controls are given they say as lines; what
+/// The tutor's panel by Dear ImGui's controls. What its controls are given they say as lines; what
 /// they show comes back by SetValues. All calls on the thread of OpenGL; times in seconds of one
 /// steady clock.
 class ViewPanel {
@@ -27,17 +27,20 @@ class ViewPanel {
   void SetValues(std::vector<PanelValue> values);
   bool empty() const;
 
-  /// After every new OpenGL context, and when colours change. Letters have the context's size.
-  void Prepare(mjrContext_& context, const ViewColors& colors);
+  /// When letters get another height [points], or colours change.
+  void Prepare(int text_height, const ViewColors& colors);
   /// Of the panel [points], once prepared; 0 without controls.
   int width() const;
 
   /// Whether anything looks otherwise than it was drawn last.
   bool changed() const;
-  void Draw(const PixelBox& box, const mjrContext_& context);
+  /// Within a frame of the canvas that has the panel's mouse.
+  void Draw(const PixelBox& box, const Canvas& canvas);
+  const CanvasMouse& mouse() const;
 
-  /// Mouse over the panel, or a drag that began there.
-  void Handle(const WindowEvent& event, const PixelBox& box, const mjrContext_& context,
+  /// Mouse over the panel, or a drag that began there: by a frame that is not seen. `picture`: size
+  /// of the whole [points].
+  void Handle(const WindowEvent& event, const PixelBox& box, Canvas& canvas, glm::ivec2 picture,
               double now);
   /// The focus of the keyboard goes `by` controls on, over both ends.
   void MoveFocus(int by);

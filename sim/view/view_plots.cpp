@@ -1,10 +1,10 @@
 #include "sim/view/view_plots.h"
 
-#include <mujoco/mujoco.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <cmath>
 
 #include "sim/view/view_messages.h"
 
@@ -12,121 +12,122 @@ namespace moontrace {
 
 namespace {
 
-constexpr double kShown = 10;  // [s]
+constexpr double kShown = 10;            // [s]
+constexpr double kTimes[] = {10, 5, 0};  // numbers on the axis of time, before now [s]
+constexpr double kMostSteps = 4;
 
 struct Kind {
   const char* title;
   double ViewHistory::Point::*value;
-  Color color;
-  Color contrast;    // on black
   double least_top;  // of the axis, so that noise does not fill it
 };
 
 constexpr std::array<Kind, 4> kKinds = {
-    {{say::plot::kForce, &ViewHistory::Point::force, {0.00, 0.45, 0.70}, {0.34, 0.71, 0.91}, 1},
-     {say::plot::kError, &ViewHistory::Point::error, {0.84, 0.37, 0.00}, {1.00, 0.60, 0.20}, 0.5},
-     {say::plot::kLateness,
-      &ViewHistory::Point::lateness_us,
-      {0.00, 0.50, 0.36},
-      {0.20, 0.90, 0.65},
-      100},
-     {say::plot::kHeat, &ViewHistory::Point::heat, {0.65, 0.30, 0.50}, {0.95, 0.65, 0.82}, 100}}};
-
-void Set(float (&to)[3], const Color& color) {
-  to[0] = static_cast<float>(color.red);
-  to[1] = static_cast<float>(color.green);
-  to[2] = static_cast<float>(color.blue);
-}
-
-void Set(float (&to)[4], const Color& color) {
-  to[0] = static_cast<float>(color.red);
-  to[1] = static_cast<float>(color.green);
-  to[2] = static_cast<float>(color.blue);
-  to[3] = 1;
-}
+    {{say::plot::kForce, &ViewHistory::Point::force, 1},
+     {say::plot::kError, &ViewHistory::Point::error, 0.4},
+     {say::plot::kLateness, &ViewHistory::Point::lateness_us, 100},
+     {say::plot::kHeat, &ViewHistory::Point::heat, 100}}};
 
 Color Between(const Color& a, const Color& b, double share) {
   return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
           a.blue + share * (b.blue - a.blue)};
 }
 
-/// 1, 2 or 5 times a power of ten, not below `value`: an axis that is easy to read.
-double RoundTop(double value, double least) {
-  double top = least;
-  for (int i = 0; top < value && i < 60; ++i) top *= i % 3 == 1 ? 2.5 : 2;
-  return top;
+/// One figure: its pane, and how the picture's points follow from time and value.
+struct Figure {
+  PixelBox pane;
+  double now = 0, top = 1;
+
+  glm::dvec2 At(double time, double value) const {
+    return {pane.x + (1 + (time - now) / kShown) * pane.width,
+            pane.y + std::clamp(value / top, 0.0, 1.0) * pane.height};
+  }
+};
+
+void DrawAxes(const Figure& figure, const std::vector<double>& numbers, const ViewColors& colors,
+              Canvas& canvas) {
+  const PixelBox& pane = figure.pane;
+  const Color grid = Between(colors.pane, colors.text, 0.18);
+  const int half = canvas.TextHeight(false) / 2;
+  canvas.Fill(pane, colors.pane);
+  for (const double number : numbers) {
+    const int y = static_cast<int>(std::lround(figure.At(figure.now, number).y));
+    canvas.Fill({pane.x, y, pane.width, 1}, grid);
+    const std::string text = fmt::format("{:.6g}", number);
+    const int x = pane.x - canvas.TextWidth(text, false) - half / 2;
+    canvas.Text(text, x, y - half, false, colors.text);
+  }
+  for (const double before : kTimes) {
+    const int x = static_cast<int>(std::lround(figure.At(figure.now - before, 0).x));
+    canvas.Fill({x, pane.y, 1, pane.height}, grid);
+    const std::string text = before > 0 ? fmt::format("-{:.6g}", before) : "0";
+    const int left = x - canvas.TextWidth(text, false) / 2;
+    canvas.Text(text, left, pane.y - 2 * half - half / 2, false, colors.text);
+  }
+  canvas.Frame(pane, 1, colors.edge);
 }
 
-/// Line and axes.
-void SetLine(mjvFigure& figure, const Kind& kind, const ViewHistory& history, double now) {
-  float* next = figure.linedata[0];
-  int count = 0;
-  double most = 0;
+void DrawCurve(const Figure& figure, const ViewHistory& history, double ViewHistory::Point::*value,
+               const Color& color, Canvas& canvas) {
+  constexpr double kGap = 0.1;  // without a point the curve is broken [s]
+  std::vector<glm::dvec2> curve;
+  double last = figure.now;
+  const auto finish = [&] {
+    if (curve.size() > 1) canvas.Line(curve, 1.8, color);
+    curve.clear();
+  };
   for (const ViewHistory::Point& point : history.points()) {
-    const double value = point.*kind.value;
-    if (count >= mjMAXLINEPNT || value < 0) continue;
-    *next++ = static_cast<float>(point.time - now);
-    *next++ = static_cast<float>(value);
-    most = std::max(most, value);
-    ++count;
+    if (point.*value < 0 || point.time < figure.now - kShown) continue;
+    if (point.time - last > kGap) finish();
+    curve.push_back(figure.At(point.time, point.*value));
+    last = point.time;
   }
-  figure.linepnt[0] = count;
-  figure.range[0][0] = static_cast<float>(-kShown);
-  figure.range[0][1] = 0;
-  figure.range[1][0] = 0;
-  figure.range[1][1] = static_cast<float>(RoundTop(most, kind.least_top));
+  finish();
 }
 
 }  // namespace
 
-struct ViewPlots::State {
-  std::array<mjvFigure, kKinds.size()> figures;  // some 0.8 MB each
-};
-
-ViewPlots::ViewPlots() : state_(std::make_unique<State>()) {
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    mjvFigure& figure = state_->figures.at(i);
-    mjv_defaultFigure(&figure);
-    std::strncpy(figure.title, kKinds.at(i).title, sizeof figure.title - 1);
-    std::strncpy(figure.xformat, "%.0f", sizeof figure.xformat - 1);
-    std::strncpy(figure.yformat, "%.4g", sizeof figure.yformat - 1);
-    std::strncpy(figure.minwidth, "0000", sizeof figure.minwidth - 1);
-    figure.flg_extend = 0;
-    figure.flg_legend = 0;
-    figure.flg_ticklabel[0] = figure.flg_ticklabel[1] = 1;
-    figure.gridsize[0] = 3;
-    figure.gridsize[1] = 3;
-    figure.linewidth = 2;
-    figure.gridwidth = 1;
+std::vector<double> RoundAxis(double most, double least) {
+  const double top = std::max(most, least);
+  double step = std::pow(10, std::floor(std::log10(top / kMostSteps)));
+  for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10
+    if (kMostSteps * step >= top * (1 - 1e-9)) break;
+    step *= factor;
   }
-  mjvFigure& last = state_->figures.back();
-  std::strncpy(last.xlabel, say::plot::kTime, sizeof last.xlabel - 1);
+  std::vector<double> numbers;
+  for (int i = 0; i == 0 || numbers.back() < top * (1 - 1e-9); ++i) numbers.push_back(i * step);
+  return numbers;
 }
 
-ViewPlots::~ViewPlots() = default;
-
-void ViewPlots::Draw(const ViewHistory& history, const ViewColors& colors, const PixelBox& box,
-                     const mjrContext_& context) {
-  const bool dark = colors.back.red < 0.5;
+void DrawPlots(const ViewHistory& history, const ViewLook& look, const PixelBox& box,
+               Canvas& canvas) {
+  const ViewColors colors = ColorsOf(look);
+  const std::array<Color, kKinds.size()> curves = CurveColors(look);
+  canvas.Fill(box, colors.back);
+  const int row = canvas.TextHeight(false), gap = row / 2;
+  const int time_row = row + gap;  // the axis of time has its name once, below
+  const int each = (box.height - time_row - gap) / static_cast<int>(kKinds.size());
   const double now = history.points().empty() ? 0 : history.points().back().time;
-  int top = box.y + box.height;
+  const int left = canvas.TextWidth("0000", false) + gap;
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
     const Kind& kind = kKinds.at(i);
-    mjvFigure& figure = state_->figures.at(i);
-    Set(figure.figurergba, colors.back);
-    Set(figure.panergba, colors.pane);
-    Set(figure.textrgb, colors.text);
-    Set(figure.gridrgb, Between(colors.pane, colors.text, 0.25));
-    Set(figure.linergb[0], dark ? kind.contrast : kind.color);
-    SetLine(figure, kind, history, now);
-    // the last has a line more, for the axis of time
-    const int left = static_cast<int>(kKinds.size() - i);
-    const int height = (top - box.y) / left;
-    // room for two or three numbers beside the axis, with title and time above and below
-    figure.gridsize[1] = height > 9 * context.charHeight ? 3 : 2;
-    mjr_figure({box.x, top - height, box.width, height}, &figure, &context);
-    top -= height;
+    const int top = box.y + box.height - static_cast<int>(i) * each - gap;
+    const int bottom = top - each + row + 2 * gap;
+    Figure figure{{box.x + left, bottom, box.width - left - 2 * gap, top - bottom - row - gap},
+                  now};
+    if (figure.pane.empty()) continue;
+    double most = 0;
+    for (const ViewHistory::Point& point : history.points()) {
+      most = std::max(most, point.*kind.value);
+    }
+    const std::vector<double> numbers = RoundAxis(most, kind.least_top);
+    figure.top = numbers.back();
+    canvas.Text(kind.title, figure.pane.x, top - row, false, colors.text);
+    DrawAxes(figure, numbers, colors, canvas);
+    DrawCurve(figure, history, kind.value, curves.at(i), canvas);
   }
+  const int width = canvas.TextWidth(say::plot::kTime, false);
+  canvas.Text(say::plot::kTime, box.x + box.width - width - gap, box.y + gap, false, colors.text);
 }
 
 }  // namespace moontrace

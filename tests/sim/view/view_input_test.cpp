@@ -22,6 +22,7 @@ class ViewInputTest : public testing::Test {
   void SetUp() override {
     try {
       gl_ = std::make_unique<HeadlessGl>();
+      const Canvas canvas(16);
     } catch (const LackError& lack) {
       GTEST_SKIP() << lack.what();
     }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/sim/contrast.h"
+
 namespace moontrace {
 namespace {
 
@@ -27,6 +29,27 @@ TEST(ViewLayout, APixelBelongsToOneBox) {
   EXPECT_TRUE(layout.panel.Has(329.5, 10));
   EXPECT_FALSE(layout.panel.Has(330, 10));
   EXPECT_TRUE(layout.page.Has(330, 60));
+}
+
+// WCAG 2.1 AA; before, a chosen control had 2.5 beside what is round it, and a slider's 1.3.
+TEST(ViewColors, TextAndControlsHaveContrast) {
+  for (const bool high : {false, true}) {
+    ViewLook look;
+    look.high_contrast = high;
+    const ViewColors colors = ColorsOf(look);
+    for (const Color& under : {colors.back, colors.pane, colors.button, colors.chosen}) {
+      EXPECT_GE(Contrast(colors.text, under), kContrastOfText) << high;
+    }
+    EXPECT_GE(Contrast(colors.title, colors.back), kContrastOfText) << high;
+    for (const Color& beside : {colors.back, colors.button}) {
+      EXPECT_GE(Contrast(colors.edge, beside), kContrastOfGraphics) << high;
+      EXPECT_GE(Contrast(colors.focus, beside), kContrastOfGraphics) << high;
+    }
+    EXPECT_GE(Contrast(colors.chosen, colors.button), kContrastOfGraphics) << high;
+    for (const Color& curve : CurveColors(look)) {
+      EXPECT_GE(Contrast(curve, colors.pane), kContrastOfGraphics) << high;
+    }
+  }
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 #include "sim/view/view_words.h"
 
 #include <gtest/gtest.h>
-#include <mujoco/mujoco.h>
-
-#include <memory>
 
 #include "sim/view/view_messages.h"
 #include "sim/view/view_text.h"
@@ -32,17 +29,24 @@ TEST(ViewWords, EachHasItsOwnSentence) {
   }
 }
 
-TEST(ViewText, ShowsWhatMujocosLettersCan) {
-  EXPECT_EQ(AsciiOf("size 20 mm", "?"), "size 20 mm");
-  EXPECT_EQ(AsciiOf("caf\xc3\xa9 \xe2\x82\xac", "?"), "caf? ?");
-  EXPECT_EQ(AsciiOf("a\tb\n", ""), "ab");
+TEST(ViewText, DropsWholeCharacters) {
+  std::string text = "a\xc3\xa9\xe2\x82\xac";  // one, two and three bytes
+  DropLast(text);
+  EXPECT_EQ(text, "a\xc3\xa9");
+  DropLast(text);
+  EXPECT_EQ(text, "a");
+  DropLast(text);
+  DropLast(text);
+  EXPECT_EQ(text, "");
+  text = "\xe2\x82\xac\xc3\xa9";
+  DropFirst(text);
+  EXPECT_EQ(text, "\xc3\xa9");
 }
 
 /// Every letter is 10 points wide.
 std::vector<std::string> Rows(const std::string& text, int room, std::size_t most) {
-  const auto context = std::make_unique<mjrContext>();
-  for (int& width : context->charWidth) width = 10;
-  return RowsOf(text, room, most, *context);
+  return RowsOf(text, room, most,
+                [](std::string_view row) { return 10 * static_cast<int>(row.size()); });
 }
 
 TEST(ViewText, BreaksBetweenWords) {

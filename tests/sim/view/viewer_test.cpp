@@ -12,6 +12,7 @@
 #include <iterator>
 #include <thread>
 
+#include "sim/view/canvas.h"
 #include "sim/view/gl_headless.h"
 #include "sim/view/view_painter.h"
 #include "sim/view/view_thread.h"
@@ -37,6 +38,7 @@ class ViewerTest : public testing::Test {
   void SetUp() override {
     try {
       const HeadlessGl gl;
+      const Canvas canvas(16);
     } catch (const LackError& lack) {
       GTEST_SKIP() << lack.what();
     }

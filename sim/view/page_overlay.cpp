@@ -1,0 +1,87 @@
+#include "sim/view/page_overlay.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace moontrace {
+
+namespace {
+
+/// Where a point of the page is in the picture [points]; none: not in this part.
+std::optional<glm::dvec2> PlaceOf(glm::dvec2 p_P, const PageCamera& camera, const PixelBox& box) {
+  const double aspect = static_cast<double>(box.width) / box.height;
+  const std::optional<glm::dvec2> share = ShareOf(camera, aspect, p_P);
+  if (!share) return std::nullopt;
+  const glm::dvec2 at(box.x + share->x * box.width, box.y + share->y * box.height);
+  if (!box.Has(at.x, at.y)) return std::nullopt;
+  return at;
+}
+
+void DrawPrint(const ViewMarks::Print& print, const PageCamera& camera, const PixelBox& box,
+               Canvas& canvas) {
+  const std::optional<glm::dvec2> at = PlaceOf(print.at_P, camera, box);
+  if (!at) return;
+  const int width = canvas.TextWidth(print.text, print.big);
+  const int height = canvas.TextHeight(print.big);
+  const int x = static_cast<int>(at->x) - width / 2, y = static_cast<int>(at->y) - height / 2;
+  const bool inside = x >= box.x && y >= box.y && x + width <= box.x + box.width &&
+                      y + height <= box.y + box.height;
+  if (inside) canvas.Text(print.text, x, y, print.big, view_color::kPrint);
+}
+
+/// A piece of the pen: so far from its point [units] and so wide there.
+struct PenPart {
+  double from, half_from, to, half_to;
+  Color color;
+};
+
+constexpr double kPenLength = 20, kPenHalf = 0.8;  // [units]
+constexpr Color kBarrel{0.16, 0.22, 0.32}, kShine{0.42, 0.50, 0.62}, kCone{0.66, 0.68, 0.71},
+    kPoint{0.08, 0.08, 0.10};
+constexpr PenPart kPen[] = {{0, 0.08, 1.1, 0.33, kPoint},
+                            {1.1, 0.33, 3.6, kPenHalf, kCone},
+                            {3.6, kPenHalf, kPenLength, kPenHalf, kBarrel},
+                            {kPenLength - 1.6, kPenHalf, kPenLength, kPenHalf, kCone}};
+
+/// The pen with its point at `at`: it leans to the lower right, where it hides little of the line
+/// that is read.
+struct Pen {
+  glm::dvec2 at;
+  double unit;
+  glm::dvec2 along{0.60, -0.80}, across{0.80, 0.60};
+
+  std::vector<glm::dvec2> Part(double from, double low_from, double high_from, double to,
+                               double low_to, double high_to) const {
+    const auto corner = [&](double far, double side) {
+      return at + unit * (far * along + side * across);
+    };
+    return {corner(from, low_from), corner(from, high_from), corner(to, high_to),
+            corner(to, low_to)};
+  }
+  std::vector<glm::dvec2> Part(const PenPart& part) const {
+    return Part(part.from, -part.half_from, part.half_from, part.to, -part.half_to, part.half_to);
+  }
+};
+
+void DrawStylus(glm::dvec3 tip_P, const PageCamera& camera, const PixelBox& box, Canvas& canvas) {
+  constexpr double kMostLift = 8, kShadow = 0.35;  // [units]
+  const std::optional<glm::dvec2> at = PlaceOf(glm::dvec2(tip_P), camera, box);
+  if (!at) return;
+  const double unit = std::max(0.01 * box.height, 2.0);
+  const double lift = std::clamp(tip_P.z / camera.height * 100, 0.0, kMostLift);
+  const Pen shadow{*at + unit * (lift + kShadow) * glm::dvec2(0.9, -0.3), unit};
+  for (const PenPart& part : kPen) canvas.Shape(shadow.Part(part), {0, 0, 0}, 0.16);
+  const Pen pen{*at, unit};
+  for (const PenPart& part : kPen) canvas.Shape(pen.Part(part), part.color);
+  canvas.Shape(pen.Part(3.6, 0.15, 0.6, kPenLength - 1.6, 0.15, 0.6), kShine);
+}
+
+}  // namespace
+
+void DrawPageOverlay(const ViewMarks& marks, const PageCamera& camera, const PixelBox& box,
+                     Canvas& canvas) {
+  for (const ViewMarks::Print& print : marks.print) DrawPrint(print, camera, box, canvas);
+  if (marks.tip_P) DrawStylus(*marks.tip_P, camera, box, canvas);
+}
+
+}  // namespace moontrace
