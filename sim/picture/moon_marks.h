@@ -11,12 +11,12 @@ namespace moontrace {
 /// Colours of the Okabe-Ito set, which colour-blind eyes can distinguish, and plain greys.
 namespace palette {
 inline constexpr Color kInk{0.10, 0.10, 0.10};
-inline constexpr Color kGroove{0.76, 0.76, 0.72};
+inline constexpr Color kGroove{0.55, 0.55, 0.52};
 inline constexpr Color kPaperEdge{0.55, 0.55, 0.55};
 inline constexpr Color kRough{0.90, 0.90, 0.87};
 inline constexpr Color kRidge{0.00, 0.62, 0.45};
-inline constexpr Color kLink{0.55, 0.66, 0.80};
-inline constexpr Color kTip{0.00, 0.29, 0.55};
+inline constexpr Color kLink{0.38, 0.52, 0.72};
+inline constexpr Color kTip{0.00, 0.20, 0.45};
 inline constexpr Color kAway{0.84, 0.37, 0.00};
 }  // namespace palette
 

@@ -20,7 +20,7 @@ TrialView::TrialView(ViewFeed& feed, Console& console) : feed_(feed), console_(c
 void TrialView::Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts) {
   page_ = page->number;
   texts_ = std::move(texts);
-  feed_.Show(std::move(page));
+  feed_.Show(WithPaperAround(*page));
   begin_ = std::chrono::steady_clock::now();
   shown_ = looked_ = -1;
   frames_ = 0;

@@ -33,11 +33,11 @@ glm::dvec2 PointUnder(const PageCamera& camera, double aspect, glm::dvec2 share)
   return camera.at_P + glm::clamp(from, -farthest, farthest);
 }
 
-std::optional<glm::dvec2> ShareOf(const PageCamera& camera, double aspect, glm::dvec2 p_P) {
+std::optional<glm::dvec2> ShareOf(const PageCamera& camera, double aspect, glm::dvec3 p_P) {
   const double sine = std::sin(camera.lean), cosine = std::cos(camera.lean);
   const double distance = EyeDistance(camera);
   const glm::dvec3 eye(0, -distance * sine, distance * cosine);
-  const glm::dvec3 ray = glm::dvec3(p_P - camera.at_P, 0) - eye;
+  const glm::dvec3 ray = p_P - glm::dvec3(camera.at_P, 0) - eye;
   const double depth = ray.y * sine - ray.z * cosine;
   if (depth <= 0) return std::nullopt;
   const double up = (ray.y * cosine + ray.z * sine) * distance / depth;

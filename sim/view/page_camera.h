@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 
 #include "textures/field/element.h"
@@ -27,9 +28,12 @@ Box VisibleBox(const PageCamera& camera, double aspect);
 /// The point of the page's plane under a point of the picture (0..1 from its lower left corner).
 glm::dvec2 PointUnder(const PageCamera& camera, double aspect, glm::dvec2 share);
 
-/// Where a point of the page's plane is seen in the picture: the reverse of PointUnder. None behind
+/// Where a point is seen in the picture; of the page's plane the reverse of PointUnder. None behind
 /// the eye.
-std::optional<glm::dvec2> ShareOf(const PageCamera& camera, double aspect, glm::dvec2 p_P);
+std::optional<glm::dvec2> ShareOf(const PageCamera& camera, double aspect, glm::dvec3 p_P);
+inline std::optional<glm::dvec2> ShareOf(const PageCamera& camera, double aspect, glm::dvec2 p_P) {
+  return ShareOf(camera, aspect, glm::dvec3(p_P, 0));
+}
 
 /// The same page point stays under `share` while the view shrinks by `factor` (zooms in below 1);
 /// 2 mm to 2 m of page.

@@ -7,8 +7,8 @@ namespace moontrace {
 
 namespace {
 
-/// Where a point of the page is in the picture [points]; none: not in this part.
-std::optional<glm::dvec2> PlaceOf(glm::dvec2 p_P, const PageCamera& camera, const PixelBox& box) {
+/// Where a point is seen in the picture [points]; none: not in this part.
+std::optional<glm::dvec2> PlaceOf(glm::dvec3 p_P, const PageCamera& camera, const PixelBox& box) {
   const double aspect = static_cast<double>(box.width) / box.height;
   const std::optional<glm::dvec2> share = ShareOf(camera, aspect, p_P);
   if (!share) return std::nullopt;
@@ -19,7 +19,7 @@ std::optional<glm::dvec2> PlaceOf(glm::dvec2 p_P, const PageCamera& camera, cons
 
 void DrawPrint(const ViewMarks::Print& print, const PageCamera& camera, const PixelBox& box,
                Canvas& canvas) {
-  const std::optional<glm::dvec2> at = PlaceOf(print.at_P, camera, box);
+  const std::optional<glm::dvec2> at = PlaceOf(glm::dvec3(print.at_P, 0), camera, box);
   if (!at) return;
   const int width = canvas.TextWidth(print.text, print.big);
   const int height = canvas.TextHeight(print.big);
@@ -65,11 +65,14 @@ struct Pen {
 
 void DrawStylus(glm::dvec3 tip_P, const PageCamera& camera, const PixelBox& box, Canvas& canvas) {
   constexpr double kMostLift = 8, kShadow = 0.35;  // [units]
-  const std::optional<glm::dvec2> at = PlaceOf(glm::dvec2(tip_P), camera, box);
-  if (!at) return;
+  // what lies in a groove is seen where the paper is, as the page is drawn flat
+  const glm::dvec3 point(tip_P.x, tip_P.y, std::max(tip_P.z, 0.0));
+  const std::optional<glm::dvec2> at = PlaceOf(point, camera, box);
+  const std::optional<glm::dvec2> foot = PlaceOf(glm::dvec3(tip_P.x, tip_P.y, 0), camera, box);
+  if (!at || !foot) return;
   const double unit = std::max(0.01 * box.height, 2.0);
-  const double lift = std::clamp(tip_P.z / camera.height * 100, 0.0, kMostLift);
-  const Pen shadow{*at + unit * (lift + kShadow) * glm::dvec2(0.9, -0.3), unit};
+  const double lift = std::min(point.z / camera.height * 100, kMostLift);
+  const Pen shadow{*foot + unit * (lift + kShadow) * glm::dvec2(0.9, -0.3), unit};
   for (const PenPart& part : kPen) canvas.Shape(shadow.Part(part), {0, 0, 0}, 0.16);
   const Pen pen{*at, unit};
   for (const PenPart& part : kPen) canvas.Shape(pen.Part(part), part.color);

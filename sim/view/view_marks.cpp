@@ -15,7 +15,7 @@ constexpr double kGap = 0.25;      // of the em, from the base line to the middl
 
 void AddHand(const ViewMoment& moment, ViewMarks& marks) {
   marks.tip_P = moment.tip_P;
-  marks.proxy_P = moment.proxy_P;
+  if (moment.in_contact) marks.proxy_P = moment.proxy_P;
   if (moment.stopped) return;
   marks.force_P = moment.force_P;
   marks.guidance_P = moment.guidance_P;

@@ -40,4 +40,15 @@ std::shared_ptr<const ViewPage> MakeViewPage(const Typeset& set, std::size_t ind
   return view;
 }
 
+std::shared_ptr<const ViewPage> WithPaperAround(const ViewPage& page) {
+  auto view = std::make_shared<ViewPage>(page);
+  Box text;
+  for (const ViewPage::Letter& letter : page.letters) Include(text, letter.box_P);
+  if (page.letters.empty()) return view;
+  const glm::dvec2 size = text.max - text.min, middle = 0.5 * (text.min + text.max);
+  const double half = std::max(size.x, size.y);
+  Include(view->sheet_P, Box{middle - half, middle + half});
+  return view;
+}
+
 }  // namespace moontrace

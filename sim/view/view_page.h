@@ -39,6 +39,10 @@ std::shared_ptr<const ViewPage> MakeViewPage(const Typeset& set, std::size_t ind
                                              std::shared_ptr<const TextureField> field, bool blank,
                                              std::uint32_t number);
 
+/// The same page, its paper drawn on round the text, so that this can stand in the middle of a
+/// view: for trials, which lie on a plane without edges.
+std::shared_ptr<const ViewPage> WithPaperAround(const ViewPage& page);
+
 /// What the viewer shows of one instant. Frame P of the page `page`.
 struct ViewMoment {
   double time = 0;                              ///< since the loop or trial began [s]

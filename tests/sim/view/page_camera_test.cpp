@@ -59,6 +59,17 @@ TEST(PageCamera, WhatIsSeenAtAPointLiesUnderIt) {
   EXPECT_FALSE(ShareOf({{0, 0}, 0.1, 1.2}, 1, {0, -10}));  // behind the eye
 }
 
+// Straight from above, what lies higher by a tenth of the eye's distance is seen larger by 1 / 0.9.
+TEST(PageCamera, SeesWhatIsLiftedNearer) {
+  PageCamera camera;
+  camera.height = 0.1;
+  const glm::dvec3 lifted(0.02, 0.03, 0.1 * EyeDistance(camera));
+  const auto seen = ShareOf(camera, 1, lifted);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->x - 0.5, 0.2 / 0.9, 1e-12);
+  EXPECT_NEAR(seen->y - 0.5, 0.3 / 0.9, 1e-12);
+}
+
 TEST(PageCamera, ShowsAWholeBox) {
   for (const double aspect : {0.5, 1.0, 3.0}) {
     const Box box{{0.01, 0.02}, {0.15, 0.06}};

@@ -81,6 +81,22 @@ TEST(ViewPage, EveryLettersStrokesAreWhereTheFieldSays) {
   }
 }
 
+// The text of a trial begins at the sheet's upper left corner.
+TEST(ViewPage, PaperRoundATextReachesAsFarToEachSide) {
+  const auto page = Page("moon").View(false);
+  const auto view = WithPaperAround(*page);
+  Box text;
+  for (const ViewPage::Letter& letter : page->letters) Include(text, letter.box_P);
+  const glm::dvec2 size = text.max - text.min;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_GE(text.min[i] - view->sheet_P.min[i], 0.5 * (size.x - size[i]));
+    EXPECT_GE(view->sheet_P.max[i] - text.max[i], 0.5 * (size.x - size[i]));
+    EXPECT_LE(view->sheet_P.min[i], page->sheet_P.min[i]);
+    EXPECT_GE(view->sheet_P.max[i], page->sheet_P.max[i]);
+  }
+  EXPECT_EQ(view->field, page->field);
+}
+
 TEST(ViewPage, BlankPaperHasLettersButNoGrooves) {
   const auto view = Page("moon").View(true);
   EXPECT_EQ(view->letters.size(), 4U);
