@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/console/round_axis.h"
 #include "sim/console/wording.h"
 #include "sim/html_report/html_text.h"
 #include "sim/html_report/report_page.h"
@@ -13,33 +14,20 @@ namespace {
 // [pixels]; the plot's own area lies within
 constexpr double kWidth = 640, kHeight = 280;
 constexpr double kLeft = 64, kRight = 620, kTop = 16, kBottom = 236;
-constexpr int kSteps = 4;  // of the upright axis
-
-/// The round number above: 1, 2, 2.5 or 5 times a power of ten.
-double RoundAbove(double value) {
-  double power = 1;
-  while (power * 10 <= value) power *= 10;
-  while (power > value && power > 1e-9) power /= 10;
-  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
-    if (factor * power >= value) return factor * power;
-  }
-  return 10 * power;
-}
 
 double Across(std::size_t i, std::size_t count) {
   if (count < 2) return (kLeft + kRight) / 2;
   return kLeft + (kRight - kLeft) * static_cast<double>(i) / static_cast<double>(count - 1);
 }
 
-std::string Axes(const ReportPlot& plot, double top) {
+std::string Axes(const ReportPlot& plot, const std::vector<double>& numbers) {
   std::string svg;
-  for (int step = 0; step <= kSteps; ++step) {
-    const double share = static_cast<double>(step) / kSteps;
-    const double y = kBottom - (kBottom - kTop) * share;
+  for (const double number : numbers) {
+    const double y = kBottom - (kBottom - kTop) * number / numbers.back();
     svg += fmt::format(
         "<line x1=\"{0}\" y1=\"{2:.1f}\" x2=\"{1}\" y2=\"{2:.1f}\" stroke=\"#767676\" "
         "stroke-width=\"{3}\"/>\n<text x=\"{4}\" y=\"{5:.1f}\" text-anchor=\"end\">{6}</text>\n",
-        kLeft, kRight, y, step == 0 ? 2 : 0.5, kLeft - 8, y + 5, say::Short(top * share, 3));
+        kLeft, kRight, y, number > 0 ? 0.5 : 2, kLeft - 8, y + 5, say::Short(number, 3));
   }
   svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", kLeft, kBottom + 20,
                      HtmlText(plot.labels.front()));
@@ -55,7 +43,9 @@ std::string Axes(const ReportPlot& plot, double top) {
 
 std::string PlotSvg(const ReportPlot& plot, std::size_t number) {
   const double greatest = *std::max_element(plot.values.begin(), plot.values.end());
-  const double top = plot.top > 0 ? plot.top : RoundAbove(greatest);
+  const double least = greatest > 0 ? greatest : 1;
+  const std::vector<double> numbers = RoundAxis(greatest, plot.top > 0 ? plot.top : least);
+  const double top = numbers.back();
   std::string line, points;
   for (std::size_t i = 0; i < plot.values.size(); ++i) {
     const double x = Across(i, plot.values.size());
@@ -70,7 +60,7 @@ std::string PlotSvg(const ReportPlot& plot, std::size_t number) {
              "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
              "<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#000000\">\n",
              kWidth, kHeight, number, HtmlText(plot.title), HtmlText(say::PlotWords(plot))) +
-         Axes(plot, top) +
+         Axes(plot, numbers) +
          fmt::format(
              "<polyline points=\"{}\" fill=\"none\" stroke=\"#003a70\" "
              "stroke-width=\"2.5\"/>\n",

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/console/round_axis.h"
 #include "sim/view/view_messages.h"
 
 namespace moontrace {
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kShown = 10;            // [s]
 constexpr double kTimes[] = {10, 5, 0};  // numbers on the axis of time, before now [s]
-constexpr double kMostSteps = 4;
 
 struct Kind {
   const char* title;
@@ -86,18 +86,6 @@ void DrawCurve(const Figure& figure, const ViewHistory& history, double ViewHist
 }
 
 }  // namespace
-
-std::vector<double> RoundAxis(double most, double least) {
-  const double top = std::max(most, least);
-  double step = std::pow(10, std::floor(std::log10(top / kMostSteps)));
-  for (const double factor : {2.0, 2.5, 2.0}) {  // 1, 2, 5, 10
-    if (kMostSteps * step >= top * (1 - 1e-9)) break;
-    step *= factor;
-  }
-  std::vector<double> numbers;
-  for (int i = 0; i == 0 || numbers.back() < top * (1 - 1e-9); ++i) numbers.push_back(i * step);
-  return numbers;
-}
 
 void DrawPlots(const ViewHistory& history, const ViewLook& look, const PixelBox& box,
                Canvas& canvas) {

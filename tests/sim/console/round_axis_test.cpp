@@ -1,4 +1,4 @@
-#include "sim/view/view_plots.h"
+#include "sim/console/round_axis.h"
 
 #include <gtest/gtest.h>
 
