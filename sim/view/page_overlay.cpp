@@ -1,11 +1,70 @@
 #include "sim/view/page_overlay.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace moontrace {
 
 namespace {
+
+Color Mixed(const Color& a, const Color& b, double share) {
+  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
+          a.blue + share * (b.blue - a.blue)};
+}
+
+/// Points of the page as lines in the picture; what is far beyond the view is left out.
+class Lines {
+ public:
+  Lines(const PageCamera& camera, const PixelBox& box, Canvas& canvas)
+      : camera_(camera), box_(box), canvas_(canvas) {}
+
+  void Line(glm::dvec2 from_P, glm::dvec2 to_P, double thick, const Color& color) {
+    const std::optional<glm::dvec2> from = At(from_P), to = At(to_P);
+    if (from && to) canvas_.Line({*from, *to}, thick, color);
+  }
+
+  void Outline(const Box& area, double thick, const Color& color) {
+    const glm::dvec2 b(area.max.x, area.min.y), d(area.min.x, area.max.y);
+    Line(area.min, b, thick, color);
+    Line(b, area.max, thick, color);
+    Line(area.max, d, thick, color);
+    Line(d, area.min, thick, color);
+  }
+
+  void Stroke(const std::vector<Piece>& pieces, double thick, const Color& color) {
+    constexpr double kStep = 0.005;  // of the picture's height
+    for (const Piece& piece : pieces) {
+      const double length = Length(piece);
+      const int count = std::clamp(static_cast<int>(length / (kStep * camera_.height)), 1, 100);
+      for (int i = 0; i < count; ++i) {
+        Line(PointAt(piece, length * i / count), PointAt(piece, length * (i + 1) / count), thick,
+             color);
+      }
+    }
+  }
+
+  void Way(const std::vector<ViewMarks::PathPoint>& path, double thick) {
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (path[i].begins) continue;
+      Line(glm::dvec2(path[i - 1].p_P), glm::dvec2(path[i].p_P), thick,
+           Mixed(view_color::kOnStroke, view_color::kOffStroke, std::min(path[i].off, 1.0)));
+    }
+  }
+
+ private:
+  std::optional<glm::dvec2> At(glm::dvec2 p_P) const {
+    constexpr double kFar = 20;  // pictures
+    const double aspect = static_cast<double>(box_.width) / box_.height;
+    const std::optional<glm::dvec2> share = ShareOf(camera_, aspect, p_P);
+    if (!share || std::abs(share->x) > kFar || std::abs(share->y) > kFar) return std::nullopt;
+    return glm::dvec2(box_.x + share->x * box_.width, box_.y + share->y * box_.height);
+  }
+
+  const PageCamera& camera_;
+  const PixelBox& box_;
+  Canvas& canvas_;
+};
 
 /// Where a point is seen in the picture [points]; none: not in this part.
 std::optional<glm::dvec2> PlaceOf(glm::dvec3 p_P, const PageCamera& camera, const PixelBox& box) {
@@ -83,6 +142,12 @@ void DrawStylus(glm::dvec3 tip_P, const PageCamera& camera, const PixelBox& box,
 
 void DrawPageOverlay(const ViewMarks& marks, const PageCamera& camera, const PixelBox& box,
                      Canvas& canvas) {
+  Lines lines(camera, box, canvas);
+  if (marks.letter_P) lines.Outline(*marks.letter_P, 2, view_color::kLetter);
+  for (const std::vector<Piece>& stroke : marks.stroke_P) {
+    lines.Stroke(stroke, 3, view_color::kLetter);
+  }
+  lines.Way(marks.path, 3.5);
   for (const ViewMarks::Print& print : marks.print) DrawPrint(print, camera, box, canvas);
   if (marks.tip_P) DrawStylus(*marks.tip_P, camera, box, canvas);
 }

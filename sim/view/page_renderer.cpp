@@ -41,11 +41,6 @@ void SetColor(mjvGeom& geom, const Color& color, double alpha) {
   geom.rgba[3] = static_cast<float>(alpha);
 }
 
-Color Mixed(const Color& a, const Color& b, double share) {
-  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-          a.blue + share * (b.blue - a.blue)};
-}
-
 /// Adds shapes to MuJoCo's scene; what does not fit is left out.
 class Pen {
  public:
@@ -76,39 +71,6 @@ class Pen {
     Segment(from, from + kUnitsPerNewton * unit_ * force, mjGEOM_ARROW, 0.4 * unit_, color);
   }
 
-  void Outline(const Box& box, double width, const Color& color) {
-    const double z = 0.05 * unit_;
-    const glm::dvec3 a(box.min, z), b(box.max.x, box.min.y, z), c(box.max, z),
-        d(box.min.x, box.max.y, z);
-    Segment(a, b, mjGEOM_LINE, width, color);
-    Segment(b, c, mjGEOM_LINE, width, color);
-    Segment(c, d, mjGEOM_LINE, width, color);
-    Segment(d, a, mjGEOM_LINE, width, color);
-  }
-
-  void Path(const std::vector<ViewMarks::PathPoint>& path) {
-    // above the paper, where no groove hides it
-    const glm::dvec3 lift(0, 0, 0.02 * unit_);
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      if (path[i].begins) continue;
-      const auto raised = [&](glm::dvec3 p) { return glm::dvec3(p.x, p.y, std::max(p.z, 0.0)); };
-      Segment(raised(path[i - 1].p_P) + lift, raised(path[i].p_P) + lift, mjGEOM_LINE, 3,
-              Mixed(view_color::kOnStroke, view_color::kOffStroke, std::min(path[i].off, 1.0)));
-    }
-  }
-
-  void Line(const std::vector<Piece>& pieces, double width, const Color& color) {
-    const double z = 0.03 * unit_;
-    for (const Piece& piece : pieces) {
-      const double length = Length(piece);
-      const int count = std::clamp(static_cast<int>(length / (0.5 * unit_)), 1, 100);
-      for (int i = 0; i < count; ++i) {
-        Segment(glm::dvec3(PointAt(piece, length * i / count), z),
-                glm::dvec3(PointAt(piece, length * (i + 1) / count), z), mjGEOM_LINE, width, color);
-      }
-    }
-  }
-
  private:
   mjvGeom* Next() {
     if (scene_.ngeom >= scene_.maxgeom) return nullptr;
@@ -125,9 +87,6 @@ class Pen {
 void AddMarks(mjvScene& scene, const PageCamera& camera, const ViewMarks& marks) {
   const double unit = 0.01 * camera.height;
   Pen pen(scene, unit);
-  if (marks.letter_P) pen.Outline(*marks.letter_P, 2, view_color::kLetter);
-  for (const std::vector<Piece>& stroke : marks.stroke_P) pen.Line(stroke, 3, view_color::kLetter);
-  pen.Path(marks.path);
   if (marks.bead_P) {
     pen.Ball(glm::dvec3(*marks.bead_P, 0), 0.9 * unit, view_color::kGuidance, 0.8);
   }

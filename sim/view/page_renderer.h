@@ -25,7 +25,8 @@ inline constexpr Color kLetter{0.70, 0.36, 0.56};     ///< reddish purple
 inline constexpr Color kPrint{0.35, 0.12, 0.30};      ///< letters for the sighted
 }  // namespace view_color
 
-/// What is drawn over the page, frame P: here, and as DrawPageOverlay `print` and the stylus.
+/// What is drawn over the page, frame P: here what stands in space (proxy, bead, forces), by
+/// DrawPageOverlay the rest.
 struct ViewMarks {
   std::optional<glm::dvec3> tip_P, proxy_P;  ///< [m]
   glm::dvec3 force_P{0, 0, 0};               ///< on the hand [N]
