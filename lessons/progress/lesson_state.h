@@ -28,7 +28,18 @@ struct Answered {
   Trial measured;      ///< its metrics of the hand while it explored
 };
 /// A word of the learner, or of the tutor, who overrules anything.
-enum class Word { kAgain, kNext, kBigger, kSmaller, kMoreHelp, kLessHelp, kSlower, kFaster, kHint };
+enum class Word {
+  kAgain,
+  kNext,
+  kBack,  ///< to the text before in this lesson
+  kBigger,
+  kSmaller,
+  kMoreHelp,
+  kLessHelp,
+  kSlower,
+  kFaster,
+  kHint
+};
 struct Said {
   Word word = Word::kAgain;
   bool by_tutor = false;
@@ -107,9 +118,10 @@ enum class Sentence {
   kOfferLesson,     ///< text: title of one beside the course; number
   kBreak,           ///< number: minutes worked
   kNoHint,
-  kNotAsked,     ///< text: an answer where nothing was asked
-  kNotNow,       ///< a trace where none was awaited
-  kNoSuchLesson  ///< text: what was asked for
+  kNotAsked,      ///< text: an answer where nothing was asked
+  kNotNow,        ///< a trace where none was awaited
+  kNoTextBefore,  ///< nothing to go back to in this lesson
+  kNoSuchLesson   ///< text: what was asked for
 };
 struct Say {
   Sentence sentence = Sentence::kWelcome;

@@ -59,9 +59,9 @@ void KeepStepEnd(Turn& turn) {
            step != nullptr ? step->kind : StepKind::kExplore, true);
 }
 
-void KeepArrival(Turn& turn, const Lesson& lesson) {
-  KeepMark(turn, lesson.id, 0, lesson.steps.empty() ? StepKind::kExplore : lesson.steps[0].kind,
-           false);
+void KeepArrival(Turn& turn, const Lesson& lesson, std::size_t step) {
+  const bool there = step < lesson.steps.size();
+  KeepMark(turn, lesson.id, step, there ? lesson.steps[step].kind : StepKind::kExplore, false);
 }
 
 const Lesson* LessonNow(const Turn& turn) {

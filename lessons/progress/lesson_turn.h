@@ -27,9 +27,10 @@ void SayCount(Turn& turn, lesson_action::Sentence sentence, std::string_view tex
 void AwaitNow(Turn& turn, lesson_action::Await await);
 /// Adds the trial to progress and to the actions, to be kept in the records.
 void Keep(Turn& turn, Trial trial);
-/// Keeps a trial as a mark: the present step has ended, or the learner has come to a lesson.
+/// Keeps a trial as a mark: the present step has ended, or the learner has come to a step
+/// of a lesson.
 void KeepStepEnd(Turn& turn);
-void KeepArrival(Turn& turn, const Lesson& lesson);
+void KeepArrival(Turn& turn, const Lesson& lesson, std::size_t step = 0);
 /// The present lesson and step; null: none.
 const Lesson* LessonNow(const Turn& turn);
 const Step* StepNow(const Turn& turn);

@@ -108,6 +108,23 @@ void Again(Turn& turn) {
   ShowPage(turn);
 }
 
+/// To the newest page of this lesson that was there to be felt or read: the signs behind it come
+/// again where they are not sure.
+void Back(Turn& turn) {
+  const Lesson* lesson = LessonNow(turn);
+  for (std::size_t step = turn.state.progress.step; lesson != nullptr && step > 0; --step) {
+    const StepKind kind = lesson->steps[step - 1].kind;
+    if (kind != StepKind::kExplore && kind != StepKind::kRead) continue;
+    KeepArrival(turn, *lesson, step - 1);
+    ForgetStep(turn);
+    turn.state.own_text.clear();
+    turn.state.reviews.clear();
+    return GoOn(turn);
+  }
+  Say(turn, Sentence::kNoTextBefore);
+  AwaitNow(turn, turn.state.await);
+}
+
 /// Goes to another lesson; if there is none, says so and stays.
 void Leap(Turn& turn, const Overrule& overrule) {
   const auto here = LessonIndex(turn.course, turn.state.progress.lesson);
@@ -176,6 +193,8 @@ void HandleSaid(Turn& turn, const lesson_event::Said& said) {
       return Again(turn);
     case Word::kNext:
       return Skip(turn);
+    case Word::kBack:
+      return Back(turn);
     case Word::kBigger:
       return ChangeSize(turn, true);
     case Word::kSmaller:

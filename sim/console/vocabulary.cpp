@@ -44,7 +44,7 @@ constexpr auto kWords = std::to_array<TypedWord>({
     {23, "brief", In("L"), true, "", "outcomes only"},
     {24, "full", In("L"), true, "", "all is said again"},
     {25, "my text", In("L"), true, "TEXT", "a text of your own to read"},
-    {26, "back", In("O"), false, "", "the page before"},
+    {26, "back", In("LO"), true, "", "the page before, the text before"},
     {27, "mark", In("O"), false, "", "the way to the bookmark that two presses set"},
     {28, "size", In("OT"), false, "20 mm", "letters of that height"},
     {29, "depth", In("OT"), false, "50 %", "grooves as deep, of the usual"},

@@ -18,31 +18,13 @@ namespace {
 
 /// Word -> its key; F1 for help comes beside.
 std::vector<std::pair<std::string, std::string>> UsualWords() {
-  return {{"again", "r"},
-          {"next", "n"},
-          {"where", "w"},
-          {"letter", "l"},
-          {"spell", "s"},
-          {"word", "o"},
-          {"bigger", "+"},
-          {"smaller", "-"},
-          {"more help", "]"},
-          {"less help", "["},
-          {"slower", ","},
-          {"faster", "."},
-          {"hint", "h"},
-          {"stop", "Escape"},
-          {"go", "g"},
-          {"pause", "Space"},
-          {"skip", "k"},
-          {"lessons", "e"},
-          {"how am i doing", "i"},
-          {"brief", "b"},
-          {"full", "f"},
-          {"my text", "m"},
-          {"done", "d"},
-          {"quit", "q"},
-          {"help", "?"}};
+  return {{"again", "r"},     {"next", "n"},      {"back", "p"},      {"where", "w"},
+          {"letter", "l"},    {"spell", "s"},     {"word", "o"},      {"bigger", "+"},
+          {"smaller", "-"},   {"more help", "]"}, {"less help", "["}, {"slower", ","},
+          {"faster", "."},    {"hint", "h"},      {"stop", "Escape"}, {"go", "g"},
+          {"pause", "Space"}, {"skip", "k"},      {"lessons", "e"},   {"how am i doing", "i"},
+          {"brief", "b"},     {"full", "f"},      {"my text", "m"},   {"done", "d"},
+          {"quit", "q"},      {"help", "?"}};
 }
 
 }  // namespace

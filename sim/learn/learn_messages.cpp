@@ -79,8 +79,9 @@ std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys
 std::vector<std::string> LearnHelp() {
   std::vector<std::string> words, later;
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
+    const std::string& word = LearnWords()[i];
     std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(i)) ? later : words;
-    list.push_back(fmt::format("{} {}", i + 1, LearnWords()[i]));
+    list.push_back(fmt::format("{} {}", WordNamed(word)->number, word));
   }
   return {fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
           fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
@@ -93,15 +94,6 @@ std::vector<std::string> LearnHelp() {
           kTraceEnds,
           kButton,
           "An empty line tells what is waited for."};
-}
-
-std::string LearnUnknown(std::string_view given, std::string_view nearest) {
-  if (given.size() > 1 && given.front() == '/') given.remove_prefix(1);
-  return WordUnknown(given, nearest);
-}
-
-std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words) {
-  return fmt::format("{} could be {}.", OneLine(given, 20), Joined(words, " or "));
 }
 
 std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
@@ -134,6 +126,7 @@ std::string HowSure(std::string_view name, std::size_t right, std::size_t of, do
   if (of == 0) return fmt::format("{}: not named yet at {} mm.", OneLine(name), at);
   return fmt::format("{}: {} of {} right at {} mm.", OneLine(name), right, of, at);
 }
+std::string LessonWhich() { return "Say which lesson: lesson 5. The word lessons tells them."; }
 std::string PractiseWhich() { return "Say which sign: practise b."; }
 std::string BriefNow() { return "Brief: outcomes only. full says all again."; }
 std::string FullNow() { return "Full: all is said again."; }

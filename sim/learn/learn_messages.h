@@ -64,8 +64,6 @@ std::string ProgramTraces();
 /// What ? gives: of words, of single keys (key -> word).
 std::vector<std::string> LearnHelp();
 std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys);
-std::string LearnUnknown(std::string_view given, std::string_view nearest);
-std::string LearnAmbiguous(std::string_view given, const std::vector<std::string>& words);
 std::string AlreadyStopped();
 std::string NotStopped();
 std::string Pausing();
@@ -81,6 +79,7 @@ std::string LessonInList(std::string_view title, std::size_t number, bool here, 
 std::string HowFar(std::size_t known, std::size_t all, double smallest);
 /// Right names of the last ones, at the size at which a sign is worked on [m].
 std::string HowSure(std::string_view name, std::size_t right, std::size_t of, double size);
+std::string LessonWhich();
 std::string PractiseWhich();
 std::string BriefNow();
 std::string FullNow();

@@ -65,6 +65,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   void OwnText(const std::string& given);
   void Speak(LearnWord word);
   void Next();
+  void Back();
   void EndTrace();
   void Where();
   void Letter(LearnWord word);

@@ -9,11 +9,11 @@
 #include "lessons/course/lesson_items.h"
 #include "lessons/progress/lesson_path.h"
 #include "lessons/progress/mastery.h"
+#include "sim/console/word_messages.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_session.h"
 #include "sim/learn/learn_tutor_messages.h"
 #include "sim/session/loop_messages.h"
-#include "textures/base/nearest_word.h"
 
 namespace moontrace {
 
@@ -44,6 +44,10 @@ void LearnSession::Obey(const std::string& line) {
   asks_text_ = false;
   switch (read.kind) {
     case LearnLine::Kind::kWord:
+      if (!read.answer.empty()) {
+        teller_.Say(Priority::kText, say::HelpWith(read.answer, WordPlace::kLesson));
+        break;
+      }
       Speak(read.word);
       break;
     case LearnLine::Kind::kAnswer:
@@ -67,11 +71,8 @@ void LearnSession::Obey(const std::string& line) {
       break;
     case LearnLine::Kind::kNothing:
       break;  // what is waited for
-    case LearnLine::Kind::kUnknown:
-      teller_.Say(Priority::kText, say::LearnUnknown(line, NearestWord(line, LearnWords())));
-      break;
-    case LearnLine::Kind::kAmbiguous:
-      teller_.Say(Priority::kText, say::LearnAmbiguous(line, LearnWordsFrom(line)));
+    case LearnLine::Kind::kRefused:
+      teller_.Say(Priority::kText, read.answer);
       break;
   }
   const bool stops = read.kind == LearnLine::Kind::kWord &&
@@ -94,6 +95,7 @@ std::string LearnSession::Awaited() const {
 }
 
 void LearnSession::GoToLesson(const std::string& given) {
+  if (given.empty()) return teller_.Say(Priority::kText, say::LessonWhich());
   const auto index = LessonNamed(course_, given);
   if (!index) {
     return teller_.Say(Priority::kText, say::LessonNotFound(given, course_.lessons.size()));
@@ -169,6 +171,8 @@ void LearnSession::Speak(LearnWord word) {
       return pass(Word::kAgain);
     case LearnWord::kNext:
       return Next();
+    case LearnWord::kBack:
+      return Back();
     case LearnWord::kBigger:
       return pass(Word::kBigger);
     case LearnWord::kSmaller:
@@ -234,6 +238,12 @@ void LearnSession::Next() {
                        say::NowPage(session.felt().index, session.text().set.pages.size()));
   }
   Take(lesson_event::Said{lesson_event::Word::kNext, false});
+}
+
+void LearnSession::Back() {
+  if (!stage_.Turn(false)) return Take(lesson_event::Said{lesson_event::Word::kBack, false});
+  const LoopSession& session = stage_.session();
+  teller_.Say(Priority::kText, say::NowPage(session.felt().index, session.text().set.pages.size()));
 }
 
 void LearnSession::EndTrace() {

@@ -1,10 +1,11 @@
 #include "sim/learn/learn_words.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "lessons/progress/answer.h"
+#include "sim/console/vocabulary.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -20,12 +21,12 @@ std::string_view WithoutBlanks(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
 }
 
-std::string Trimmed(std::string_view line) { return LowerCase(WithoutBlanks(line)); }
-
 /// Without the slash before and the question mark behind: "/word?" -> "word".
-std::string Bare(std::string given) {
-  if (!given.empty() && given.front() == '/') given = Trimmed(given.substr(1));
-  if (given.size() > 1 && given.back() == '?') given = Trimmed(given.substr(0, given.size() - 1));
+std::string_view Bare(std::string_view given) {
+  if (!given.empty() && given.front() == '/') given = WithoutBlanks(given.substr(1));
+  if (given.size() > 1 && given.back() == '?') {
+    given = WithoutBlanks(given.substr(0, given.size() - 1));
+  }
   return given;
 }
 
@@ -34,29 +35,47 @@ LearnLine Answer(std::string answer) {
   return {Kind::kAnswer, LearnWord::kHelp, std::move(answer)};
 }
 
-std::optional<LearnWord> WholeWord(const std::string& given) {
-  const std::vector<std::string>& words = LearnWords();
-  const auto found = std::find(words.begin(), words.end(), given);
-  if (found != words.end()) return static_cast<LearnWord>(found - words.begin());
-  return given == "?" ? std::optional(LearnWord::kHelp) : std::nullopt;
+/// Words that are kinds of their own, since something stands behind them.
+std::optional<Kind> KindOf(std::string_view word) {
+  if (word == "lesson") return Kind::kLesson;
+  if (word == "practise") return Kind::kPractise;
+  if (word == "my text") return Kind::kMyText;
+  return std::nullopt;
 }
 
-LearnLine Command(const std::string& given) {
-  if (const auto word = WholeWord(given)) return Word(*word);
-  const std::vector<std::string>& words = LearnWords();
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (given == std::to_string(i + 1)) return Word(static_cast<LearnWord>(i));
+/// A word with what stands behind it, as it was typed.
+LearnLine Said(std::string_view word, std::string_view behind) {
+  const std::optional<Kind> kind = KindOf(word);
+  const bool asks = word == "my text" && behind.empty();
+  if (kind && !asks) {
+    const bool text = *kind == Kind::kMyText;  // capitals are part of a text
+    return {*kind, LearnWord::kHelp, text ? std::string(behind) : LowerCase(behind)};
   }
-  const std::vector<std::string> found = LearnWordsFrom(given);
-  if (found.size() == 1) return Word(*WholeWord(found.front()));
-  return {found.empty() ? Kind::kUnknown : Kind::kAmbiguous, LearnWord::kHelp, {}};
+  const std::vector<std::string>& words = LearnWords();
+  const auto found = std::find(words.begin(), words.end(), word);
+  return {Kind::kWord, static_cast<LearnWord>(found - words.begin()), std::string(behind)};
 }
 
-/// What stands behind a word and a blank.
-std::optional<std::string> Behind(std::string_view word, const std::string& given) {
-  const bool begins = given.compare(0, word.size(), word) == 0;
-  if (!begins || given.size() <= word.size() || given[word.size()] != ' ') return std::nullopt;
-  return Trimmed(std::string_view(given).substr(word.size() + 1));
+LearnLine Command(std::string_view typed) {
+  SaidLine said = ReadLine(typed, WordPlace::kLesson);
+  if (said.word == nullptr) return {Kind::kRefused, LearnWord::kHelp, std::move(said.refusal)};
+  return Said(said.word->word, said.behind);
+}
+
+/// A whole word that wants something behind it, with that: no answer, whatever is asked.
+std::optional<LearnLine> WithBehind(std::string_view typed) {
+  const std::string given = LowerCase(typed);
+  for (const char* name : {"lesson", "practise", "my text", "help"}) {
+    const std::string_view word = name;
+    const bool begins = given.compare(0, word.size(), word) == 0;
+    const bool alone = begins && given.size() == word.size();
+    if (alone && KindOf(word)) return Said(word, {});
+    if (!begins || given.size() <= word.size() || given[word.size()] != ' ') continue;
+    const std::string_view behind = WithoutBlanks(typed.substr(word.size()));
+    const bool is_help = KindOf(word) || ReadLine(behind, WordPlace::kLesson).word != nullptr;
+    if (is_help) return Said(word, behind);
+  }
+  return std::nullopt;
 }
 
 bool Begins(std::string_view word, const std::string& given) {
@@ -68,72 +87,63 @@ bool IsSign(const std::string& given) {
   return digits || CountCharacters(given) == 1;
 }
 
+/// A word, or the beginning of one or several: of two letters or more.
+bool IsWord(const std::string& bare) {
+  const WordFound found = FindWord(bare, WordPlace::kLesson);
+  return found.word != nullptr || !found.begun.empty();
+}
+
+LearnLine WhereNameIsAsked(std::string_view typed, const std::string& given,
+                           const std::string& bare, const Course& course) {
+  if (given != "?" && ItemSaid(course, given, {})) return Answer(given);
+  const TypedWord* whole = given == "?" ? WordNamed("help") : WordNamed(bare);
+  if (whole != nullptr && whole->HoldsIn(WordPlace::kLesson)) return Said(whole->word, {});
+  if (IsSign(given) || !IsWord(bare)) return Answer(given);
+  return Command(typed);
+}
+
 }  // namespace
 
 const std::vector<std::string>& LearnWords() {
-  static const std::vector<std::string> words = {
-      "stop",    "next",           "where",   "letter",    "spell",
-      "word",    "bigger",         "smaller", "more help", "less help",
-      "slower",  "faster",         "hint",    "again",     "go",
-      "pause",   "done",           "quit",    "help",      "skip",
-      "lessons", "how am i doing", "brief",   "full",      "my text"};
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> all = WordsIn(WordPlace::kLesson);
+    const auto others = [](const std::string& word) {
+      return KindOf(word) && word != "my text";  // which alone asks for a text
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), others), all.end());
+    return all;
+  }();
   return words;
 }
 
-std::vector<std::string> LearnWordsFrom(std::string_view line) {
-  const std::string given = Bare(Trimmed(line));
-  constexpr std::ptrdiff_t kFirst = 19;
-  const std::vector<std::string>& words = LearnWords();
-  std::vector<std::string> found;
-  const auto begins = [&given](const std::string& word) {
-    return word.compare(0, given.size(), given) == 0;
-  };
-  std::copy_if(words.begin(), words.begin() + kFirst, std::back_inserter(found), begins);
-  if (found.empty()) {
-    std::copy_if(words.begin() + kFirst, words.end(), std::back_inserter(found), begins);
-  }
-  return found;
-}
-
 LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course) {
-  const std::string given = Trimmed(line);
+  const std::string given = LowerCase(WithoutBlanks(line));
   if (given.empty() && asked == Asked::kText) return {Kind::kMyText, LearnWord::kHelp, {}};
   if (given.empty()) return {};
-  const std::string bare = Bare(given);
-  if (bare.empty()) return Word(LearnWord::kHelp);  // a slash alone
+  const std::string_view typed = Bare(WithoutBlanks(line));
+  if (typed.empty()) return Word(LearnWord::kHelp);  // a slash alone
+  const std::string bare = LowerCase(typed);
   const bool is_item = asked == Asked::kName && ItemSaid(course, given, {});
-  if (auto lesson = Behind("lesson", bare); lesson && !is_item) {
-    return {Kind::kLesson, LearnWord::kHelp, *std::move(lesson)};
-  }
-  if (auto sign = Behind("practise", bare); sign && !is_item) {
-    return {Kind::kPractise, LearnWord::kHelp, *std::move(sign)};
-  }
-  if (bare == "practise" && !is_item) return {Kind::kPractise, LearnWord::kHelp, {}};
-  if (Behind("my text", bare) && !is_item) {
-    // as it was typed: capitals are part of a text
-    constexpr std::string_view kWord = "my text";
-    const std::size_t begin = LowerCase(line).find(kWord) + kWord.size();
-    return {Kind::kMyText, LearnWord::kHelp, std::string(WithoutBlanks(line.substr(begin)))};
-  }
-  if (asked == Asked::kNothing || given.front() == '/') return Command(bare);
+  const std::optional<LearnLine> with = WithBehind(typed);
+  if (with && !is_item) return *with;
+  if (asked == Asked::kNothing || given.front() == '/') return Command(typed);
   if (bare == "stop") return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);
-  if (asked == Asked::kText) {
-    if (given == "?") return Word(LearnWord::kHelp);
-    return {Kind::kMyText, LearnWord::kHelp, std::string(WithoutBlanks(line))};
+  switch (asked) {
+    case Asked::kText:
+      if (given == "?") return Word(LearnWord::kHelp);
+      return {Kind::kMyText, LearnWord::kHelp, std::string(WithoutBlanks(line))};
+    case Asked::kSame:
+      if (SameSaid(given)) return Answer(given);
+      for (const char* word : {"same", "different"}) {
+        if (Begins(word, given)) return Answer(word);
+      }
+      return Command(typed);
+    case Asked::kName:
+    case Asked::kNothing:
+      break;
   }
-  if (asked == Asked::kSame) {
-    if (SameSaid(given)) return Answer(given);
-    for (const char* word : {"same", "different"}) {
-      if (Begins(word, given)) return Answer(word);
-    }
-    return Command(bare);
-  }
-  if (given != "?" && ItemSaid(course, given, {})) return Answer(given);
-  if (const auto word = WholeWord(bare)) return Word(*word);
-  if (IsSign(given)) return Answer(given);
-  const LearnLine command = Command(bare);
-  return command.kind == Kind::kUnknown ? Answer(given) : command;
+  return WhereNameIsAsked(typed, given, bare, course);
 }
 
 }  // namespace moontrace

@@ -11,7 +11,7 @@ namespace moontrace {
 
 /// What a learner can say at any moment of a lesson.
 enum class LearnWord : std::uint8_t {
-  kStop,  ///< number 1 here as everywhere
+  kStop,
   kNext,
   kWhere,
   kLetter,
@@ -36,9 +36,11 @@ enum class LearnWord : std::uint8_t {
   kBrief,   ///< outcomes only
   kFull,    ///< all again
   kMyText,  ///< asks for a text of one's own
+  kBack,
 };
 
-/// The words by their numbers, from 1: stop, next, where, ...
+/// The words in the order of LearnWord, which is that of their numbers (sim/console/vocabulary.h):
+/// stop, next, where, ...
 const std::vector<std::string>& LearnWords();
 
 /// What is asked just now, so that an answer can be told from a word.
@@ -54,31 +56,26 @@ struct LearnLine {
   enum class Kind : std::uint8_t {
     kWord,
     kAnswer,
-    kLesson,    ///< "lesson 5"
-    kPractise,  ///< "practise b"
+    kLesson,    ///< "lesson 5"; without the number: "lesson"
+    kPractise,  ///< "practise b", "practise"
     kMyText,    ///< "my text the cat sat", or what was typed where a text was asked for
     kNothing,   ///< an empty line
-    kUnknown,   ///< no such word, and nothing was asked
-    kAmbiguous  ///< the beginning of several words
+    kRefused    ///< no such word, and nothing was asked, or the beginning of several
   };
   Kind kind = Kind::kNothing;
   LearnWord word = LearnWord::kHelp;  ///< of kWord
-  std::string answer;  ///< of kAnswer, in small letters; of kLesson and kPractise which one;
-                       ///< of kMyText as it was typed
+  /// Of kAnswer, in small letters; of kLesson and kPractise which one; of kMyText as it was typed;
+  /// of "help" the word that is asked about; of kRefused one line: what is wrong, and the cure.
+  std::string answer;
 };
 
-/// A word, an unambiguous beginning of one, its number, or "?"; capitals and blanks around do not
-/// count, nor does a question mark behind a word. A line that begins with "/" is never an answer,
-/// nor is "lesson", "practise" or "my text" with words behind it, where that is no item of the
-/// course.
+/// A word as ReadLine has it (sim/console/vocabulary.h); a question mark behind it does not count.
+/// A line that begins with "/" is never an answer, nor is "lesson", "practise", "my text" or "help"
+/// with what they want behind them, where that is no item of the course.
 ///
 /// While something is asked, in this order: stop and quit are always words; the text or the name of
 /// an item of the course is an answer; then whole words; single signs and digits are answers;
 /// beginnings of words of two letters and more are words; anything else is an answer.
 LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course);
-
-/// The words that begin with `line`: of the first nineteen if one does, so that what came later
-/// takes nobody's short forms away.
-std::vector<std::string> LearnWordsFrom(std::string_view line);
 
 }  // namespace moontrace

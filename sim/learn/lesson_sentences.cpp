@@ -58,6 +58,8 @@ std::string OfCourse(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kSkipped:
       return text.empty() ? "Skipped, not sure yet."
                           : fmt::format("Skipped, not sure yet: {}.", text);
+    case Sentence::kNoTextBefore:
+      return "Nothing before this in the lesson. The word lessons tells the others.";
     case Sentence::kNoSuchLesson:
       return fmt::format("No such lesson: {}.", OneLine(sentence.text, 20));
     default:

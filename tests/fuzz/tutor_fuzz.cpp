@@ -70,9 +70,10 @@ void HearLearner(std::string_view line) {
   for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
     const LearnLine read = ReadLearnLine(line, asked, course);
     Require(static_cast<std::size_t>(read.word) < LearnWords().size());
-    Require(read.kind != LearnLine::Kind::kAnswer || !read.answer.empty());
+    const bool speaks =
+        read.kind == LearnLine::Kind::kAnswer || read.kind == LearnLine::Kind::kRefused;
+    Require(!speaks || !read.answer.empty());
   }
-  LearnWordsFrom(line);
 }
 
 }  // namespace

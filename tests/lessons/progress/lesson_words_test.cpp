@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lessons/progress/learning.h"
 #include "tests/lessons/lesson_fixture.h"
 
 namespace moontrace {
@@ -83,7 +84,7 @@ TEST_F(LessonWords, EveryWordIsAnsweredAtEveryState) {
   int states = 0;
   for (int i = 0; i < 400; ++i) {
     for (const Word word :
-         {Word::kAgain, Word::kNext, Word::kBigger, Word::kSmaller, Word::kMoreHelp,
+         {Word::kAgain, Word::kNext, Word::kBack, Word::kBigger, Word::kSmaller, Word::kMoreHelp,
           Word::kLessHelp, Word::kSlower, Word::kFaster, Word::kHint}) {
       LessonRun aside = run_;
       aside.Say(word);
@@ -96,6 +97,21 @@ TEST_F(LessonWords, EveryWordIsAnsweredAtEveryState) {
   }
   EXPECT_EQ(run_.state.await, Await::kEnd);
   EXPECT_GT(states, 9 * 100);
+}
+
+TEST_F(LessonWords, BackShowsTheTextBeforeAndKeepsWhatIsKnown) {
+  run_.Say(Word::kBack);
+  EXPECT_TRUE(run_.Said(Sentence::kNoTextBefore)) << "the lesson begins with its first text";
+  GoToQuestion();
+  const std::size_t step = run_.state.progress.step;
+  const auto items = run_.state.progress.items;
+  run_.Say(Word::kBack);
+  EXPECT_EQ(run_.show.text, "itl");
+  EXPECT_EQ(run_.state.progress.step, 0U);
+  EXPECT_EQ(run_.state.progress.items, items);
+  EXPECT_EQ(LearnAll(run_.course, run_.kept), run_.state.progress) << "a new start knows it too";
+  while (run_.state.progress.step != step) run_.Work();
+  EXPECT_EQ(run_.state.await, Await::kAnswer);
 }
 
 // Whatever is asked, a sign that is known is traced once more; then the question comes again.

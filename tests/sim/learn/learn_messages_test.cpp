@@ -73,13 +73,6 @@ TEST(LearnMessages, ItemsAreCalledByTheirNames) {
   EXPECT_EQ(say::Called(course, ",\nb"), "comma and b");
 }
 
-TEST(LearnMessages, AnUnknownKeyIsToldWithoutTheSlashOfWords) {
-  EXPECT_EQ(say::LearnUnknown("/x", ""), "Unknown: x. Type ? for the words.");
-  EXPECT_EQ(say::LearnUnknown("biger", "bigger"),
-            "Unknown: biger. Did you mean bigger? Type ? for the words.");
-  EXPECT_EQ(say::LearnUnknown("/", ""), "Unknown: /. Type ? for the words.");
-}
-
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
   const std::vector<std::string> help = say::LearnHelp();
   const std::string words = help[0] + help[1];

@@ -112,12 +112,26 @@ TEST(LearnWords, TakeALessonByItsNumberOrName) {
 TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(Read("").kind, Kind::kNothing);
   EXPECT_EQ(Read(" \t ").kind, Kind::kNothing);
-  EXPECT_EQ(Read("fly").kind, Kind::kUnknown);
-  EXPECT_EQ(Read("0").kind, Kind::kUnknown);
-  EXPECT_EQ(Read("26").kind, Kind::kUnknown);
-  EXPECT_EQ(Read("le").kind, Kind::kAmbiguous);
-  EXPECT_EQ(LearnWordsFrom("le"), (std::vector<std::string>{"letter", "less help"}));
-  EXPECT_EQ(LearnWordsFrom("/w"), (std::vector<std::string>{"where", "word"}));
+  const auto refused = [](std::string_view line) {
+    const LearnLine read = Read(line);
+    return read.kind == Kind::kRefused ? read.answer : std::string();
+  };
+  EXPECT_EQ(refused("fly"), "Unknown: fly. Type ? for the words.");
+  EXPECT_EQ(refused("0"), "Unknown: 0. Type ? for the words.");
+  EXPECT_EQ(refused("28"), "size is no word here. Type ? for the words.");
+  EXPECT_EQ(refused("le"), "le could be letter or less help.");
+  EXPECT_EQ(refused("/w"), "w could be where or word.");
+  EXPECT_EQ(refused("pause now"), "pause stands alone: leave out now.");
+}
+
+TEST(LearnWords, HelpTakesTheWordItIsAskedAbout) {
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
+    ExpectWord(Read("help next", asked), LearnWord::kHelp);
+    EXPECT_EQ(Read("help next", asked).answer, "next");
+  }
+  ExpectWord(Read("back"), LearnWord::kBack);
+  EXPECT_EQ(Read("lesson").kind, Kind::kLesson);
+  EXPECT_EQ(Read("lesson").answer, "");
 }
 
 TEST(LearnWords, GiveWayToAnswersWhereSomethingIsAsked) {
@@ -141,7 +155,7 @@ TEST(LearnWords, CanBeSaidWhileSomethingIsAsked) {
   ExpectWord(Read("/go", Asked::kName), LearnWord::kGo);
   ExpectWord(Read("?", Asked::kName), LearnWord::kHelp);
   ExpectWord(Read("word?", Asked::kName), LearnWord::kWord);
-  EXPECT_EQ(Read("le", Asked::kName).kind, Kind::kAmbiguous);
+  EXPECT_EQ(Read("le", Asked::kName).kind, Kind::kRefused);
 }
 
 TEST(LearnWords, StopAndQuitAreNeverAnswers) {
@@ -159,7 +173,7 @@ TEST(LearnWords, SameAndDifferentMayBeBegun) {
   ExpectAnswer(Read("dif", Asked::kSame), "different");
   ExpectWord(Read("smaller", Asked::kSame), LearnWord::kSmaller);
   ExpectWord(Read("7", Asked::kSame), LearnWord::kBigger);
-  EXPECT_EQ(Read("elephant", Asked::kSame).kind, Kind::kUnknown);
+  EXPECT_EQ(Read("elephant", Asked::kSame).kind, Kind::kRefused);
 }
 
 }  // namespace
