@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 #include <map>
 
 #include "textures/base/error.h"
@@ -159,38 +160,99 @@ bool CanMatter(const Element& element, glm::dvec2 middle, double reach) {
       element.shape);
 }
 
+/// How much of a disc lies beside a spine, between its butt ends.
+enum class Beside { kNot, kPartly, kWholly };
+
+Beside BesideOf(const Line& line, glm::dvec2 middle, double reach) {
+  const double length = glm::length(line.to - line.from);
+  if (!(length > 0)) return Beside::kPartly;
+  const double along = glm::dot(middle - line.from, line.to - line.from) / length;
+  if (along < -reach || along > length + reach) return Beside::kNot;
+  return along >= reach && along <= length - reach ? Beside::kWholly : Beside::kPartly;
+}
+
+Beside BesideOf(const Arc& arc, glm::dvec2 middle, double reach) {
+  if (IsWhole(arc)) return Beside::kWholly;
+  const glm::dvec2 v = middle - arc.center;
+  // the rays that bound the arc's sector, as far as the disc reaches
+  const double far = glm::length(v) + reach;
+  for (const double end : {arc.start, arc.start + arc.sweep}) {
+    if (DistanceTo(Line{{0, 0}, far * DirectionOf(end)}, v) <= reach) return Beside::kPartly;
+  }
+  return AngleAlong(arc, v) <= std::abs(arc.sweep) ? Beside::kWholly : Beside::kNot;
+}
+
+/// Between which bounds an element's distance lies in the disc of radius `reach` about a cell's
+/// middle; infinite where a butt end stops it.
+struct Distances {
+  double least = 0, greatest = 0;  ///< [m]
+};
+Distances DistancesOf(const Element& element, glm::dvec2 middle, double reach) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const auto of = [reach](Beside beside, double to_spine) -> Distances {
+    if (beside == Beside::kNot) return {kInfinite, kInfinite};
+    return {to_spine - reach, beside == Beside::kWholly ? to_spine + reach : kInfinite};
+  };
+  return std::visit(
+      Overload{
+          [=](const Line& line) {
+            return of(BesideOf(line, middle, reach), DistanceTo(line, middle));
+          },
+          [=](const Arc& arc) { return of(BesideOf(arc, middle, reach), DistanceTo(arc, middle)); },
+          [=](const Dot& dot) { return of(Beside::kWholly, glm::length(middle - dot.center)); },
+          [](const Fill&) {
+            return Distances{0, kInfinite};
+          },
+      },
+      element.shape);
+}
+
+/// Of strokes of one profile the nearest decides: leaves out what is never the nearest in the cell.
+void KeepNearest(const Group& group, glm::dvec2 middle, double reach,
+                 std::vector<std::uint16_t>& items) {
+  if (items.size() < 2) return;
+  std::vector<double> least;
+  double nearest = std::numeric_limits<double>::max();
+  for (const std::uint16_t i : items) {
+    const Distances distances = DistancesOf(group.elements[i], middle, reach);
+    least.push_back(distances.least);
+    nearest = std::min(nearest, distances.greatest);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (least[i] <= nearest) items[kept++] = items[i];
+  }
+  items.resize(kept);
+}
+
 /// The elements that can matter within `reach` of a cell's middle, in the group's order. `bounds`
 /// are the elements' own, which rule most of them out at once.
-Cell MakeCell(const Group& group, const std::vector<Box>& bounds, glm::dvec2 middle, double reach,
-              CompiledLayer& layer) {
+Cell MakeCell(const Group& group, const Block& block, const std::vector<Box>& bounds,
+              glm::dvec2 middle, double reach, CompiledLayer& layer) {
   std::vector<std::uint16_t> items;
   for (std::size_t i = 0; i < group.elements.size(); ++i) {
     if (!Contains(Grown(bounds[i], reach), middle)) continue;
     if (CanMatter(group.elements[i], middle, reach)) items.push_back(static_cast<std::uint16_t>(i));
   }
-  Cell cell;
-  cell.count = static_cast<std::uint16_t>(items.size());
-  if (items.size() <= Cell::kInPlace) {
-    std::copy(items.begin(), items.end(), cell.items.begin());
-    return cell;
-  }
+  if (block.plain) KeepNearest(group, middle, reach, items);
+  if (items.empty()) return {};
+  if (items.size() == 1) return {block.first_element + items.front() + 1};
   const auto first = static_cast<std::uint32_t>(layer.items.size());
-  cell.items = {static_cast<std::uint16_t>(first & 0xffff), static_cast<std::uint16_t>(first >> 16),
-                0};
+  layer.items.push_back(static_cast<std::uint16_t>(items.size()));
   layer.items.insert(layer.items.end(), items.begin(), items.end());
-  return cell;
+  return {first | Cell::kListed};
 }
 
 /// Fills a block's grid: for each cell the elements that can matter there, in the group's order.
 void AddCells(const Group& group, double blend_reach, Block& block, CompiledLayer& layer) {
-  // cells of a third of the finest groove: most of them then hold one element or none
+  // cells of a fifth of the finest groove: nine of ten then hold one element or none
   const glm::dvec2 size = block.box.max - block.box.min;
   double finest = glm::length(size);
   for (const Element& element : group.elements) {
     finest = std::min(finest, element.profile.width);
   }
   // coarser for what is not a letter of the plain page: links are many and stand mostly alone
-  const double share = block.plain || block.blend > 0 ? 0.33 : 1.0;
+  const double share = block.plain || block.blend > 0 ? 0.2 : 1.0;
   const auto count = [finest, share](double length) {
     const double wanted = std::ceil(length / (share * finest));
     return static_cast<std::uint8_t>(std::clamp(wanted, 1.0, 40.0));
@@ -208,7 +270,7 @@ void AddCells(const Group& group, double blend_reach, Block& block, CompiledLaye
   for (std::uint32_t row = 0; row < block.rows; ++row) {
     for (std::uint32_t column = 0; column < block.columns; ++column) {
       const glm::dvec2 middle = block.box.min + cell * (glm::dvec2(column, row) + 0.5);
-      layer.cells.push_back(MakeCell(group, bounds, middle, reach, layer));
+      layer.cells.push_back(MakeCell(group, block, bounds, middle, reach, layer));
     }
   }
 }

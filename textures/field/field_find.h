@@ -24,6 +24,26 @@ inline CellPlace PlaceOf(const Block& block, glm::dvec2 p) noexcept {
   return {std::min(column, block.columns - 1u), std::min(row, block.rows - 1u)};
 }
 
+/// The elements of a cell that holds some, wherever their numbers stand.
+struct CellElements {
+  CellElements(const TextureField::CompiledLayer& layer, const Block& block, Cell cell) noexcept {
+    if (!cell.listed()) {
+      first = &layer.elements[cell.element()];
+      return;
+    }
+    const std::uint16_t* list = &layer.items[cell.list()];
+    first = &layer.elements[block.first_element];
+    count = list[0];
+    items = list + 1;
+  }
+  const FlatElement& operator[](std::size_t i) const noexcept { return first[items[i]]; }
+
+  static constexpr std::uint16_t kFirst = 0;
+  const FlatElement* first = nullptr;
+  std::uint32_t count = 1;
+  const std::uint16_t* items = &kFirst;  ///< counted from `first`
+};
+
 /// The band at a height, or one beyond all, also for NaN.
 inline std::uint32_t BandOf(const TextureField::CompiledLayer& layer, double y) noexcept {
   // comparisons are written so that a NaN ends here

@@ -57,13 +57,16 @@ struct FlatFade {
   double rate = 0;          ///< of an arc: share of it for an angle, below zero clockwise [1/rad]
 };
 
-/// The elements that can matter in one cell of a block: up to three of them in place, else a list.
+/// What can matter in one cell of a block: nothing; one element, by its number among the layer's;
+/// or several, by where the layer's `items` give how many there are and which, counted from the
+/// block's first, ascending.
 struct Cell {
-  std::uint16_t count = 0;
-  std::array<std::uint16_t, 3> items{};  ///< element, counted from the block's first; ascending
-  static constexpr std::uint16_t kInPlace = 3;
-  /// Where a longer list starts in `items`.
-  std::uint32_t list() const noexcept { return items[0] | (std::uint32_t{items[1]} << 16); }
+  static constexpr std::uint32_t kListed = 0x8000'0000u;
+  std::uint32_t code = 0;  ///< 0, one more than the number, or kListed and the place in `items`
+  bool empty() const noexcept { return code == 0; }
+  bool listed() const noexcept { return (code & kListed) != 0; }
+  std::uint32_t element() const noexcept { return code - 1; }
+  std::uint32_t list() const noexcept { return code & ~kListed; }
 };
 
 /// The elements of one group, shared by all its placements, behind a small grid that says which of

@@ -111,29 +111,21 @@ inline Magnitude OfFill(const CompiledLayer& layer, const FlatElement& fill,
   return FromRim(profile, std::sqrt(nearest.distance2), nearest.v);
 }
 
-/// The elements of a cell, wherever their numbers stand.
-class CellElements {
- public:
-  CellElements(const CompiledLayer& layer, const Block& block, const Cell& cell) noexcept
-      : elements_(&layer.elements[block.first_element]),
-        items_(cell.count <= Cell::kInPlace ? cell.items.data() : &layer.items[cell.list()]) {}
-  const FlatElement& operator[](std::size_t i) const noexcept { return elements_[items_[i]]; }
-
- private:
-  const FlatElement* elements_;
-  const std::uint16_t* items_;
-};
-
 /// All strokes of one profile: the nearest spine has the greatest magnitude.
-inline Magnitude SamplePlain(const CompiledLayer& layer, const Block& block, const Cell& cell,
+inline Magnitude SamplePlain(const CompiledLayer& layer, const Block& block, Cell cell,
                              glm::dvec2 p) noexcept {
-  const CellElements elements(layer, block, cell);
-  const FlatProfile& profile = layer.profiles[block.profile];
-  Near nearest = NearestOf(elements[0], p);
-  for (std::uint32_t i = 1; i < cell.count; ++i) {
-    const Near near = NearestOf(elements[i], p);
-    if (near.distance < nearest.distance) nearest = near;
+  Near nearest;
+  if (cell.listed()) [[unlikely]] {
+    const CellElements elements(layer, block, cell);
+    nearest = NearestOf(elements[0], p);
+    for (std::uint32_t i = 1; i < elements.count; ++i) {
+      const Near near = NearestOf(elements[i], p);
+      if (near.distance < nearest.distance) nearest = near;
+    }
+  } else {
+    nearest = NearestOf(layer.elements[cell.element()], p);
   }
+  const FlatProfile& profile = layer.profiles[block.profile];
   if (!(nearest.distance < profile.half)) return {};
   return FromSpine(profile, nearest.distance, nearest.away);
 }
@@ -206,11 +198,11 @@ inline Magnitude OfElement(const CompiledLayer& layer, const FlatElement& elemen
 }
 
 /// Mixed profiles and fills: magnitudes are compared one by one.
-Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, const Cell& cell,
+Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, Cell cell,
                       glm::dvec2 p) noexcept {
   const CellElements elements(layer, block, cell);
   Magnitude greatest;
-  for (std::size_t i = 0; i < cell.count; ++i) {
+  for (std::size_t i = 0; i < elements.count; ++i) {
     const Magnitude member = OfElement(layer, elements[i], p);
     if (member.height > greatest.height) greatest = member;
   }
@@ -237,21 +229,21 @@ class CellFeet {
 };
 
 /// The same with creases rounded.
-Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Cell& cell,
+Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, Cell cell,
                         glm::dvec2 p) noexcept {
   const CellElements elements(layer, block, cell);
-  const CellFeet feet(elements, cell.count, p);
+  const CellFeet feet(elements, elements.count, p);
   const double rho = layer.blend_radii[block.blend];
-  const double reach = BlendReach(cell.count, rho);
+  const double reach = BlendReach(elements.count, rho);
   Magnitude greatest;
-  for (std::size_t i = 0; i < cell.count; ++i) {
+  for (std::size_t i = 0; i < elements.count; ++i) {
     const FlatElement& element = elements[i];
     Magnitude member;
     if (element.kind <= FlatKind::kRing) {
       const Foot own = feet[i];
       const FlatProfile& profile = layer.profiles[element.profile];
       if (own.distance < 0 || own.distance >= profile.half + reach) continue;
-      const BlendedDistance blended = Blend(feet, cell.count, i, rho);
+      const BlendedDistance blended = Blend(feet, elements.count, i, rho);
       const double d = PositivePart(blended.distance);
       if (d < profile.half) member = FromSpine(profile, d, blended.gradient);
     } else {
@@ -266,8 +258,8 @@ Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, const Ce
 inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
                              glm::dvec2 p) noexcept {
   const CellPlace place = PlaceOf(block, p);
-  const Cell& cell = layer.cells[block.first_cell + place.row * block.columns + place.column];
-  if (cell.count == 0) return {};
+  const Cell cell = layer.cells[block.first_cell + place.row * block.columns + place.column];
+  if (cell.empty()) return {};
   if (block.plain) return SamplePlain(layer, block, cell, p);
   return block.blend > 0 ? SampleBlended(layer, block, cell, p)
                          : SampleMixed(layer, block, cell, p);

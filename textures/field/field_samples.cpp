@@ -1,6 +1,6 @@
-// Many points at once. Points that follow each other in one letter are cut into runs of one cell;
-// the elements of that cell are then looked at one after the other, for all points of the run side
-// by side, in loops that compilers turn into vector instructions.
+// Many points at once. Points that follow each other in one letter are cut into runs in cells that
+// hold the same; the elements of those cells are then looked at one after the other, for all points
+// of the run side by side, in loops that compilers turn into vector instructions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,8 +36,7 @@ struct Run {
 };
 
 /// As NearestOf and SamplePlain of the single query, in the same order of operations.
-MOONTRACE_WIDE void RunPlain(const FlatElement* elements, const std::uint16_t* items,
-                             std::size_t item_count, const FlatProfile& profile,
+MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& profile,
                              Run& run) noexcept {
   // whole vectors only, so that no rest is left to be worked out one by one
   const std::size_t count = (run.count + kSide - 1) / kSide * kSide;
@@ -45,8 +44,8 @@ MOONTRACE_WIDE void RunPlain(const FlatElement* elements, const std::uint16_t* i
   double *best = run.distance.data(), *away_x = run.away_x.data(), *away_y = run.away_y.data();
   for (std::size_t i = 0; i < count; ++i) best[i] = kFar;
   for (std::size_t i = 0; i < count; ++i) away_x[i] = away_y[i] = 0;
-  for (std::size_t k = 0; k < item_count; ++k) {
-    const FlatElement& element = elements[items[k]];
+  for (std::size_t k = 0; k < elements.count; ++k) {
+    const FlatElement& element = elements[k];
     const double ax = element.anchor.x, ay = element.anchor.y;
     const double ux = element.direction.x, uy = element.direction.y;
     if (element.kind == FlatKind::kLine) {
@@ -158,26 +157,46 @@ class RowLayer {
     sure.min.y = std::max(sure.min.y, in_band.min.y - letter.origin.y);
     sure.max.y = std::min(sure.max.y, in_band.max.y - letter.origin.y);
     const glm::dvec2 size = 1.0 / block.cells_per_m;
-    do i = AddCell(letter, size, sure, i);
+    do i = AddCells(letter, size, sure, i);
     while (i < points_.size() && IsIn(sure, points_[i] - letter.origin));
     return i;
   }
 
-  std::size_t AddCell(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
-                      std::size_t i) noexcept {
+  /// A cell and the part of the letter's box where a point surely lies in it.
+  struct SureCell {
+    Cell cell;
+    Box sure;
+  };
+  SureCell CellAt(const Block& block, glm::dvec2 size, const Box& of_letter,
+                  glm::dvec2 local) const noexcept {
+    const CellPlace place = PlaceOf(block, local);
+    const glm::dvec2 low = block.box.min + size * glm::dvec2(place.column, place.row);
+    return {layer_.cells[block.first_cell + place.row * block.columns + place.column],
+            {{std::max(low.x + kHair, of_letter.min.x), std::max(low.y + kHair, of_letter.min.y)},
+             {std::min(low.x + size.x - kHair, of_letter.max.x),
+              std::min(low.y + size.y - kHair, of_letter.max.y)}}};
+  }
+
+  /// The same for the cells that hold the same as the i-th point's, as long as the points stay
+  /// there.
+  std::size_t AddCells(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
+                       std::size_t i) noexcept {
     const Block& block = *letter.block;
     glm::dvec2 local = points_[i] - letter.origin;
-    const CellPlace place = PlaceOf(block, local);
-    const Cell& cell = layer_.cells[block.first_cell + place.row * block.columns + place.column];
-    const glm::dvec2 low = block.box.min + size * glm::dvec2(place.column, place.row);
-    const Box sure{
-        {std::max(low.x + kHair, of_letter.min.x), std::max(low.y + kHair, of_letter.min.y)},
-        {std::min(low.x + size.x - kHair, of_letter.max.x),
-         std::min(low.y + size.y - kHair, of_letter.max.y)}};
+    SureCell at = CellAt(block, size, of_letter, local);
+    const Cell cell = at.cell;
+    const auto stays = [&] {
+      if (IsIn(at.sure, local)) return true;
+      if (!IsIn(of_letter, local)) return false;
+      at = CellAt(block, size, of_letter, local);
+      return at.cell.code == cell.code;
+    };
     const std::size_t first = i;
-    if (cell.count == 0) {
-      do ++i;
-      while (i < points_.size() && IsIn(sure, points_[i] - letter.origin));
+    if (cell.empty()) {
+      do {
+        if (++i == points_.size()) break;
+        local = points_[i] - letter.origin;
+      } while (stays());
       return i;
     }
     std::size_t count = 0;
@@ -187,7 +206,13 @@ class RowLayer {
       ++count;
       if (++i == points_.size() || count == kMost) break;
       local = points_[i] - letter.origin;
-    } while (IsIn(sure, local));
+    } while (stays());
+    AddPoints(block, cell, first, count);
+    return i;
+  }
+
+  /// Adds the run's points, the first of which has the number `first`.
+  void AddPoints(const Block& block, Cell cell, std::size_t first, std::size_t count) noexcept {
     run_.count = count;
     for (std::size_t k = count; k % kSide != 0; ++k) {
       run_.x[k] = run_.x[count - 1];
@@ -197,15 +222,12 @@ class RowLayer {
       for (std::size_t k = 0; k < count; ++k) {
         Add(first + k, SampleBlockAt(layer_, block, {run_.x[k], run_.y[k]}));
       }
-      return i;
+      return;
     }
-    RunPlain(&layer_.elements[block.first_element],
-             cell.count <= Cell::kInPlace ? cell.items.data() : &layer_.items[cell.list()],
-             cell.count, layer_.profiles[block.profile], run_);
+    RunPlain(CellElements(layer_, block, cell), layer_.profiles[block.profile], run_);
     for (std::size_t k = 0; k < count; ++k) {
       Add(first + k, {run_.height[k], {run_.slope_x[k], run_.slope_y[k]}});
     }
-    return i;
   }
 
   void Add(std::size_t i, const Magnitude& magnitude) noexcept {
