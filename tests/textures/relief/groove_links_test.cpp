@@ -112,6 +112,31 @@ std::size_t PairsThatMeet(const SamplePage& sample, const GrooveLinks& links) {
   return pairs;
 }
 
+/// The longest part of a link that runs beside a stroke of the letter which it leaves [m]: within
+/// 30 degrees of its direction and 2.25 widths, the link's first 2 widths aside.
+double RunsBesideItsLetter(const SamplePage& sample, const GrooveLinks& links,
+                           const GrooveLink& link) {
+  const double w = sample.typeset.style.width, step = w / 20;
+  const std::vector<LinkWall> walls = WallsOf(sample, sample.typeset.pages[0].glyphs[link.from]);
+  double at = 0, beside = 0, longest = 0;
+  for (const Piece& piece : SpineOf(links, link)) {
+    for (double s = 0; s < Length(piece); s += step, at += step) {
+      const auto is_beside = [&](const LinkWall& wall) {
+        const double own = Length(wall.piece);
+        for (double u = 0; u <= own; u += step) {
+          if (glm::distance(PointAt(wall.piece, u), PointAt(piece, s)) > 2.25 * w) continue;
+          if (std::abs(glm::dot(TangentAt(wall.piece, u), TangentAt(piece, s))) > 0.866)
+            return true;
+        }
+        return false;
+      };
+      beside = at > 2 * w && std::any_of(walls.begin(), walls.end(), is_beside) ? beside + step : 0;
+      longest = std::max(longest, beside);
+    }
+  }
+  return longest;
+}
+
 class LinkedSizes : public ::testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, LinkedSizes, ::testing::Values(0.020, 0.012));
 
@@ -183,6 +208,23 @@ TEST_P(LinkedSizes, KeepTheGapToAllStrokesOfTheirLine) {
         EXPECT_GE(LeastGap(spine, w / 2, wall, begin, end, w / 50), 0.25 * w * (1 - 1e-9))
             << "link " << link.from << " to " << link.to << ", glyph " << i;
       }
+    }
+  }
+}
+
+// A finger on the way back along a bar would take the link for a second one.
+TEST_P(LinkedSizes, LeaveACornerWithoutRunningBackAlongIt) {
+  std::vector<std::string> texts = {"army", "mammal", "mmm", "yyy"};
+  for (const char a : std::string("elmy")) {
+    for (char b = 'a'; b <= 'z'; ++b) texts.push_back({a, b});
+  }
+  for (const std::string& text : texts) {
+    const SamplePage sample = Linked(text, GetParam());
+    const GrooveLinks links = LinksOf(sample);
+    for (const GrooveLink& link : links.links) {
+      if (std::string("elmy").find(text[link.from]) == std::string::npos) continue;
+      EXPECT_LT(RunsBesideItsLetter(sample, links, link), 2 * sample.typeset.style.width)
+          << text << " from " << link.from;
     }
   }
 }
