@@ -28,6 +28,7 @@ namespace {
 /// Bytes of a file for each command and piece beyond those that every file may have: no path
 /// without <use> writes more of them.
 constexpr std::size_t kBytesOfCommand = 4;
+constexpr double kUnitsPerEm = 1000;  ///< where a font states none: SVG 1.1, 20.8.3
 constexpr double kTolerance = 0.001;  ///< [em]
 constexpr double kAgreement = 0.02;   ///< of a letter's height with the figure stated, relative
 
@@ -96,6 +97,7 @@ class FontReader {
       if (const std::optional<double> number = source_.NumberOf(face, figure)) em = number;
       stated_by_ = figure;
     }
+    if (!em && foreign_) em = kUnitsPerEm;
     if (!em) source_.Fail(face, "neither cap-height nor units-per-em; give one of them");
     if (!IsEm(*em)) {
       source_.Fail(face, "cap-height or units-per-em outside 0.001 to 1000000; use 1000");

@@ -36,7 +36,7 @@ struct SvgFont {
 ///
 /// One em is the font-face's cap-height. Where that is absent or 0, kOwn takes units-per-em (which
 /// our fonts set equal; fontforge drops the cap-height of a font without capitals), kForeign the
-/// ascent, else units-per-em.
+/// ascent, else units-per-em, else 1000 units (SVG 1.1, section 20.8.3).
 ///
 /// kForeign looks whether the letters agree, since makers leave figures of other fonts there
 /// (Inkscape's have cap-height 500 and capitals of 662). What counts is the top of what is drawn

@@ -59,10 +59,10 @@ TEST(ParseForeignFont, TakesSignsFromTheUnicodeAttributesAndItsWordsFromTheFont)
   EXPECT_EQ(set.missing_count, 1U);  // told, not drawn as a box
 }
 
-TEST(ParseForeignFont, TakesCapHeightThenAscentThenUnitsPerEmAsTheEm) {
+TEST(ParseForeignFont, TakesCapHeightThenAscentThenUnitsPerEmThenAThousandAsTheEm) {
   const std::string glyph = "<glyph unicode=\"a\" d=\"M0 0L700 0\"/>";
   for (const auto& [face, em] :
-       {std::pair{"units-per-em=\"1000\"", 1000.0},
+       {std::pair{"units-per-em=\"2048\"", 2048.0}, std::pair{"", 1000.0},  // as SVG 1.1 says
         std::pair{"units-per-em=\"1000\" ascent=\"800\"", 800.0},
         std::pair{"units-per-em=\"1000\" ascent=\"800\" cap-height=\"0\"", 800.0},
         std::pair{"units-per-em=\"1000\" ascent=\"800\" cap-height=\"500\"", 500.0}}) {
