@@ -208,9 +208,9 @@ int Check(const ScriptOptions& options, const Script& script, Console& console) 
                     {"remarks", script.remarks}};
     WriteFindings(tally, script, head, console);
   } else {
+    if (outlines) console.Result(say::ScriptIsOutlines());
     console.Result(say::CheckOutcome(tally.total(), script.glyphs.size(), check));
     SayFindings(tally, script, console);
-    if (outlines) console.Result(say::ScriptIsOutlines());
   }
   return tally.total() == 0 && !outlines ? exit_code::kGood : exit_code::kFailed;
 }

@@ -133,8 +133,8 @@ std::string ScriptRules(const Script& script) {
 }
 
 std::string ScriptIsOutlines() {
-  return "Most signs are closed outlines: a font for print, felt as filled areas. Give one whose "
-         "letters are open paths; in fontforge set Stroked Font before saving.";
+  return "For print, not of strokes: most signs are closed outlines, felt as filled areas. Give a "
+         "font whose letters are open paths; in fontforge set Stroked Font before saving.";
 }
 
 std::string CheckOutcome(std::size_t findings, std::size_t glyphs, const CheckSize& size) {

@@ -103,6 +103,16 @@ TEST_F(ScriptCommand, ChecksAndExitsWithOneWhereThereIsSomethingToMend) {
   EXPECT_EQ(json["findings"][0]["strokes"], nlohmann::json({1, 2}));
 }
 
+// No single sign of an icon font is at fault, and yet it is not good.
+TEST_F(ScriptCommand, TellsAFontForPrintBeforeItCountsFindings) {
+  WriteAll(In("print.svg"), Font("M0 0H600V1000H0Z"));
+  const Outcome outcome = RunLine({"script", "check", In("print.svg")});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.out.rfind("For print, not of strokes: ", 0), 0U) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n0 findings in 1 sign, "), std::string::npos) << outcome.out;
+  ExpectTextFace(outcome.out);
+}
+
 /// Twenty-one signs with a gap too narrow, A to U, and one cut stroke, V.
 std::string FontOfManyFaults() {
   std::string svg = "<svg><font horiz-adv-x=\"1200\"><font-face units-per-em=\"1000\"/>";
