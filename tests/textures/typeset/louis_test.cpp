@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -148,7 +150,13 @@ INSTANTIATE_TEST_SUITE_P(
                       WordList{"en-ueb-g2.ctb", "american-english", "wamerican", 4000},
                       WordList{"de-g1.ctb", "ngerman", "wngerman", 2000},
                       WordList{"de-g2.ctb", "ngerman", "wngerman", 2000},
-                      WordList{"fr-bfu-comp6.utb", "french", "wfrench", 4000}));
+                      WordList{"fr-bfu-comp6.utb", "french", "wfrench", 4000}),
+    [](const auto& list) {
+      std::string name = list.param.table;
+      std::replace_if(
+          name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+      return name;
+    });
 
 // Unified English Braille, Rules of Unified English Braille 2013: dot 6 is the capital indicator
 // (section 8), the word "the" in grade 2 is dots 2346 (section 10.3), numbers begin with dots 3456
