@@ -1,6 +1,6 @@
 #include "devices/catalogue/catalogue.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -151,21 +151,41 @@ std::vector<Found> FindAll(const std::string& folder) {
   return all;
 }
 
-[[noreturn]] void RefuseName(const std::string& name, const std::vector<Found>& all) {
+std::vector<std::string> NamesOf(const std::vector<DeviceProfile>& profiles) {
   std::vector<std::string> names;
-  std::string list;
-  for (const Found& found : all) {
-    names.push_back(found.entry.name);
-    list += (list.empty() ? "" : ", ") + found.entry.name;
+  names.reserve(profiles.size());
+  for (const DeviceProfile& profile : profiles) names.push_back(profile.name);
+  return names;
+}
+
+/// A word for the name that is not there: the nearest of those that are, else of those that are
+/// known, else all that are there: names, which may be many, stand at the end.
+std::string InPlaceOf(const std::string& name, const std::vector<std::string>& there,
+                      const std::vector<std::string>& known) {
+  std::vector<std::string> usable = there;
+  usable.insert(usable.end(), {"simulated", "mouse"});  // the commands' own, never plugged in
+  usable.erase(std::remove(usable.begin(), usable.end(), name), usable.end());
+  const std::string nearest = NearestName(name, usable);
+  if (!nearest.empty()) return "did you mean " + nearest + "?";
+  const std::string kind = NearestName(name, known);
+  if (!kind.empty()) return "did you mean " + kind + "? That is not plugged in";
+  if (there.empty()) return "none is plugged in";
+  return fmt::format("there are {}", fmt::join(there, ", "));
+}
+
+[[noreturn]] void RefuseName(const std::string& name, const std::vector<Found>& all,
+                             const std::string& folder) {
+  std::vector<std::string> there;
+  there.reserve(all.size());
+  for (const Found& found : all) there.push_back(found.entry.name);
+  const std::vector<std::string> known = NamesOf(LoadProfiles(folder));
+  if (std::find(known.begin(), known.end(), name) != known.end()) {
+    throw DeviceError(fmt::format(
+        "{}: none is plugged in; plug it in, and see whether it is found: moontrace devices",
+        name));
   }
-  names.insert(names.end(), {"simulated", "mouse"});  // the commands' own, never plugged in
-  names.erase(std::remove(names.begin(), names.end(), name), names.end());
-  const std::string nearest = NearestName(name, names);
-  // the nearest, or all that are there: names, which may be many, stand at the end
-  const std::string instead = !nearest.empty() ? "did you mean " + nearest + "?"
-                              : list.empty()   ? "none is plugged in"
-                                               : "there are " + list;
-  throw DeviceError(fmt::format("no device is called \"{}\": {}", name.substr(0, 60), instead));
+  throw DeviceError(fmt::format("no device is called \"{}\": {}", name.substr(0, 60),
+                                InPlaceOf(name, there, known)));
 }
 
 std::unique_ptr<Device> Open(const Found& found, const DeviceRequest& request) {
@@ -207,13 +227,16 @@ DeviceProfile FindProfile(const std::string& name, const std::string& profiles) 
   const bool is_file = fs::path(name).extension() == ".toml";
   try {
     if (is_file) return LoadProfile(name);
-    std::string names;
-    for (DeviceProfile& profile : LoadProfiles(profiles)) {
+    std::vector<DeviceProfile> all = LoadProfiles(profiles);
+    for (DeviceProfile& profile : all) {
       if (profile.name == name) return std::move(profile);
-      names += (names.empty() ? "" : ", ") + profile.name;
     }
-    throw InputError(fmt::format("device profile '{}': there is none; name a file, or one of {}",
-                                 OneLine(name), names));
+    const std::vector<std::string> names = NamesOf(all);
+    const std::string nearest = NearestName(name, names);
+    throw InputError(fmt::format(
+        "device profile '{}': there is none; {}", OneLine(name),
+        nearest.empty() ? fmt::format("name a file, or one of {}", fmt::join(names, ", "))
+                        : "did you mean " + nearest + "?"));
   } catch (const DeviceError& error) {
     throw InputError(error.what());
   }
@@ -249,7 +272,7 @@ std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::stri
   const std::vector<Found> all = FindAll(profiles);
   const auto found = std::find_if(
       all.begin(), all.end(), [&request](const auto& f) { return f.entry.name == request.name; });
-  if (found == all.end()) RefuseName(request.name, all);
+  if (found == all.end()) RefuseName(request.name, all, profiles);
   return Open(*found, request);
 }
 

@@ -49,8 +49,8 @@ struct DeviceRequest {
   std::string* remark = nullptr;
 };
 
-/// Opens a device; `profiles` as above. Throws DeviceError; for an unknown name the line lists the
-/// names that are there, nearest first.
+/// Opens a device; `profiles` as above. Throws DeviceError; for an unknown name the line gives the
+/// nearest of those that are there, else of those that have a profile, else all that are there.
 std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::string& profiles);
 
 /// The folder of device profiles that comes with the program.

@@ -10,6 +10,7 @@
 #include "tests/devices/device_run.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/source_path.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 namespace {
@@ -111,6 +112,30 @@ TEST(Catalogue, UnknownNameIsToldWithTheNearest) {
 TEST(Catalogue, SaysThatNothingIsPluggedIn) {
   const FakeHid fake("");
   EXPECT_TRUE(Has(Refusal("openffboard"), "none is plugged in"));
+  EXPECT_EQ(Refusal("openffboard").rfind("openffboard: none is plugged in; ", 0), 0u);
+  EXPECT_EQ(Refusal("zzz"), "no device is called \"zzz\": none is plugged in");
+}
+
+TEST(Catalogue, NamesTheNearestKindThatIsKnownWhereItIsNotPluggedIn) {
+  const FakeHid fake("spacemouse");
+  EXPECT_TRUE(Has(Refusal("openffbord"), "did you mean openffboard? That is not plugged in"));
+  EXPECT_TRUE(Has(Refusal("spacemose"), "did you mean spacemouse?"));
+  EXPECT_FALSE(Has(Refusal("spacemose"), "not plugged in"));
+  EXPECT_EQ(Refusal("polhem").rfind("polhem: none is plugged in; ", 0), 0u);
+}
+
+TEST(Catalogue, NamesTheNearestProfile) {
+  const auto refusal = [](const std::string& name) -> std::string {
+    try {
+      FindProfile(name, kProfiles);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  EXPECT_EQ(refusal("opnffboard"),
+            "device profile 'opnffboard': there is none; did you mean openffboard?");
+  EXPECT_TRUE(Has(refusal("zzz"), "name a file, or one of generic-pid, "));
 }
 
 TEST(Catalogue, RefusesAFolderWithoutProfiles) {
