@@ -218,7 +218,7 @@ int Dispatch(const Args& args, Console& console) {
   }
   const std::string& first = args.front();
   const Args rest(args.begin() + 1, args.end());
-  if (first == "help" || first == "--help" || first == "-h") return Help(rest, console);
+  if (first == "help" || AsksForHelp({first}) != HelpAsked::kNo) return Help(rest, console);
   if (first == "version" || first == "--version") {
     console.Result(say::Version(MOONTRACE_VERSION, mj_versionString()));
     return exit_code::kGood;

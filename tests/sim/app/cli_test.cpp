@@ -28,6 +28,7 @@ TEST(Cli, HelpNamesEveryCommandInPlainLines) {
   EXPECT_EQ(help.code, 0);
   EXPECT_EQ(help.out, RunLine({"--help"}).out);
   EXPECT_EQ(help.out, RunLine({"-h"}).out);
+  EXPECT_EQ(help.out, RunLine({"--help-all"}).out);
   for (const std::string& command : kCommands) {
     EXPECT_NE(help.out.find("\n" + command + ": "), std::string::npos) << command;
   }
