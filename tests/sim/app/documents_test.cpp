@@ -70,12 +70,34 @@ TEST(Documents, EveryFileTheyNameIsThere) {
       EXPECT_TRUE(std::filesystem::exists(SourcePath(file))) << page << ": " << file;
       ++files;
     }
+    // a model is read, not written: what stands in a command must be there
+    for (const std::string& file : Found(text, "\n    [^\n]*--model ([^\\s]+)")) {
+      EXPECT_TRUE(std::filesystem::exists(SourcePath(file))) << page << ": " << file;
+      ++files;
+    }
     for (const std::string& file : Found(text, "\\]\\(([\\w./-]+\\.\\w+)\\)")) {
       EXPECT_TRUE(std::filesystem::exists(SourcePath(folder + file))) << page << ": " << file;
       ++files;
     }
   }
   EXPECT_GT(files, 30U);
+}
+
+TEST(Documents, EveryKeyOfALabelIsTold) {
+  const std::string page = ReadAll(SourcePath("models/README.md"));
+  const std::vector<std::string> keys = Found(ReadAll(SourcePath("sim/physics/label.cpp")),
+                                              "(?:table, |table\\.\\w+\\()\"([a-z_]+)\"");
+  EXPECT_GT(keys.size(), 20U);
+  for (const std::string& key : keys) {
+    EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
+  }
+}
+
+TEST(Documents, TheModelOfTheDoorCarriesItsWord) {
+  const Outcome outcome = RunLine({"trace", "--json", "--model", SourcePath("models/sign.xml")});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.Json()["text"], "DOOR");
+  EXPECT_GE(outcome.Json()["total"]["coverage"], 0.98);
 }
 
 }  // namespace
