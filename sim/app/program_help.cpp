@@ -109,7 +109,7 @@ std::string Introduction() {
              "touch.") +
          Line("To begin, type one of these and Enter:") +
          Line("moontrace demo: a word is traced at four sizes; a minute, no device needed.") +
-         Line("moontrace learn: lessons. It says what a force device is for and works without.") +
+         Line("moontrace learn: lessons; without a force device it says what works instead.") +
          Line("moontrace page \"good morning\": your own words in Moon, sign by sign.") +
          Line("moontrace help: all commands. moontrace help learn: one of them.");
 }

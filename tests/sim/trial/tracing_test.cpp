@@ -23,11 +23,11 @@ struct Setting {
   Rendering rendering;
 };
 
-/// Worst of 20 seeds, and how many of them miss the bar: coverage 0.98, mean error a tenth of the
-/// width.
+/// Of 20 seeds the range of both, and how many miss the bar: coverage 0.98, mean error a tenth of
+/// the width.
 struct Outcome {
-  double least_coverage = 1;
-  double greatest_error = 0;  ///< in groove widths
+  double least_coverage = 1, most_coverage = 0;
+  double least_error = 1, greatest_error = 0;  ///< in groove widths
   int missed = 0;
 };
 
@@ -47,13 +47,16 @@ Outcome Trace20(const Setting& setting) {
     const TraceMetrics total = RunTrial(setup).score.total;
     const double error = total.mean_error / setup.style.width;
     outcome.least_coverage = std::min(outcome.least_coverage, total.coverage);
+    outcome.most_coverage = std::max(outcome.most_coverage, total.coverage);
+    outcome.least_error = std::min(outcome.least_error, error);
     outcome.greatest_error = std::max(outcome.greatest_error, error);
     outcome.missed += total.coverage < 0.98 || error > 0.1 ? 1 : 0;
   }
   std::printf(
-      "%s%s %2.0f mm: least coverage %.4f, greatest mean error %.3f widths, %d of 20 missed\n",
+      "%s%s %2.0f mm: coverage %.4f to %.4f, mean error %.3f to %.3f widths, %d of 20 missed\n",
       setting.rendering == Rendering::kProxy ? "proxy" : "direct", setting.blank ? ", blank," : ",",
-      1e3 * setting.size, outcome.least_coverage, outcome.greatest_error, outcome.missed);
+      1e3 * setting.size, outcome.least_coverage, outcome.most_coverage, outcome.least_error,
+      outcome.greatest_error, outcome.missed);
   return outcome;
 }
 
