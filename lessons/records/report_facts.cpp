@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
+#include <tuple>
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
@@ -25,18 +27,30 @@ std::size_t Letters(std::string_view item) {
          static_cast<std::size_t>(std::count(item.begin(), item.end(), ' '));
 }
 
-bool IsNaming(const Trial& trial) {
-  return (trial.kind == StepKind::kRecognise || trial.kind == StepKind::kTest) &&
-         PairOf(trial.item).second.empty();
+bool IsAnswer(const Trial& trial) {
+  return trial.kind == StepKind::kRecognise || trial.kind == StepKind::kTest;
+}
+
+bool IsNaming(const Trial& trial) { return IsAnswer(trial) && PairOf(trial.item).second.empty(); }
+
+/// Of an answer: where it is counted.
+AnswerSums& SumsOf(const Course& course, const Trial& trial, TrialSums& sums) {
+  if (IsNaming(trial)) return IsTaught(course, trial.item) ? sums.signs : sums.words;
+  const Step* step = StepAt(course, trial.lesson, trial.step);
+  const bool picks = step != nullptr && step->question != Question::kName
+                         ? step->question == Question::kPick
+                         : HasItem(course, trial.answer);  // the lesson was changed since
+  return picks ? sums.picked : sums.compared;
 }
 
 void Count(const Course& course, const Trial& trial, TrialSums& sums) {
   ++sums.trials;
-  if (IsNaming(trial)) {
-    ++sums.answers;
+  if (IsAnswer(trial)) {
+    AnswerSums& answers = SumsOf(course, trial, sums);
+    ++answers.answers;
     if (!trial.right) return;
-    ++sums.right;
-    if (trial.latency <= 0) return;
+    ++answers.right;
+    if (trial.latency <= 0 || !IsNaming(trial)) return;
     sums.letters += Letters(trial.item);
     sums.latency += trial.latency;
   } else if (trial.kind == StepKind::kTrace) {
@@ -50,10 +64,13 @@ void Count(const Course& course, const Trial& trial, TrialSums& sums) {
   }
 }
 
-/// The item's last unguided trials, from the newest back.
+/// The item's last trials, from the newest back.
 void CountLast(const Course& course, const std::vector<Trial>& trials, ItemFact& fact) {
   for (auto trial = trials.rbegin(); trial != trials.rend(); ++trial) {
-    if (trial->item != fact.item || trial->guided() || trial->scaled) continue;
+    const ItemPair pair = PairOf(trial->item);
+    if (pair.first != fact.item && pair.second != fact.item) continue;
+    if (fact.last == 0) fact.last = trial->time;
+    if (!pair.second.empty() || trial->guided() || trial->scaled) continue;
     if (IsNaming(*trial) && fact.answers < kLast) {
       ++fact.answers;
       if (trial->right) ++fact.right;
@@ -74,65 +91,139 @@ void MostTakenFor(const Progress& progress, ItemFact& fact) {
   }
 }
 
-/// Items in the order in which the course teaches them, then the rest.
+void AddOnce(std::vector<std::string>& list, const std::string& item) {
+  if (std::find(list.begin(), list.end(), item) == list.end()) list.push_back(item);
+}
+
+/// Signs of the course, each once, without those of the lessons beside it.
+std::vector<std::string> SignsInOrder(const Course& course) {
+  std::vector<std::string> signs;
+  for (const Lesson& lesson : course.lessons) {
+    for (const std::string& item : lesson.items) {
+      if (!lesson.optional) AddOnce(signs, item);
+    }
+  }
+  return signs;
+}
+
+/// Items that were met, in the order in which the course teaches them, then the rest.
 std::vector<std::string> InOrder(const Course& course, const Progress& progress) {
   std::vector<std::string> order;
-  const auto add = [&](const std::string& item) {
-    if (progress.items.count(item) == 0) return;
-    if (std::find(order.begin(), order.end(), item) == order.end()) order.push_back(item);
-  };
   for (const Lesson& lesson : course.lessons) {
-    for (const std::string& item : lesson.items) add(item);
+    for (const std::string& item : lesson.items) {
+      if (progress.items.count(item) > 0) AddOnce(order, item);
+    }
   }
-  for (const auto& item : progress.items) add(item.first);
+  for (const auto& item : progress.items) AddOnce(order, item.first);
   return order;
+}
+
+ItemFact FactOf(const Course& course, const std::vector<Trial>& trials, const Progress& progress,
+                const std::string& item) {
+  const ItemProgress& known = progress.items.at(item);
+  ItemFact fact;
+  fact.item = item;
+  fact.taught = IsTaught(course, item);
+  fact.mastered = known.mastered;
+  fact.present = SizeAt(course, known.size_step);
+  if (known.sure) {
+    fact.size = fact.present;
+  } else if (known.size_step > 0 && fact.taught) {
+    fact.size = SizeAt(course, known.size_step - 1);  // the size above this one is behind it
+  }
+  CountLast(course, trials, fact);
+  MostTakenFor(progress, fact);
+  return fact;
+}
+
+/// Traces are asked for at the largest size only: of a sign that is sure there they are the past.
+bool NeedsPractice(const MasteryRule& rule, const ItemFact& fact) {
+  const double named = Ratio(static_cast<double>(fact.right), static_cast<double>(fact.answers));
+  const bool weak = fact.answers > 0 && named < rule.target;
+  return weak || (fact.size <= 0 && fact.good < fact.traces);
 }
 
 void AddItems(const Course& course, const std::vector<Trial>& trials, const Progress& progress,
               ReportFacts& facts) {
   for (const std::string& item : InOrder(course, progress)) {
-    const ItemProgress& known = progress.items.at(item);
-    ItemFact fact;
-    fact.item = item;
-    fact.mastered = known.mastered;
-    CountLast(course, trials, fact);
-    MostTakenFor(progress, fact);
-    if (known.mastered && IsTaught(course, item)) ++facts.mastered;
-    const bool below = known.size_step > 0 && !known.sure;  // the size above this one is behind it
-    fact.size = SizeAt(course, known.size_step);
-    if (fact.Weakness() > 0) facts.practise.push_back(fact);
-    if (!known.sure && !below) continue;
-    fact.size = SizeAt(course, below ? known.size_step - 1 : known.size_step);
-    facts.sure.push_back(fact);
+    facts.met.push_back(FactOf(course, trials, progress, item));
+    const ItemFact& fact = facts.met.back();
+    if (NeedsPractice(course.mastery, fact)) facts.practise.push_back(fact);
+    if (fact.size <= 0) continue;
+    const bool smaller = facts.size_reached <= 0 || fact.size < facts.size_reached;
+    if (smaller) facts.size_reached = fact.size;
   }
-  std::stable_sort(facts.sure.begin(), facts.sure.end(),
-                   [](const ItemFact& a, const ItemFact& b) { return a.size < b.size; });
-  if (!facts.sure.empty()) facts.size_reached = facts.sure.front().size;
   std::stable_sort(
       facts.practise.begin(), facts.practise.end(),
       [](const ItemFact& a, const ItemFact& b) { return a.Weakness() > b.Weakness(); });
   if (facts.practise.size() > kToPractise) facts.practise.resize(kToPractise);
-}
-
-void AddConfusions(const Progress& progress, ReportFacts& facts) {
-  for (const auto& shown : progress.confusions) {
-    for (const auto& said : shown.second) {
-      facts.confusions.push_back({shown.first, said.first, said.second});
+  for (const std::string& sign : SignsInOrder(course)) {
+    ++facts.items;
+    const auto met = progress.items.find(sign);
+    if (met == progress.items.end()) {
+      facts.unmet.push_back(sign);
+    } else if (met->second.mastered) {
+      ++facts.mastered;
     }
   }
+}
+
+/// What was said for what, of an unguided answer; nothing: right, or no item.
+std::string TakenFor(const Course& course, const Trial& trial) {
+  if (trial.right || trial.answer.empty() || trial.guided()) return {};
+  const ItemPair pair = PairOf(trial.item);
+  if (!HasItem(course, pair.first)) return {};
+  if (HasItem(course, trial.answer)) return trial.answer == pair.first ? "" : trial.answer;
+  return pair.second;  // two different ones held to be the same
+}
+
+void AddConfusions(const Course& course, const std::vector<Trial>& trials, ReportFacts& facts) {
+  std::map<ItemPair, ConfusionFact, bool (*)(const ItemPair&, const ItemPair&)> found(
+      [](const ItemPair& a, const ItemPair& b) {
+        return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+      });
+  for (const Trial& trial : trials) {
+    const std::string said = IsAnswer(trial) && !trial.scaled ? TakenFor(course, trial) : "";
+    const std::string shown = PairOf(trial.item).first;
+    if (said.empty() || said == shown) continue;
+    const ItemPair key{std::min(shown, said), std::max(shown, said)};
+    ConfusionFact& fact = found[key];
+    ++(shown == key.first ? fact.times : fact.back);
+    fact.last = std::max(fact.last, trial.time);
+  }
+  const ItemLikeness likeness(course);
+  for (auto& [pair, fact] : found) {
+    const bool turn = fact.back > fact.times;
+    fact.shown = turn ? pair.second : pair.first;
+    fact.said = turn ? pair.first : pair.second;
+    if (turn) std::swap(fact.times, fact.back);
+    fact.likeness = likeness.Of(fact.shown, fact.said);
+    facts.confusions.push_back(fact);
+  }
+  // two signs more than once before words, which come by their signs
+  const auto weight = [&course](const ConfusionFact& fact) {
+    const bool signs = IsTaught(course, fact.shown) && IsTaught(course, fact.said);
+    return std::make_tuple(signs && fact.all() > 1, fact.all(), signs, fact.last);
+  };
   std::stable_sort(
       facts.confusions.begin(), facts.confusions.end(),
-      [](const ConfusionFact& a, const ConfusionFact& b) { return a.times > b.times; });
+      [&](const ConfusionFact& a, const ConfusionFact& b) { return weight(a) > weight(b); });
 }
 
 /// A day may come again behind a later one, where the clock was set back.
-DayFact& Today(const std::string& day, ReportFacts& facts) {
+DayFact& DayIn(std::vector<DayFact>& days, const std::string& day) {
   const auto same = [&day](const DayFact& fact) { return fact.day == day; };
-  const auto found = std::find_if(facts.days.rbegin(), facts.days.rend(), same);
-  if (found != facts.days.rend()) return *found;
-  facts.days.emplace_back();
-  facts.days.back().day = day;
-  return facts.days.back();
+  const auto found = std::find_if(days.rbegin(), days.rend(), same);
+  if (found != days.rend()) return *found;
+  days.emplace_back();
+  days.back().day = day;
+  return days.back();
+}
+
+void AddTo(const Course& course, const Trial& trial, DayFact& day) {
+  Count(course, trial, trial.guided() ? day.guided : day.alone);
+  if (trial.guided() || !IsNaming(trial) || !trial.right) return;
+  if (day.smallest == 0 || trial.size < day.smallest) day.smallest = trial.size;
 }
 
 void AddTrial(const Course& course, const Trial& trial, ReportFacts& facts) {
@@ -141,19 +232,31 @@ void AddTrial(const Course& course, const Trial& trial, ReportFacts& facts) {
     ++facts.scaled;
     return;
   }
-  DayFact& today = Today(DayOf(trial.time), facts);
   Count(course, trial, trial.guided() ? facts.guided : facts.alone);
-  Count(course, trial, trial.guided() ? today.guided : today.alone);
-  if (trial.guided() || !IsNaming(trial)) return;
-  if (!trial.answer.empty()) ++facts.matrix[trial.item][trial.answer];
-  if (trial.right && (today.smallest == 0 || trial.size < today.smallest)) {
-    today.smallest = trial.size;
+  AddTo(course, trial, DayIn(facts.days, DayOf(trial.time)));
+  AddTo(course, trial, DayIn(facts.weeks, WeekOf(trial.time)));
+  const bool sign = IsNaming(trial) && IsTaught(course, trial.item);
+  if (sign && !trial.guided() && !trial.answer.empty()) ++facts.matrix[trial.item][trial.answer];
+}
+
+/// "2026-11-21", of a day so many days after that of `time`.
+std::string Date(std::int64_t time, const std::function<int(const std::tm&)>& days_after) {
+  const std::time_t seconds = time;
+  std::tm parts{};
+  if (localtime_r(&seconds, &parts) == nullptr) return "an unknown day";
+  const int after = days_after(parts);
+  if (after != 0) {
+    parts.tm_mday += after;
+    parts.tm_hour = 12;  // no change of the clock makes noon another day
+    parts.tm_isdst = -1;
+    std::mktime(&parts);
   }
+  return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
 }
 
 }  // namespace
 
-double TrialSums::NamedRight() const {
+double AnswerSums::Share() const {
   return Ratio(static_cast<double>(right), static_cast<double>(answers));
 }
 double TrialSums::MeanCoverage() const { return Ratio(coverage, static_cast<double>(traces)); }
@@ -171,33 +274,35 @@ double ItemFact::Weakness() const {
     return static_cast<double>(all - good_ones + 1) / static_cast<double>(all + 2);
   };
   const double named = answers > 0 ? share(right, answers) : 0;
-  const double traced = traces > 0 ? share(good, traces) : 0;
-  const bool faultless = right == answers && good == traces;
-  return faultless ? 0 : std::max(named, traced);
+  const double traced = traces > 0 && size <= 0 ? share(good, traces) : 0;
+  return std::max(named, traced);
 }
 
 ReportFacts FactsOf(const Course& course, const std::vector<Trial>& trials) {
   ReportFacts facts;
-  for (const Lesson& lesson : course.lessons) facts.items += lesson.items.size();
   for (const Trial& trial : trials) {
     if (!trial.item.empty()) AddTrial(course, trial, facts);
   }
   const Progress progress = LearnAll(course, trials);
+  facts.lesson = progress.lesson;
+  facts.step = progress.step;
   facts.lessons_done = static_cast<std::size_t>(
       std::count_if(progress.done.begin(), progress.done.end(), [&course](const std::string& id) {
         const auto index = LessonIndex(course, id);
         return index && !course.lessons[*index].optional;
       }));
+  facts.course_done = facts.lessons_done >= LessonsInOrder(course);
   AddItems(course, trials, progress, facts);
-  AddConfusions(progress, facts);
+  AddConfusions(course, trials, facts);
   return facts;
 }
 
 std::string DayOf(std::int64_t time) {
-  const std::time_t seconds = time;
-  std::tm parts{};
-  if (localtime_r(&seconds, &parts) == nullptr) return "an unknown day";
-  return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
+  return Date(time, [](const std::tm&) { return 0; });
+}
+
+std::string WeekOf(std::int64_t time) {
+  return Date(time, [](const std::tm& day) { return -((day.tm_wday + 6) % 7); });
 }
 
 }  // namespace moontrace

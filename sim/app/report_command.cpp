@@ -1,11 +1,14 @@
 #include "sim/app/commands.h"
 
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/course/spelling.h"
 #include "lessons/records/records.h"
 #include "lessons/records/report_facts.h"
 #include "lessons/records/trial_fields.h"
@@ -23,25 +26,36 @@ namespace moontrace {
 
 namespace {
 
-constexpr std::size_t kMostSaid = 10;  // confusions and days in words; a page has them all
+constexpr std::size_t kMostSaid = 7;  // days in words; a page has them all
 
-/// The course asked for, otherwise that of the newest trial.
-Course CourseOf(const ReportOptions& options, const Records& records) {
+/// The course asked for, otherwise that of the newest trial; as its learner has it, with the own
+/// name among its words.
+Course CourseOf(const ReportOptions& options, const LearnerEntry& learner, const Records& records) {
   const std::string name =
-      options.course.empty() ? records.LastCourse(options.learner) : options.course;
+      options.course.empty() ? records.LastCourse(learner.pseudonym) : options.course;
   if (name.empty()) throw InputError(say::NoTrialsYet(options.learner));
-  if (!options.course.empty()) return LoadCourse(name);
   try {
-    return LoadCourse(name);
+    Course course = LoadCourse(name);
+    AddOwnName(course, learner.pseudonym);
+    return course;
   } catch (const InputError& error) {
+    if (!options.course.empty()) throw;
     throw InputError(say::CourseOfReport(name, error.what()));
   }
 }
 
+Json AnswersJson(const AnswerSums& sums) {
+  return {{"answers", sums.answers}, {"right", sums.right}};
+}
+
 Json SumsJson(const TrialSums& sums) {
   return {{"trials", sums.trials},
-          {"answers", sums.answers},
-          {"named_right", sums.right},
+          {"answers", sums.answers()},
+          {"named_right", sums.right()},
+          {"signs", AnswersJson(sums.signs)},
+          {"words", AnswersJson(sums.words)},
+          {"which_of_two", AnswersJson(sums.picked)},
+          {"same_or_different", AnswersJson(sums.compared)},
           {"letters_per_second", sums.LettersPerSecond()},
           {"traces", sums.traces},
           {"good_traces", sums.good},
@@ -51,8 +65,11 @@ Json SumsJson(const TrialSums& sums) {
 
 Json ItemJson(const ItemFact& fact) {
   return {{"item", fact.item},
-          {"size_mm", 1e3 * fact.size},
+          {"size_mm", fact.size > 0 ? Json(1e3 * fact.size) : Json()},
+          {"present_size_mm", 1e3 * fact.present},
+          {"taught", fact.taught},
           {"mastered", fact.mastered},
+          {"last_time_unix_s", fact.last},
           {"last_answers", fact.answers},
           {"last_right", fact.right},
           {"last_traces", fact.traces},
@@ -61,10 +78,24 @@ Json ItemJson(const ItemFact& fact) {
           {"taken_for_times", fact.taken}};
 }
 
+Json DaysJson(std::string_view name, const std::vector<DayFact>& days) {
+  Json list = Json::array();
+  for (const DayFact& day : days) {
+    list.push_back(
+        {{name, day.day},
+         {"unguided", SumsJson(day.alone)},
+         {"guided", SumsJson(day.guided)},
+         {"smallest_named_right_mm", day.smallest > 0 ? Json(1e3 * day.smallest) : Json()}});
+  }
+  return list;
+}
+
 Json FactsJson(const LearnerEntry& learner, const Course& course, const ReportFacts& facts) {
   Json json{{"learner", learner.pseudonym},
             {"simulated", learner.simulated || facts.simulated > 0},
             {"course", course.id},
+            {"lesson", facts.lesson},
+            {"step", facts.step},
             {"items", facts.items},
             {"mastered", facts.mastered},
             {"lessons", LessonsInOrder(course)},
@@ -73,30 +104,28 @@ Json FactsJson(const LearnerEntry& learner, const Course& course, const ReportFa
             {"unguided", SumsJson(facts.alone)},
             {"guided", SumsJson(facts.guided)},
             {"scaled_trials", facts.scaled}};
-  json["sure"] = Json::array();
-  for (const ItemFact& fact : facts.sure) json["sure"].push_back(ItemJson(fact));
+  json["met"] = Json::array();
+  for (const ItemFact& fact : facts.met) json["met"].push_back(ItemJson(fact));
+  json["unmet"] = facts.unmet;
   json["practise"] = Json::array();
   for (const ItemFact& fact : facts.practise) json["practise"].push_back(ItemJson(fact));
   json["confusions"] = Json::array();
   for (const ConfusionFact& fact : facts.confusions) {
-    json["confusions"].push_back(
-        {{"shown", fact.shown}, {"said", fact.said}, {"times", fact.times}});
+    json["confusions"].push_back({{"shown", fact.shown},
+                                  {"said", fact.said},
+                                  {"times", fact.times},
+                                  {"times_reversed", fact.back},
+                                  {"alike", NameOf(fact.likeness)}});
   }
-  json["days"] = Json::array();
-  for (const DayFact& day : facts.days) {
-    json["days"].push_back(
-        {{"day", day.day},
-         {"unguided", SumsJson(day.alone)},
-         {"guided", SumsJson(day.guided)},
-         {"smallest_named_right_mm", day.smallest > 0 ? Json(1e3 * day.smallest) : Json()}});
-  }
+  json["weeks"] = DaysJson("week", facts.weeks);
+  json["days"] = DaysJson("day", facts.days);
   return json;
 }
 
 /// What stands above everything else.
 std::vector<std::string> Head(const LearnerEntry& learner, const Course& course,
                               const ReportFacts& facts) {
-  std::vector<std::string> lines{say::ReportOutcome(learner.pseudonym, course, facts)};
+  std::vector<std::string> lines = say::ReportSentences(learner.pseudonym, course, facts);
   if (learner.simulated) {
     lines.push_back(say::NotThePedagogy());
   } else if (facts.simulated > 0) {
@@ -122,7 +151,7 @@ int Run(const ReportOptions& options, Console& console) {
   if (!options.html.empty() && !options.csv.empty()) throw UsageError(say::TwoReportFiles());
   const Records records = Records::OpenToRead(RecordsPathOf(options.records));
   const LearnerEntry learner = KnownLearner(records, options.learner);
-  const Course course = CourseOf(options, records);
+  const Course course = CourseOf(options, learner, records);
   const std::vector<Trial> trials = records.Trials(learner.pseudonym, course.id);
   if (trials.empty()) throw InputError(say::NoTrialsOf(learner.pseudonym, course.id));
   const ReportFacts facts = FactsOf(course, trials);
@@ -132,8 +161,7 @@ int Run(const ReportOptions& options, Console& console) {
     WriteWhole(options.csv, TrialsToCsv(learner.pseudonym, course.id, trials));
   } else if (!options.html.empty()) {
     WriteWhole(options.html, ReportPage({say::ReportTitle(learner.pseudonym, course), head},
-                                        say::ReportSections(course, facts, trials.size()),
-                                        say::ReportPlots(facts), facts.matrix));
+                                        say::ReportSections(course, facts, trials.size())));
   }
   if (options.output.json) {
     Json json = FactsJson(learner, course, facts);
@@ -148,7 +176,9 @@ int Run(const ReportOptions& options, Console& console) {
     return exit_code::kGood;
   }
   for (const ReportSection& section : say::ReportSections(course, facts, kMostSaid)) {
-    for (const std::string& line : section.lines) console.Result(line);
+    for (const std::string& line : section.lines)
+      console.Result(section.plot ? fmt::format("{}: {}", section.heading, line) : line);
+    for (const std::string& line : section.row_lines) console.Result(line);
   }
   return exit_code::kGood;
 }

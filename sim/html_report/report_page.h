@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -15,11 +14,9 @@ struct ReportHead {
 };
 
 /// A report as one page, HTML that is well-formed XML too: headings in order, plots as SVG with
-/// title, description and the same in a sentence beside them, all answers as a table. Nothing is
-/// shown by a picture alone, nothing is loaded from elsewhere.
-std::string ReportPage(const ReportHead& head, const std::vector<ReportSection>& sections,
-                       const std::vector<ReportPlot>& plots,
-                       const std::map<std::string, std::map<std::string, int>>& matrix);
+/// title, description and the same in a sentence beside them, tables with captions. Nothing is
+/// shown by a picture alone, nothing is loaded from elsewhere, and it can be printed.
+std::string ReportPage(const ReportHead& head, const std::vector<ReportSection>& sections);
 
 /// The plot as an SVG element; `number` makes its ids.
 std::string PlotSvg(const ReportPlot& plot, std::size_t number);
