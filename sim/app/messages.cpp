@@ -136,8 +136,9 @@ std::string CarriedPress(double carried) {
 }
 
 std::string Through(const TrialResult& all) {
-  return fmt::format("Through the paper: {}, first after {} s; it carries {} N.",
-                     Times(all.through), Short(all.first_through, 1),
+  const std::string first =
+      all.first_through > 0 ? fmt::format(", first after {} s", Short(all.first_through, 1)) : "";
+  return fmt::format("Through the paper: {}{}; it carries {} N.", Times(all.through), first,
                      Short(std::floor(100 * all.carried_press) / 100, 2));
 }
 
@@ -231,8 +232,9 @@ std::string ReplayDiffers(std::size_t tick, std::size_t ticks, std::string_view 
   return fmt::format("Replay differs first at tick {} of {}, in {}.", tick, ticks, column);
 }
 
-std::string NamedValue(std::string_view name, std::string_view value) {
-  return fmt::format("{}: {}", name, value);
+std::string RecordedTime(double duration, double letters_per_second) {
+  return fmt::format("Time: {} s of hand time, {} letters per second.", Short(duration, 1),
+                     Short(letters_per_second, 2));
 }
 
 std::string Altered(std::string_view altered, const ReplayResult& replay) {

@@ -71,7 +71,8 @@ std::string NamedNumbers(std::string_view name, const double* values, std::size_
 std::string ReplayWhat(std::string_view text, double size, bool blank);
 std::string ReplayEqual(std::size_t ticks);
 std::string ReplayDiffers(std::size_t tick, std::size_t ticks, std::string_view column);
-std::string NamedValue(std::string_view name, std::string_view value);
+/// [s], [1/s]
+std::string RecordedTime(double duration, double letters_per_second);
 std::string Altered(std::string_view altered, const ReplayResult& replay);
 std::string OtherField(std::string_view folder);
 

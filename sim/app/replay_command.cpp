@@ -1,9 +1,14 @@
 #include "sim/app/commands.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "sim/app/guide_messages.h"
 #include "sim/app/messages.h"
+#include "sim/session/loop_messages.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_trial.h"
 #include "sim/setup/help.h"
@@ -27,6 +32,7 @@ struct Rebuilt {
   std::shared_ptr<const TextureField> field;
   std::optional<GuidancePlan> push;
   std::shared_ptr<const ViewPage> seen;  ///< with `view`
+  std::size_t letters = 0;               ///< of the page, without its running head
 };
 Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder, bool view) {
   const bool alone = parameters.fallback_script.empty();
@@ -41,6 +47,9 @@ Rebuilt RebuiltFrom(const TrialParameters& parameters, const std::string& folder
   }
   const TextPage& page = set.pages[parameters.page];
   Rebuilt rebuilt;
+  rebuilt.letters = static_cast<std::size_t>(
+      std::count_if(page.glyphs.begin(), page.glyphs.end(),
+                    [](const PlacedGlyph& glyph) { return glyph.kind != LineKind::kHead; }));
   rebuilt.field =
       std::make_shared<const TextureField>(PageField(page, script, set.style, parameters.blank));
   if (view) {
@@ -58,12 +67,70 @@ Json ResultOf(const Record& record) {
   return result.is_object() ? result : Json::object();
 }
 
-/// The record's own results, one "name: value" line each.
-void SayResult(const Record& record, Console& console) {
-  const Json result = ResultOf(record);
-  for (const auto& [name, value] : result.items()) {
-    console.Result(say::NamedValue(name, value.dump()));
+/// A number of the record's results, in its unit there; none: it has none, or null.
+std::optional<double> NumberOf(const Json& result, const char* key) {
+  const auto found = result.find(key);
+  if (found == result.end() || !found->is_number()) return std::nullopt;
+  return found->get<double>();
+}
+
+/// A count, of a record that may say anything.
+std::size_t CountOf(const Json& result, const char* key) {
+  const double count = NumberOf(result, key).value_or(0);
+  return count >= 0 && count < 1e15 ? static_cast<std::size_t>(count) : 0;
+}
+
+/// What people are told of the record's own results, as TotalJson wrote them.
+TrialResult Told(const Json& result) {
+  const auto number = [&result](const char* key) { return NumberOf(result, key).value_or(0); };
+  TrialResult told;
+  TraceMetrics& total = told.score.total;
+  total.coverage = number("coverage");
+  total.mean_error = 1e-3 * number("mean_error_mm");
+  total.max_error = 1e-3 * number("max_error_mm");
+  total.excursions = CountOf(result, "excursions");
+  total.contact_share = number("contact_share");
+  total.mean_force = number("mean_force_n");
+  total.peak_force = number("peak_force_n");
+  told.score.letters_per_second = number("letters_per_second");
+  told.duration = number("duration_s");
+  told.force_bound =
+      NumberOf(result, "force_bound_n").value_or(std::numeric_limits<double>::infinity());
+  told.force_per_acceleration = number("force_bound_per_m_per_s2_n");
+  told.carried_press = number("carried_press_n");
+  told.through = CountOf(result, "through");
+  const auto by_readings = NumberOf(result, "energy_out_by_readings_uj");
+  told.energy_out = 1e-6 * by_readings.value_or(number("energy_out_uj"));
+  if (by_readings) told.true_energy_out = 1e-6 * number("energy_out_uj");
+  told.mean_guidance = number("mean_guidance_n");
+  told.guidance_work = 1e-3 * number("guidance_work_mj");
+  return told;
+}
+
+/// In the sentences of `trace`; names with values stand in --json.
+void SayResult(const Json& result, const TrialParameters& parameters, std::size_t letters,
+               Console& console) {
+  if (result.empty()) return;  // it was cut off before its end
+  const TrialResult told = Told(result);
+  const TraceMetrics& total = told.score.total;
+  const bool blank = parameters.blank;
+  if (NeverTouched(total)) {
+    console.Result(say::NeverTouched(told.duration));
+  } else {
+    console.Result(say::TraceOutcome(told, letters, blank));
+    console.Result(say::MeanError(total, parameters.style, blank));
+    console.Result(say::WorstError(total));
+    console.Result(say::LeftGroove(total, parameters.style, blank));
   }
+  console.Result(say::Force(total));
+  if (parameters.guidance.on()) {
+    console.Result(say::Guided(parameters.guidance.mode, parameters.guidance.help,
+                               told.mean_guidance, told.guidance_work));
+  }
+  if (std::isfinite(told.force_bound)) console.Result(say::ForceBound(told));
+  console.Result(told.through > 0 ? say::Through(told) : say::CarriedPress(told.carried_press));
+  console.Result(say::Energy(told));
+  console.Result(say::RecordedTime(told.duration, told.score.letters_per_second));
 }
 
 }  // namespace
@@ -114,7 +181,7 @@ int Run(const ReplayOptions& options, Console& console) {
                        ? say::ReplayEqual(replay.ticks)
                        : say::ReplayDiffers(replay.first_difference, replay.ticks, replay.column));
     console.Result(say::ReplayWhat(parameters.text, parameters.style.size, parameters.blank));
-    if (!options.check) SayResult(record, console);
+    if (!options.check) SayResult(ResultOf(record), parameters, page.letters, console);
     if (feed) SayView(*feed, options.view, console);
   }
   if (feed) RequireView(*feed, {});

@@ -67,13 +67,35 @@ TEST_F(ReplayCommand, SaysWhatWasTracedAndTheResults) {
   const Outcome outcome = RunLine({"replay", In("r")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("Recorded: \"IT\", letters 12 mm high."), std::string::npos);
-  EXPECT_NE(outcome.out.find("\ncoverage: "), std::string::npos);
+  EXPECT_EQ(outcome.out.find("_mm"), std::string::npos) << outcome.out;  // keys are for programs
   ExpectTextFace(outcome.out);
   const nlohmann::json json = RunLine({"replay", In("r"), "--json", "--quiet"}).Json();
   EXPECT_EQ(json["text"], "IT");
   EXPECT_TRUE(json["bit_equal"]);
   EXPECT_GT(json["ticks"], 1000);
   EXPECT_GE(json["total"]["coverage"], 0.98);
+}
+
+// What `trace` said when it was recorded, word for word; before, 39 lines of keys and values.
+TEST_F(ReplayCommand, SaysTheResultsInTheSentencesOfTrace) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, std::vector<std::string>{"--blank", "--guide", "rail"}}) {
+    const Outcome trace = RunLine(With({"trace", "ME", "--record", In("r")}, more));
+    const std::string replay = RunLine({"replay", In("r")}).out;
+    ExpectTextFace(replay);
+    int same = 0;
+    for (const std::string& line : Lines(trace.out)) {
+      const bool told_now_only = line.rfind("Time:", 0) == 0 || line.rfind("Record", 0) == 0 ||
+                                 line.rfind("Weakest", 0) == 0 || line == In("r");
+      if (told_now_only) continue;
+      EXPECT_NE(("\n" + replay).find("\n" + line + "\n"), std::string::npos) << line << "\n"
+                                                                             << replay;
+      ++same;
+    }
+    EXPECT_GE(same, 8);
+    EXPECT_NE(replay.find(" s of hand time, "), std::string::npos);
+    std::filesystem::remove_all(In("r"));
+  }
 }
 
 TEST_F(ReplayCommand, SameSeedWritesTheSameSamples) {
