@@ -149,6 +149,15 @@ std::optional<std::size_t> LessonAfter(const Course& course, const Progress& pro
   return std::nullopt;
 }
 
+std::optional<std::size_t> NextInOrder(const Course& course, const Progress& progress) {
+  const auto here = LessonIndex(course, progress.lesson);
+  if (here && course.lessons[*here].optional) return LessonAfter(course, progress, progress.lesson);
+  for (std::size_t i = here ? *here + 1 : 0; i < course.lessons.size(); ++i) {
+    if (!course.lessons[i].optional) return i;
+  }
+  return std::nullopt;
+}
+
 void MoveTo(Progress& progress, std::string_view lesson, std::size_t step) {
   if (progress.lesson != lesson) progress.left_open = false;
   progress.lesson = lesson;

@@ -47,6 +47,10 @@ bool CourseDone(const Course& course, const Progress& progress);
 std::optional<std::size_t> LessonAfter(const Course& course, const Progress& progress,
                                        std::string_view lesson);
 
+/// The lesson behind the one where the learner is, done or not, without those beside the course:
+/// where a tutor goes on to. From one beside it: where the course goes on. None: that was the last.
+std::optional<std::size_t> NextInOrder(const Course& course, const Progress& progress);
+
 /// To the beginning of a step; what was shown at the last one is forgotten.
 void MoveTo(Progress& progress, std::string_view lesson, std::size_t step);
 

@@ -121,7 +121,10 @@ enum class Sentence {
   kNotAsked,      ///< text: an answer where nothing was asked
   kNotNow,        ///< a trace where none was awaited
   kNoTextBefore,  ///< nothing to go back to in this lesson
-  kNoSuchLesson   ///< text: what was asked for
+  kNoSuchLesson,  ///< text: what was asked for
+  kLastLesson,    ///< there is no next one
+  kLargestSize,   ///< value: the largest that a tutor can have [m]
+  kSmallestSize   ///< value: the smallest
 };
 struct Say {
   Sentence sentence = Sentence::kWelcome;

@@ -7,6 +7,7 @@
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
 #include "lessons/progress/answer.h"
+#include "lessons/progress/lesson_path.h"
 #include "lessons/progress/lesson_turn.h"
 #include "lessons/progress/mastery.h"
 
@@ -127,11 +128,14 @@ void Back(Turn& turn) {
 
 /// Goes to another lesson; if there is none, says so and stays.
 void Leap(Turn& turn, const Overrule& overrule) {
-  const auto here = LessonIndex(turn.course, turn.state.progress.lesson);
-  std::optional<std::size_t> there = here ? *here + 1 : 0;
-  if (overrule.lesson) there = LessonIndex(turn.course, *overrule.lesson);
-  if (!there || *there >= turn.course.lessons.size()) {
-    Say(turn, Sentence::kNoSuchLesson, overrule.lesson ? Shortened(*overrule.lesson) : "next");
+  const auto there = overrule.lesson ? LessonIndex(turn.course, *overrule.lesson)
+                                     : NextInOrder(turn.course, turn.state.progress);
+  if (!there) {
+    if (overrule.lesson) {
+      Say(turn, Sentence::kNoSuchLesson, Shortened(*overrule.lesson));
+    } else {
+      Say(turn, Sentence::kLastLesson);
+    }
     return AwaitNow(turn, turn.state.await);
   }
   GoToLesson(turn, turn.course.lessons[*there]);
@@ -143,6 +147,8 @@ bool Merge(Turn& turn, const Overrule& overrule) {
   const bool size = overrule.size && std::isfinite(*overrule.size);
   if (size) {
     state.overrule.size = std::clamp(*overrule.size, kSmallestSize, kLargestSize);
+    if (*overrule.size > kLargestSize) Say(turn, Sentence::kLargestSize, {}, {}, kLargestSize);
+    if (*overrule.size < kSmallestSize) Say(turn, Sentence::kSmallestSize, {}, {}, kSmallestSize);
     Say(turn, Sentence::kSizeNow, {}, {}, *state.overrule.size);
   }
   if (overrule.mode) {

@@ -80,6 +80,10 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
   const std::size_t before = memory_.held_back();
   const std::string why = memory_.Keep(keep.trial, stage_.trace().track());
   if (!keep.trial.item.empty()) ++kept_;
+  const bool judged = !keep.trial.answer.empty() || keep.trial.kind == StepKind::kTrace;
+  if (!keep.trial.item.empty() && judged) {
+    (keep.trial.right ? last_right_ : last_wrong_) = keep.trial;
+  }
   if (!why.empty()) {
     teller_.Say(Priority::kMessage, say::NotKept(why));
   } else if (before > 0) {

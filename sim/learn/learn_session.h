@@ -40,6 +40,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool stopped() const override { return stopped_; }
   bool over() const override { return over_; }
   std::string Status() const override;
+  std::vector<std::string> StatusForTutor() const override;
   void Obey(const std::string& line) override;
   void TutorSays(lesson_event::Said said) override { Take(said); }
   void Overrule(const lesson_event::Overrule& overrule) override { Take(overrule); }
@@ -100,6 +101,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   double passed_ = 0;  ///< between the last two looks [s]
   Clock::time_point looked_, ordered_, ticked_;
   std::size_t kept_ = 0;
+  Trial last_right_, last_wrong_;  ///< of this session; without an item: none yet
 };
 
 }  // namespace moontrace

@@ -282,6 +282,12 @@ std::string LearnSession::Status() const {
                             lesson->steps.size());
 }
 
+std::vector<std::string> LearnSession::StatusForTutor() const {
+  const bool set = state_.overrule.size || state_.overrule.help || state_.overrule.mode;
+  return {say::PageAndHelp(stage_.size(), state_.mode, state_.help, set),
+          say::LastTrials(course_, last_right_, last_wrong_)};
+}
+
 void LearnSession::Letter(LearnWord word) {
   if (!told()) return teller_.Say(Priority::kText, say::NotWhileAsked());
   const std::optional<NearLetter> letter =

@@ -8,6 +8,7 @@
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
+#include "lessons/progress/lesson_path.h"
 #include "sim/console/word_messages.h"
 #include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_stage.h"
@@ -99,7 +100,9 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       Answer(line.tutor, say::NumberedWords(WordPlace::kTutor));
       return Answer(line.tutor, say::PageWordsHelp());
     case TutorWord::kWhere:
-      return Answer(line.tutor, lesson_.Status());
+      Answer(line.tutor, say::LearnerAt(memory_.name(), lesson_.Status()));
+      for (const std::string& more : lesson_.StatusForTutor()) Answer(line.tutor, more);
+      return;
     case TutorWord::kWho:
       return Answer(line.tutor, say::WhoIsHere(memory_.name(), server_ ? server_->tutors() : 0));
     case TutorWord::kQuit:
@@ -125,6 +128,11 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
     case TutorWord::kLesson:
       if (!LessonNamed(course_, command.text)) {
         return Answer(line.tutor, say::LessonNotFound(command.text, course_.lessons.size()));
+      }
+      break;
+    case TutorWord::kNextLesson:
+      if (!NextInOrder(course_, lesson_.state().progress)) {
+        return Answer(line.tutor, say::NoNextLesson());
       }
       break;
     default:

@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include "lessons/course/lesson_items.h"
 #include "sim/console/wording.h"
 #include "sim/tutor/page_messages.h"
 #include "textures/base/text_file.h"
+#include "textures/base/units.h"
 
 namespace moontrace::say {
 
@@ -51,6 +53,37 @@ std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
 std::string LessonNotFound(std::string_view given, std::size_t lessons) {
   return fmt::format("No such lesson, or several: {}. A number from 1 to {}, as where says it.",
                      OneLine(given, 20), lessons);
+}
+std::string LearnerAt(std::string_view learner, std::string_view status) {
+  return fmt::format("{}: {}", OneLine(learner), status);
+}
+
+std::string PageAndHelp(double size, GuidanceMode mode, int help, bool set) {
+  const std::string push = mode == GuidanceMode::kOff || help <= 0
+                               ? std::string("no push")
+                               : fmt::format("help {} of 10, push {}", help, NameOf(mode));
+  return fmt::format("Letters {} mm, {}{}.", Short(kMillimetres * size, 1), push,
+                     set ? ", in part set by hand" : "");
+}
+
+std::string LastTrials(const Course& course, const Trial& right, const Trial& wrong) {
+  if (right.item.empty() && wrong.item.empty()) return "Nothing right or wrong yet today.";
+  const auto named = [&course](const Trial& trial) {
+    const ItemPair pair = PairOf(trial.item);
+    std::string name = OneLine(NameOf(course, pair.first));
+    if (!pair.second.empty()) name += " beside " + OneLine(NameOf(course, pair.second));
+    if (trial.kind == StepKind::kTrace) return name + " traced";
+    return trial.right
+               ? name
+               : fmt::format("{} taken for {}", name, OneLine(NameOf(course, trial.answer), 40));
+  };
+  return fmt::format("Last right: {}; last wrong: {}.",
+                     right.item.empty() ? "nothing yet" : named(right),
+                     wrong.item.empty() ? "nothing yet" : named(wrong));
+}
+
+std::string NoNextLesson() {
+  return "This is the last lesson: lesson and a number goes to another.";
 }
 std::string WhoIsHere(std::string_view learner, std::size_t tutors) {
   return fmt::format("Learner: {}; {} here.", OneLine(learner), Counted(tutors, "tutor", "tutors"));

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/course/course.h"
+#include "lessons/course/trial.h"
 #include "sim/tutor/tutor_command.h"
 
 /// Sentences of a tutor's commands, for learner and tutor; see messages.h.
@@ -16,6 +18,12 @@ std::string TutorDoes(const TutorCommand& command);
 std::string LearnerStopped();
 std::string NothingRests();
 std::string LessonNotFound(std::string_view given, std::size_t lessons);
+std::string LearnerAt(std::string_view learner, std::string_view status);
+/// What the learner's page and push are now; `set`: by learner or tutor, not by the course's rules.
+std::string PageAndHelp(double size, GuidanceMode mode, int help, bool set);
+/// Of this session; a trial without an item: none yet.
+std::string LastTrials(const Course& course, const Trial& right, const Trial& wrong);
+std::string NoNextLesson();
 std::string WhoIsHere(std::string_view learner, std::size_t tutors);
 std::string TutorGaveBack();
 std::string Recording();

@@ -62,6 +62,8 @@ std::string OfCourse(const Course& course, const lesson_action::Say& sentence) {
       return "Nothing before this in the lesson. The word lessons tells the others.";
     case Sentence::kNoSuchLesson:
       return fmt::format("No such lesson: {}.", OneLine(sentence.text, 20));
+    case Sentence::kLastLesson:
+      return "This is the last lesson. Say lessons for all of them.";
     default:
       return {};
   }
@@ -139,6 +141,10 @@ std::string OfChange(const Course& course, const lesson_action::Say& sentence) {
       return HelpSentence(sentence.value);
     case Sentence::kSpeedNow:
       return fmt::format("Speed {} times the usual now.", Short(sentence.value, 2));
+    case Sentence::kLargestSize:
+      return fmt::format("{} is the largest.", Millimetres(sentence.value));
+    case Sentence::kSmallestSize:
+      return fmt::format("{} is the smallest.", Millimetres(sentence.value));
     case Sentence::kSizeNow:
       return fmt::format("Letters of {} now.", Millimetres(sentence.value));
     case Sentence::kModeNow:

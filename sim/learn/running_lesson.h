@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "lessons/course/course.h"
 #include "lessons/guide/guidance.h"
@@ -41,6 +42,8 @@ class RunningLesson : public RunningStage {
   virtual bool over() const = 0;
   /// Lesson and step: one line.
   virtual std::string Status() const = 0;
+  /// What a tutor wants to know besides: size, help and push; what was last right and wrong.
+  virtual std::vector<std::string> StatusForTutor() const = 0;
 
   /// A line of the learner's; always answered by a line.
   virtual void Obey(const std::string& line) = 0;

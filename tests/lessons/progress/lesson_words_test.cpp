@@ -312,11 +312,44 @@ TEST_F(LessonWords, TheTutorLeadsToOtherLessons) {
   Overrule next;
   next.next_lesson = true;
   run_.Do(next);
-  EXPECT_TRUE(run_.Said(Sentence::kNoSuchLesson)) << "it is the last one";
+  EXPECT_TRUE(run_.Said(Sentence::kLastLesson));
   Overrule skip;
   skip.skip = true;
   run_.Do(skip);
   EXPECT_EQ(run_.state.item, ",");
+}
+
+// Before, the lesson beside the course was the next of the last one.
+TEST_F(LessonWords, TheNextLessonIsNoneBesideTheCourse) {
+  Course course = SmallCourse();
+  course.lessons.push_back(MakeLesson("hands", {"o"}, {MakeStep(StepKind::kTrace)}));
+  course.lessons.back().optional = true;
+  LessonRun run(course);
+  run.Begin();
+  Overrule to;
+  to.lesson = "02";
+  run.Do(to);
+  Overrule next;
+  next.next_lesson = true;
+  run.Do(next);
+  EXPECT_TRUE(run.Said(Sentence::kLastLesson));
+  EXPECT_EQ(run.state.progress.lesson, "02");
+  to.lesson = "hands";
+  run.Do(to);
+  run.Do(next);
+  EXPECT_NE(run.state.progress.lesson, "hands") << "the course goes on behind it";
+}
+
+TEST_F(LessonWords, ALimitOfSizesIsSaid) {
+  Overrule size;
+  size.size = 0.5;
+  run_.Do(size);
+  ASSERT_TRUE(run_.Said(Sentence::kLargestSize));
+  EXPECT_EQ(run_.Find(Sentence::kLargestSize)->value, 0.2);
+  EXPECT_EQ(run_.show.size, 0.2);
+  size.size = 0.2;
+  run_.Do(size);
+  EXPECT_FALSE(run_.Said(Sentence::kLargestSize)) << "just the largest";
 }
 
 TEST_F(LessonWords, AtTheEndALessonCanBeginAgain) {

@@ -58,6 +58,16 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
     }
     ASSERT_TRUE(session.Ask("stop")) << session.all();
     tutor.Send("go\n");
+    // Before: lesson and step, and nothing of who, how large, with what push.
+    tutor.Send("where\n");
+    EXPECT_TRUE(Hears(tutor, "ann: Lesson ")) << session.all();
+    EXPECT_TRUE(Hears(tutor, "Letters "));
+    EXPECT_TRUE(Hears(tutor, "Nothing right or wrong yet today."));
+    tutor.Send("lesson 2\n");
+    tutor.Send("next lesson\n");
+    EXPECT_TRUE(Hears(tutor, "This is the last lesson"));
+    tutor.Send("size 500\n");
+    EXPECT_TRUE(Hears(tutor, "200 mm is the largest."));
     tutor.Send("lesson nine\n");  // is not: nothing for the learner to hear
     tutor.Send("lesson 3\n");
     EXPECT_TRUE(Hears(tutor, "No such lesson, or several: 3. A number from 1 to 2"));
@@ -83,7 +93,7 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
   for (const RecordedEvent& event : Records::OpenToRead(In("records.sqlite")).Events("ann")) {
     if (event.kind == "tutor") ++kept;
   }
-  EXPECT_EQ(kept, 19U);  // all but "go", "lesson nine", "lesson 3", "record" and "form star"
+  EXPECT_EQ(kept, 21U);  // all but "go", "lesson nine", "lesson 3", "record" and "form star"
 }
 
 TEST_F(LearnTutor, TakesTheTutorsStrokeFromADevice) {
