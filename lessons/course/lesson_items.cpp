@@ -133,6 +133,24 @@ std::string HintOf(const Course& course, const Lesson* lesson, std::string_view 
   return {};
 }
 
+bool EndSizesAt(Course& course, double smallest) {
+  const double least = smallest * 0.999;  // the same size, but for rounding
+  bool changed = false;
+  while (course.sizes.size() > 1 && course.sizes.back() < least) {
+    course.sizes.pop_back();
+    changed = true;
+  }
+  const double end = course.sizes.empty() ? smallest : course.sizes.back();
+  for (Lesson& lesson : course.lessons) {
+    for (Step& step : lesson.steps) {
+      if (!step.size || *step.size >= least) continue;
+      changed = changed || end > *step.size;
+      step.size = std::max(end, *step.size);
+    }
+  }
+  return changed;
+}
+
 ItemPair PairOf(std::string_view item) {
   const auto feed = item.find('\n');
   if (feed == std::string_view::npos) return {std::string(item), {}};

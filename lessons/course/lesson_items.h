@@ -58,6 +58,10 @@ const Lesson* HomeOf(const Course& course, std::string_view item);
 /// Its memory aid: of this lesson (null: none), otherwise of any; empty: there is none.
 std::string HintOf(const Course& course, const Lesson* lesson, std::string_view item);
 
+/// Takes sizes below `smallest` [m] away, the largest stays in any case; steps of a smaller size
+/// come at the smallest that is left. True: something changed.
+bool EndSizesAt(Course& course, double smallest);
+
 /// `a` and `b` of "a\nb"; of "a": a and nothing.
 struct ItemPair {
   std::string first, second;

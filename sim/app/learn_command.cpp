@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "lessons/course/course.h"
+#include "lessons/course/lesson_items.h"
 #include "lessons/course/spelling.h"
 #include "sim/audio/sound_messages.h"
 #include "sim/demonstration/demonstrate.h"
@@ -109,6 +110,10 @@ int Learn(LearnOptions options, Course course, Console& console) {
   if (!opened) return exit_code::kGood;
   LearnMemory& memory = *opened;
   AddOwnName(course, memory.name());
+  const double smallest = SmallestFelt(options.live.device, options.press.value_or(1));
+  if (EndSizesAt(course, smallest)) {
+    teller.Say(Priority::kText, say::SizesEndAt(course.sizes.back(), smallest));
+  }
   teller.EndTurn();
 
   const auto aims = AimsFor(options.live.device, options.view);

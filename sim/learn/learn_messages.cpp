@@ -222,6 +222,13 @@ std::string SessionEnded(std::size_t trials, std::size_t sure) {
 }
 std::string EndOfInput() { return "End of input: the session ends."; }
 std::string LostTrial() { return "This try does not count: the device was lost."; }
+std::string SizesEndAt(double size, double smallest) {
+  if (size < 0.999 * smallest) {
+    return fmt::format("This device renders no letters well: they stay at {}.", Millimetres(size));
+  }
+  return fmt::format("Letters end at {} here: this device renders none below {}.",
+                     Millimetres(size), Millimetres(smallest));
+}
 std::string NoRoomFor(double wanted, double got) {
   return fmt::format("No room for letters of {}: here {}; this does not count.",
                      Millimetres(wanted), Millimetres(got));
@@ -248,8 +255,25 @@ std::vector<std::string> LearningWithoutDevice() {
 std::string NoDeviceGiven() { return "no force device: name one with --device when there is one"; }
 
 std::string Printed(std::string_view title, std::size_t pages, double size) {
-  return fmt::format("Printed: {}, {}, letters of {}. Print at 100 percent on swell paper.",
-                     OneLine(title), Counted(pages, "page", "pages"), Millimetres(size));
+  return fmt::format("Printed: {}, {}, letters of {}.", OneLine(title),
+                     Counted(pages, "page", "pages"), Millimetres(size));
+}
+std::string PrintedSideways() { return "Landscape: upright, the sheet would break a word."; }
+std::string PrintedSmaller(double wanted) {
+  return fmt::format("Smaller than {}: so large, a word would be broken.", Millimetres(wanted));
+}
+std::string PrintedBroken() { return "Words are broken: no size keeps them in a line."; }
+std::string PrintedHow() {
+  return "Print at 100 percent on swell paper; the slanting line marks the upper right corner.";
+}
+std::string PrintedPageInMoon(std::size_t page) { return fmt::format("page {}", page); }
+std::string PrintedInstructionInMoon() { return "follow each line"; }
+std::string PrintedInstruction(std::string_view title, std::size_t page, std::size_t pages,
+                               double size, std::string_view lines) {
+  return fmt::format(
+      "{}, page {} of {}, letters of {}. The slanting line is at the upper right. Feel each line "
+      "from the left, with one or two fingers. Lines: {}.",
+      OneLine(title), page, pages, Millimetres(size), OneLine(lines, 120));
 }
 std::string NoSuchLesson(std::string_view given, std::string_view nearest) {
   return fmt::format("no such lesson: {}; {}{}", OneLine(given, 40),

@@ -128,6 +128,8 @@ std::string LearnBeginsWithKeys();
 std::string SessionEnded(std::size_t trials, std::size_t sure);
 std::string EndOfInput();
 std::string LostTrial();
+// Of a device that renders no letters below `smallest` [m]; infinite: none.
+std::string SizesEndAt(double size, double smallest);
 std::string NoRoomFor(double wanted, double got);
 std::string CannotShow(std::string_view text, std::string_view why);
 
@@ -139,6 +141,15 @@ std::string NoDeviceGiven();
 
 // Printing.
 std::string Printed(std::string_view title, std::size_t pages, double size);
+std::string PrintedSideways();
+std::string PrintedSmaller(double wanted);
+std::string PrintedBroken();
+std::string PrintedHow();
+// On the sheet itself: at its head and foot in raised letters, then in print for who helps.
+std::string PrintedPageInMoon(std::size_t page);
+std::string PrintedInstructionInMoon();
+std::string PrintedInstruction(std::string_view title, std::size_t page, std::size_t pages,
+                               double size, std::string_view lines);
 std::string NoSuchLesson(std::string_view given, std::string_view nearest);
 std::string NothingToPrint(std::string_view lesson);
 std::string PrintRunsNothing();

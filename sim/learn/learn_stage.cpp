@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "devices/catalogue/catalogue.h"
+#include "devices/core/smallest_letter.h"
 #include "lessons/guide/guidance_path.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
@@ -53,6 +54,14 @@ std::string DeviceForLearning(const std::string& named, Console& console) {
   if (!problem.empty()) console.Result(problem);
   for (const std::string& line : say::LearningWithoutDevice()) console.Result(line);
   throw LackError(say::NoDeviceGiven());
+}
+
+double SmallestFelt(const std::string& device, double press) {
+  if (!PluginPathOf(device).empty()) return SmallestLetter(EntryOfPlugin(device).profile, press);
+  for (const DeviceEntry& entry : ListDevices(ProfilesFolder())) {
+    if (entry.name == device) return SmallestLetter(entry.profile, press);
+  }
+  return 0;
 }
 
 LearnStage::LearnStage(const StageOptions& options, Console& console)

@@ -17,6 +17,9 @@ namespace moontrace {
 /// The device of a lesson: `named`, otherwise the first that is there, can be opened and has
 /// motors. Where there is none, says so first, then what works without; then throws LackError.
 std::string DeviceForLearning(const std::string& named, Console& console);
+/// The smallest letter that the device renders at that press [N], by its profile [m]; 0 where
+/// nothing is felt, or nothing is known of it. Opens a plug-in, and closes it.
+double SmallestFelt(const std::string& device, double press);
 
 struct StageOptions {
   LiveOptions live;

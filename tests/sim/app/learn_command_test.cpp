@@ -73,6 +73,22 @@ TEST_F(LearnCommand, TakesTheFirstDeviceWithMotors) {
   EXPECT_FALSE(Holds(outcome.out, "nothing is felt")) << outcome.out;
 }
 
+// Of this joystick's force and stiffness follow 13.4 mm (SmallestLetter); the course has 16 and 10.
+TEST_F(LearnCommand, EndsAtTheSmallestSizeThatTheDeviceRenders) {
+  const auto learn = [this](const char* kind) {
+    const FakeHid fake(kind);
+    return RunLine({"learn", "--course", In("course"), "--learner", "ann", "--records",
+                    In("records.sqlite")},
+                   "smaller\nquit\n")
+        .out;
+  };
+  const std::string joystick = learn("pid");
+  EXPECT_TRUE(Holds(joystick, "Letters end at 16 mm here: this device renders none below 13.4 mm."))
+      << joystick;
+  EXPECT_TRUE(Holds(joystick, "No smaller: these are the smallest.")) << joystick;
+  EXPECT_FALSE(Holds(learn("moontrace-raw"), "Letters end at"));
+}
+
 TEST_F(LearnCommand, SaysThatADeviceWithoutMotorsIsNotFelt) {
   const FakeHid fake("spacemouse");
   const std::string name = ListDevices(ProfilesFolder()).at(0).name;
@@ -93,6 +109,52 @@ TEST_F(LearnCommand, PrintsALessonInTrueSizeBlackOnWhite) {
   const std::string svg = ReadAll(In("page.svg"));
   EXPECT_TRUE(Holds(svg, "width=\"210mm\"")) << svg.substr(0, 300);
   EXPECT_TRUE(Holds(svg, "#000000") || Holds(svg, "rgb(0,0,0)") || Holds(svg, "\"#000\""));
+}
+
+// "toil" at 40 mm was printed as "toi" and "l".
+TEST_F(LearnCommand, PrintsNoBrokenWordButTurnsTheSheetOrTakesSmallerLetters) {
+  const auto print = [this](const std::string& size) {
+    return RunLine({"learn", "--print", In("l.svg"), "--lesson", "2", "--size-mm", size}).out;
+  };
+  const std::string turned = print("40");
+  EXPECT_TRUE(Holds(turned, "letters of 40 mm.")) << turned;
+  EXPECT_TRUE(Holds(turned, "\nLandscape: ")) << turned;
+  EXPECT_FALSE(Holds(turned, "Smaller than")) << turned;
+  std::string sheets;
+  for (const auto& file : std::filesystem::directory_iterator(folder_)) {
+    if (file.path().extension() == ".svg") sheets += ReadAll(file.path());
+  }
+  EXPECT_TRUE(Holds(sheets, "width=\"297mm\""));
+  EXPECT_TRUE(Holds(sheets, "toil")) << "the print says what the lines are";
+  const std::string smaller = print("80");
+  EXPECT_TRUE(Holds(smaller, "letters of 40 mm.")) << smaller;
+  EXPECT_TRUE(Holds(smaller, "\nSmaller than 80 mm: ")) << smaller;
+  const std::string upright = print("16");
+  EXPECT_FALSE(Holds(upright, "Landscape")) << upright;
+  ExpectTextFace(turned + smaller);
+}
+
+TEST_F(LearnCommand, PrintsTitleNumberMarkAndWhatToDoOnEachSheet) {
+  ASSERT_EQ(RunLine({"learn", "--print", In("l.svg"), "--lesson", "2"}).code, 0);
+  // Print breaks into lines where it has to.
+  const auto print = [this](const std::string& sheet) {
+    const std::string svg = ReadAll(In(sheet));
+    std::string text;
+    for (std::size_t at = svg.find("<text"); at != std::string::npos;
+         at = svg.find("<text", at + 1)) {
+      const std::size_t from = svg.find('>', at) + 1;
+      text += svg.substr(from, svg.find('<', from) - from) + " ";
+    }
+    return text;
+  };
+  const std::string second = print("l-2.svg");
+  EXPECT_TRUE(Holds(second, "L and O: a corner and a ring, page 2 of ")) << second;
+  EXPECT_TRUE(Holds(second, "letters of 40 mm. The slanting line is at the upper right."))
+      << second;
+  EXPECT_TRUE(Holds(print("l-1.svg"), "Lines: l; o.")) << print("l-1.svg");
+  // A line aslant across the corner, 297 - 7 and 7 + 16 mm from the sides; y runs down in SVG.
+  const std::string svg = ReadAll(In("l-1.svg"));
+  EXPECT_TRUE(Holds(svg, "274,7") && Holds(svg, "290,23")) << svg;
 }
 
 TEST_F(LearnCommand, RefusesWhatItCannotDo) {
