@@ -18,6 +18,12 @@ struct Color {
   double blue = 0;
 };
 
+/// So much of `b` [0..1] in `a`.
+inline Color Mixed(const Color& a, const Color& b, double share) {
+  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
+          a.blue + share * (b.blue - a.blue)};
+}
+
 /// Lines and arcs, joined within a subpath; filled, stroked with round caps and joins, or both.
 struct PathMark {
   std::vector<std::vector<Piece>> subpaths;

@@ -10,11 +10,6 @@ namespace moontrace {
 
 namespace {
 
-Color Mixed(const Color& a, const Color& b, double share) {
-  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-          a.blue + share * (b.blue - a.blue)};
-}
-
 std::uint8_t Byte(double part) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
 }

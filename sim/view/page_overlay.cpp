@@ -8,9 +8,13 @@ namespace moontrace {
 
 namespace {
 
-Color Mixed(const Color& a, const Color& b, double share) {
-  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-          a.blue + share * (b.blue - a.blue)};
+/// Where a point of the page is seen [points], in this part of the picture or beside it; none:
+/// behind the eye.
+std::optional<glm::dvec2> SeenAt(glm::dvec3 p_P, const PageCamera& camera, const PixelBox& box) {
+  const double aspect = static_cast<double>(box.width) / box.height;
+  const std::optional<glm::dvec2> share = ShareOf(camera, aspect, p_P);
+  if (!share) return std::nullopt;
+  return glm::dvec2(box.x + share->x * box.width, box.y + share->y * box.height);
 }
 
 /// Points of the page as lines in the picture; what is far beyond the view is left out.
@@ -55,10 +59,10 @@ class Lines {
  private:
   std::optional<glm::dvec2> At(glm::dvec2 p_P) const {
     constexpr double kFar = 20;  // pictures
-    const double aspect = static_cast<double>(box_.width) / box_.height;
-    const std::optional<glm::dvec2> share = ShareOf(camera_, aspect, p_P);
-    if (!share || std::abs(share->x) > kFar || std::abs(share->y) > kFar) return std::nullopt;
-    return glm::dvec2(box_.x + share->x * box_.width, box_.y + share->y * box_.height);
+    const std::optional<glm::dvec2> at = SeenAt(glm::dvec3(p_P, 0), camera_, box_);
+    const bool far = at && (std::abs(at->x - box_.x) > kFar * box_.width ||
+                            std::abs(at->y - box_.y) > kFar * box_.height);
+    return far ? std::nullopt : at;
   }
 
   const PageCamera& camera_;
@@ -66,14 +70,10 @@ class Lines {
   Canvas& canvas_;
 };
 
-/// Where a point is seen in the picture [points]; none: not in this part.
+/// The same; none: not in this part.
 std::optional<glm::dvec2> PlaceOf(glm::dvec3 p_P, const PageCamera& camera, const PixelBox& box) {
-  const double aspect = static_cast<double>(box.width) / box.height;
-  const std::optional<glm::dvec2> share = ShareOf(camera, aspect, p_P);
-  if (!share) return std::nullopt;
-  const glm::dvec2 at(box.x + share->x * box.width, box.y + share->y * box.height);
-  if (!box.Has(at.x, at.y)) return std::nullopt;
-  return at;
+  const std::optional<glm::dvec2> at = SeenAt(p_P, camera, box);
+  return at && box.Has(at->x, at->y) ? at : std::nullopt;
 }
 
 void DrawPrint(const ViewMarks::Print& print, const PageCamera& camera, const PixelBox& box,

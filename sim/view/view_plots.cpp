@@ -28,11 +28,6 @@ constexpr std::array<Kind, 4> kKinds = {
      {say::plot::kLateness, &ViewHistory::Point::lateness_us, 100},
      {say::plot::kHeat, &ViewHistory::Point::heat, 100}}};
 
-Color Between(const Color& a, const Color& b, double share) {
-  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-          a.blue + share * (b.blue - a.blue)};
-}
-
 /// One figure: its pane, and how the picture's points follow from time and value.
 struct Figure {
   PixelBox pane;
@@ -47,7 +42,7 @@ struct Figure {
 void DrawAxes(const Figure& figure, const std::vector<double>& numbers, const ViewColors& colors,
               Canvas& canvas) {
   const PixelBox& pane = figure.pane;
-  const Color grid = Between(colors.pane, colors.text, 0.18);
+  const Color grid = Mixed(colors.pane, colors.text, 0.18);
   const int half = canvas.TextHeight(false) / 2;
   canvas.Fill(pane, colors.pane);
   for (const double number : numbers) {
