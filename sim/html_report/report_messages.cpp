@@ -88,8 +88,8 @@ std::string Next(const Course& course, const ReportFacts& facts) {
 
 std::string Taken(const Course& course, const ConfusionFact& fact) {
   const std::string shown = Name(course, fact.shown), said = Name(course, fact.said);
-  std::string words = fmt::format("{} taken for {} {}", shown, said, TimesOf(fact.times));
-  if (fact.back > 0) words += fmt::format(", {} for {} {}", said, shown, TimesOf(fact.back));
+  std::string words = fmt::format("{} taken for {}, {}", shown, said, TimesOf(fact.times));
+  if (fact.back > 0) words += fmt::format(", {} for {}, {}", said, shown, TimesOf(fact.back));
   return words;
 }
 
@@ -151,7 +151,7 @@ ReportSection Practise(const Course& course, const ReportFacts& facts) {
   for (const ItemFact& fact : facts.practise) {
     std::string line = fmt::format("Practise {}: {}", Name(course, fact.item), Weak(fact));
     if (fact.taken > 0) {
-      line += fmt::format(", taken for {} {}", Name(course, fact.taken_for), TimesOf(fact.taken));
+      line += fmt::format(", taken for {}, {}", Name(course, fact.taken_for), TimesOf(fact.taken));
     }
     section.lines.push_back(line + fmt::format("; now at {}.", Mm(fact.present)));
   }
