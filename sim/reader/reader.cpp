@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -11,13 +12,16 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20. In em unless said.
-constexpr double kLift = 0.004;        ///< above the level of pressing [m]
+constexpr double kLift = 0.0015;       ///< above the paper [m]
 constexpr double kAirSpeed = 0.35;     ///< [m/s]
 constexpr double kPatience = 1.0;      ///< with a landing that does not come to rest [s]
 constexpr double kGivesUp = 300;       ///< after so long without a sign or a line [s]
-constexpr double kSteady = 0.10;       ///< for the hand to come to rest above where it lands [s]
+constexpr double kSteady = 0.03;       ///< for the hand to come to rest above a groove [s]
+constexpr double kFall = 0.08;         ///< onto the paper [s]
+constexpr double kLands = 0.02;        ///< before a sweep begins [s]
+constexpr double kBounce = 0.04;       ///< after which the paper is felt as it is [s]
 constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
-constexpr double kSearchShare = 0.85;  ///< of the speed at which a groove's wall just holds
+constexpr double kSearchShare = 0.85;  ///< of the speed at which a wall just holds
 constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
 constexpr double kCaughtTime = 0.006;  ///< [s]
 constexpr double kFlatDepth = 0.12;
@@ -66,6 +70,24 @@ ReaderAction Reader::Step(const ReaderInput& input) {
   return action_;
 }
 
+ReaderActivity Reader::activity() const {
+  switch (phase_) {
+    case Phase::kStart:
+    case Phase::kFly:
+      return ReaderActivity::kFlying;
+    case Phase::kSweep:
+      return crossing_ ? ReaderActivity::kCrossing : ReaderActivity::kSearching;
+    case Phase::kSettle:
+      return ReaderActivity::kSettling;
+    case Phase::kFollow:
+      return follower_.state() == GrooveFollower::State::kMoving ? ReaderActivity::kFollowing
+                                                                 : ReaderActivity::kTurning;
+    case Phase::kDone:
+      break;
+  }
+  return ReaderActivity::kDone;
+}
+
 ReaderAction Reader::Act(const Felt& felt) {
   switch (phase_) {
     case Phase::kStart:
@@ -83,7 +105,7 @@ ReaderAction Reader::Act(const Felt& felt) {
     case Phase::kDone:
       break;
   }
-  return {{felt.tip.x, felt.tip.y, sense_.level() + kLift}, 0};
+  return {{felt.tip.x, felt.tip.y, sense_.surface() + kLift}, 0};
 }
 
 void Reader::FlyTo(glm::dvec2 to, Phase then) {
@@ -96,25 +118,38 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
   drift_.Begin();
 }
 
-/// Up, over, down, and a rest until the landing has been felt.
+/// Up, over and down. What comes next begins before the landing is felt; the first one is waited
+/// for, since it tells where the paper is.
 ReaderAction Reader::Fly(const Felt& felt) {
   const double t = now_ - since_;
-  const double there = kUp + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
+  // an even movement over whole periods of its spring leaves a hand at rest
+  const double period = kTurn * std::sqrt(knowledge_.hand_mass / knowledge_.hand_stiffness);
+  const double distance = glm::distance(fly_from_, fly_to_);
+  const double moves = period * std::max(1.0, std::ceil(distance / (kAirSpeed * period)));
+  const double there = kUp + moves + (then_ == Phase::kFollow ? kSteady : 0);
   const double felt_there = there + knowledge_.delay + knowledge_.lag;
-  const double height = sense_.level_known() ? sense_.level() + kLift : felt.tip.z;
+  const double height = sense_.level_known() ? sense_.surface() + kLift : felt.tip.z;
   if (t < kUp) return {{fly_from_.x, fly_from_.y, height}, 0};
-  if (t < there) return {{fly_to_.x, fly_to_.y, height}, 0};
+  if (t < there) {
+    const glm::dvec2 over = glm::mix(fly_from_, fly_to_, std::min(1.0, (t - kUp) / moves));
+    return {{over.x, over.y, height}, 0};
+  }
   const bool rests = sense_.level_known() && sense_.resting_for() > 0.03;
-  if (t >= felt_there && (rests || t > felt_there + kPatience)) {
+  const bool goes_on = sense_.level_known() && t >= there + kFall;
+  if (goes_on || (t >= felt_there && (rests || t > felt_there + kPatience))) {
     since_ = now_;
     phase_ = then_;
     caught_for_ = 0;
+    const bool sweeps = then_ == Phase::kSweep;
+    starts_ = goes_on && sweeps ? now_ + kLands : now_;
+    feels_from_ = goes_on ? now_ + knowledge_.delay + (sweeps ? kBounce : knowledge_.lag) : now_;
     if (then_ == Phase::kFollow) {
-      if (felt.depth < 0.3) {
-        Think();
-      } else {
-        follower_.Begin(felt, fly_to_, -first_direction_);
+      Felt landed = felt;
+      if (goes_on) {
+        landed.place = fly_to_;
+        landed.wall = {0, 0};
       }
+      follower_.Begin(landed, fly_to_, -first_direction_, feels_from_);
       return {{fly_to_.x, fly_to_.y, sense_.level()}, knowledge_.press};
     }
   }
@@ -133,19 +168,20 @@ void Reader::SweepAlong(std::vector<glm::dvec2> way, Errand errand) {
 }
 
 ReaderAction Reader::Sweep(const Felt& felt) {
-  if (felt.depth < kFlatDepth && felt.touching &&
+  const bool feels = now_ >= feels_from_;
+  if (feels && felt.depth < kFlatDepth && felt.touching &&
       !(glm::distance(last_flat_, felt.place) < 0.3 * knowledge_.width)) {
     last_flat_ = felt.place;
     evidence_.flats.push_back({felt.place, 1});
   }
   const double dt = now_ - since_;  // since the last tick here
   since_ = now_;
-  caught_for_ = felt.depth > kCaughtDepth ? caught_for_ + dt : 0;
+  caught_for_ = feels && felt.depth > kCaughtDepth ? caught_for_ + dt : 0;
   if (caught_for_ > kCaughtTime) {
     Caught(felt);
     return action_;
   }
-  double step = dt * kSearchShare * knowledge_.Hold() /
+  double step = (now_ < starts_ ? 0 : dt) * kSearchShare * knowledge_.Hold() /
                 (knowledge_.hand_stiffness * (knowledge_.delay + 0.05));
   while (next_ < way_.size() && step > 0) {
     const glm::dvec2 left = way_[next_] - aim_;
@@ -174,7 +210,7 @@ ReaderAction Reader::Sweep(const Felt& felt) {
     waited_ = 0;
   }
   const glm::dvec2 aim = aim_ - drift_.drift();
-  drift_.Add(felt, aim);
+  if (feels) drift_.Add(felt, aim);
   return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
 }
 
@@ -204,7 +240,7 @@ ReaderAction Reader::Settle(const Felt& felt) {
   phase_ = Phase::kFollow;
   legs_ = 0;
   entry_ = felt.place;
-  follower_.Begin(felt, {rest.aim.x, rest.aim.y}, sweep_direction_);
+  follower_.Begin(felt, {rest.aim.x, rest.aim.y}, sweep_direction_, now_);
   return rest;
 }
 
@@ -218,6 +254,7 @@ ReaderAction Reader::Follow(const Felt& felt) {
 /// Where the groove stops, the hand tries those sides to which some likely sign goes on.
 void Reader::TrySides() {
   constexpr double kLikely = 7;             // nats below the best
+  constexpr double kUnlikely = 3;           // the same of what is no sign
   constexpr double kFrom = 0.9, kTo = 2.2;  // widths from the stop
   constexpr double kLeast = 25 * kDegree, kMost = 150 * kDegree;
   // a sharper corner is told from the groove it came by only farther away
@@ -229,8 +266,10 @@ void Reader::TrySides() {
   const glm::dvec2 ahead = follower_.direction();
   for (const SignGuess& guess : belief) {
     if (guess.log_likelihood < belief.front().log_likelihood - kLikely) break;
-    if (guess.sign == SignGuess::kUnknown) left = right = true;
-    if (guess.sign == SignGuess::kUnknown) break;
+    if (guess.sign == SignGuess::kUnknown) {
+      if (guess.log_likelihood > belief.front().log_likelihood - kUnlikely) left = right = true;
+      continue;
+    }
     for (const SignPoint& point : knowledge_.shapes->Points(guess.sign)) {
       const glm::dvec2 way = FromEm(guess.place, point.p) - follower_.stop();
       const double length = glm::length(way) / knowledge_.width;
@@ -260,11 +299,22 @@ void Reader::EndLeg() {
   const bool ring = follower_.state() == GrooveFollower::State::kRing;
   if (GoRound()) return;
   if (!ring && (legs_ == 1 || (legs_ == 2 && same))) {
+    if (legs_ == 1 && KnowsTheRest()) return Think();
     first_direction_ = follower_.Departure();
     FlyTo(entry_, Phase::kFollow);
   } else {
     Think();
   }
+}
+
+/// Whether one leg has felt nearly all of a sign of which there is no doubt.
+bool Reader::KnowsTheRest() {
+  constexpr double kNearly = 0.3;         // of its lines all lies so near what was felt [em]
+  constexpr std::size_t kFirstSigns = 4;  // tell of size and line, and are felt wholly
+  if (signs_ < kFirstSigns) return false;
+  belief_ = Believe(*knowledge_.shapes, evidence_, PriorNow());
+  if (belief_.empty() || belief_.front().sign == SignGuess::kUnknown) return false;
+  return Sureness() > kVerySure && FarthestUnfelt(belief_.front()).room < kNearly;
 }
 
 /// Round all grooves of the sign so far.
@@ -421,23 +471,27 @@ bool Reader::IsLastAgain() const {
   return ShareOf(line_.back().guess, evidence_.grooves) > 0.7;
 }
 
-/// Goes across the part of a sign that is farthest from all that was felt, if that is far: what was
-/// felt may be a part of it only.
-bool Reader::CrossUnfelt(const SignGuess& guess) {
-  constexpr double kFar = 0.25, kReach = 0.2;  // [em]
-  double most = kFar;
-  const SignPoint* farthest = nullptr;
+Reader::Unfelt Reader::FarthestUnfelt(const SignGuess& guess) const {
+  Unfelt farthest;
   for (const SignPoint& point : knowledge_.shapes->Points(guess.sign)) {
     const glm::dvec2 p = FromEm(guess.place, point.p);
     double room = INFINITY;
     for (const FeltPoint& felt : evidence_.grooves) room = std::min(room, glm::distance(felt.p, p));
-    if (room / guess.place.size <= most) continue;
-    most = room / guess.place.size;
-    farthest = &point;
+    if (room / guess.place.size <= farthest.room) continue;
+    farthest = {room / guess.place.size, point};
   }
-  if (farthest == nullptr) return false;
-  const glm::dvec2 aside = kReach * glm::dvec2(-farthest->tangent.y, farthest->tangent.x);
-  SweepAlong({FromEm(guess.place, farthest->p + aside), FromEm(guess.place, farthest->p - aside)},
+  return farthest;
+}
+
+/// Goes across the part of a sign that is farthest from all that was felt, if that is far: what was
+/// felt may be a part of it only.
+bool Reader::CrossUnfelt(const SignGuess& guess) {
+  constexpr double kFar = 0.25, kReach = 0.2;  // [em]
+  const Unfelt unfelt = FarthestUnfelt(guess);
+  if (unfelt.room <= kFar) return false;
+  const SignPoint& farthest = unfelt.point;
+  const glm::dvec2 aside = kReach * glm::dvec2(-farthest.tangent.y, farthest.tangent.x);
+  SweepAlong({FromEm(guess.place, farthest.p + aside), FromEm(guess.place, farthest.p - aside)},
              errand_);
   crossing_ = true;
   return true;

@@ -23,6 +23,18 @@ struct ReadToken {
   SignPlace place;         ///< of a sign
 };
 
+/// What a reader's hand is at, as its time is told.
+enum class ReaderActivity {
+  kFlying,     ///< lifted, until it rests on the paper again
+  kSearching,  ///< for a groove
+  kCrossing,   ///< a place that tells signs apart
+  kSettling,   ///< back at a groove that it met
+  kFollowing,  ///< a groove
+  kTurning,    ///< looks where a groove that stopped goes on
+  kDone,
+};
+inline constexpr std::size_t kReaderActivities = 7;
+
 /// Reads a page by touch alone. A value: the same knowledge, seed and inputs give the same actions
 /// and the same text. It looks for the first line from where its hand is put, finds that line's
 /// first sign, follows the grooves of each sign, feels again where two signs are still likely, goes
@@ -42,6 +54,7 @@ class Reader {
   /// Whether it looks for a groove or follows one, for pictures.
   bool is_searching() const { return phase_ == Phase::kSweep; }
   bool is_following() const { return phase_ == Phase::kFollow; }
+  ReaderActivity activity() const;
 
  private:
   enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };
@@ -74,6 +87,13 @@ class Reader {
   bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
   double ShareOf(const SignGuess& guess, const std::vector<FeltPoint>& grooves) const;
   bool IsLastAgain() const;
+  /// The point of a sign that is farthest from all that was felt.
+  struct Unfelt {
+    double room = 0;  ///< [em]
+    SignPoint point;
+  };
+  Unfelt FarthestUnfelt(const SignGuess& guess) const;
+  bool KnowsTheRest();
   bool CrossUnfelt(const SignGuess& guess);
   Box FeltBox() const;
   bool FeltASpot(double widths) const;
@@ -108,7 +128,9 @@ class Reader {
   ReaderAction action_;
   Phase phase_ = Phase::kStart;
   double now_ = 0, since_ = 0;
-  double news_ = 0;  ///< when it last found a sign or the end of a line [s]
+  double starts_ = 0;      ///< to sweep: the landing has come to rest [s]
+  double feels_from_ = 0;  ///< what is felt before comes from before the last landing [s]
+  double news_ = 0;        ///< when it last found a sign or the end of a line [s]
 
   // flying
   Phase then_ = Phase::kSweep;

@@ -74,6 +74,20 @@ TEST(Reading, ReadsAWordAndEnds) {
   for (const ReadToken& token : result.tokens) EXPECT_GT(token.probability, 0.9);
 }
 
+TEST(Reading, TellsWhatItsSecondsWentInto) {
+  const Desk desk("no");
+  const ReadingResult result = RunReading(desk.setup);
+  double sum = 0;
+  for (const double seconds : result.seconds) sum += seconds;
+  EXPECT_NEAR(sum, result.duration, 1e-6);
+  for (const ReaderActivity activity : {ReaderActivity::kFlying, ReaderActivity::kSearching,
+                                        ReaderActivity::kFollowing, ReaderActivity::kTurning}) {
+    EXPECT_GT(result.seconds[static_cast<std::size_t>(activity)], 0.2);
+  }
+  // only the tick in which it ends
+  EXPECT_LE(result.seconds[static_cast<std::size_t>(ReaderActivity::kDone)], 0.0011);
+}
+
 // The place that it reports is the place on the page, though the page lay turned under the hand.
 TEST(Reading, KnowsWhereTheSignsLie) {
   const Desk desk("moon");
