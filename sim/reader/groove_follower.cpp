@@ -22,6 +22,10 @@ constexpr double kMostBend = 1.2;    ///< that is foreseen [rad]
 constexpr double kStill = 0.08;      ///< less motion within kStopTime is a stop
 constexpr double kStopTime = 0.090;  ///< [s]
 constexpr double kBackTime = 0.25;   ///< [s]
+constexpr double kWandered = 1.3;    ///< of an unsure place's error, round a ring
+constexpr double kWanders = 0.4;     ///< the same, in so long [s]
+constexpr double kStrays = 0.6;      ///< the same, in a swing
+constexpr double kClosed = 0.6;      ///< from where it was before: a ring
 constexpr double kMoved = 0.6;       ///< is motion out of a stop
 constexpr double kSwingAngle = 100 * kDegree;
 constexpr double kSwingRate = 12;              ///< [rad/s]
@@ -49,7 +53,10 @@ GrooveFollower::GrooveFollower(const ReaderKnowledge& knowledge)
       wait_(knowledge.delay + knowledge.lag + 0.060),
       speed_(kSpeedShare * hold_ / (stiffness_ * (knowledge.delay + 0.05))),
       gentle_(kTurn * std::sqrt(knowledge.hand_mass / knowledge.hand_stiffness)),
-      longest_(6 * knowledge.greatest_size) {}
+      longest_(6 * knowledge.greatest_size),
+      closed_(std::hypot(kClosed * width_, kWandered * knowledge.unsure)),
+      still_(kStill * width_ + kStopTime * knowledge.unsure / kWanders),
+      moved_(kMoved * width_ + kStrays * knowledge.unsure) {}
 
 void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 direction,
                            double feels_from) {
@@ -174,7 +181,7 @@ bool GrooveFollower::HasClosed() const {
     const glm::dvec2 a = path_[i - 1] - now, b = path_[i] - now;
     area += 0.5 * Cross(a, b);
     length += glm::distance(a, b);
-    if (length < 5 * width_ || glm::length(a) > 0.6 * width_) continue;
+    if (length < 5 * width_ || glm::length(a) > closed_) continue;
     if (glm::dot(b - a, direction_) < 0.5 * glm::distance(a, b)) continue;
     if (std::abs(area) > 3 * width_ * width_) return true;
   }
@@ -234,7 +241,7 @@ void GrooveFollower::Move(const Felt& felt) {
     if (length_ > longest_) state_ = State::kEnded;
   }
   if (felt.time - mark_time_ < kStopTime) return;
-  const bool still = glm::distance(felt.place, mark_) < kStill * width_;
+  const bool still = glm::distance(felt.place, mark_) < still_;
   mark_ = felt.place;
   mark_time_ = felt.time;
   if (still && felt.time - since_ > wait_ && state_ == State::kMoving) Stop(felt);
@@ -249,7 +256,7 @@ void GrooveFollower::NoteBlocked() {
 
 void GrooveFollower::Swing(const Felt& felt) {
   const glm::dvec2 way = felt.place - stop_;
-  if (glm::length(way) > kMoved * width_ && !IsGoingBack(felt.place)) {
+  if (glm::length(way) > moved_ && !IsGoingBack(felt.place)) {
     AddPoint(felt.place);
     mark_ = felt.place;
     mark_time_ = felt.time;

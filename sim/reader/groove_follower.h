@@ -66,6 +66,7 @@ class GrooveFollower {
 
   double width_ = 0, hold_ = 0, stiffness_ = 1, late_ = 0, wait_ = 0, speed_ = 0, gentle_ = 0,
          longest_ = 0;
+  double closed_ = 0, still_ = 0, moved_ = 0;  ///< [m]
   State state_ = State::kLost;
   glm::dvec2 direction_{1, 0};
   bool has_moved_ = false;

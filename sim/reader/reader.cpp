@@ -172,7 +172,7 @@ ReaderAction Reader::Sweep(const Felt& felt) {
   if (feels && felt.depth < kFlatDepth && felt.touching &&
       !(glm::distance(last_flat_, felt.place) < 0.3 * knowledge_.width)) {
     last_flat_ = felt.place;
-    evidence_.flats.push_back({felt.place, 1});
+    evidence_.flats.push_back({felt.place, 1, true});
   }
   const double dt = now_ - since_;  // since the last tick here
   since_ = now_;
@@ -292,6 +292,10 @@ void Reader::TrySides() {
 /// the one before did has gone the same way.
 void Reader::EndLeg() {
   TakePath();
+  if (follower_.state() == GrooveFollower::State::kLost) {
+    evidence_.grooves.insert(evidence_.grooves.end(), first_leg_.begin(), first_leg_.end());
+  }
+  first_leg_.clear();
   const glm::dvec2 end = follower_.path().back();
   const bool same = legs_ > 0 && glm::distance(end, leg_end_) < 1.5 * knowledge_.width;
   leg_end_ = end;
@@ -300,11 +304,31 @@ void Reader::EndLeg() {
   if (GoRound()) return;
   if (!ring && (legs_ == 1 || (legs_ == 2 && same))) {
     if (legs_ == 1 && KnowsTheRest()) return Think();
+    if (legs_ == 1 && TurnBack()) return;
     first_direction_ = follower_.Departure();
     FlyTo(entry_, Phase::kFollow);
   } else {
     Think();
   }
+}
+
+/// A hand that is not sure of its place does not find back to where it met a groove, and has
+/// another error there. It turns where it is, and feels the whole groove in one go, which is all
+/// that counts then.
+bool Reader::TurnBack() {
+  constexpr double kUnsure = 0.2;  // of a groove's width
+  constexpr double kBack = 1.5;    // widths; the direction is that of so much of the path
+  if (knowledge_.unsure < kUnsure * knowledge_.width) return false;
+  if (follower_.state() != GrooveFollower::State::kEnded) return false;
+  const std::vector<glm::dvec2>& path = follower_.path();
+  std::size_t i = path.size() - 1;
+  while (i > 0 && glm::distance(path[i], path.back()) < kBack * knowledge_.width) --i;
+  const glm::dvec2 back = path[i] - path.back();
+  if (!(glm::length(back) > 0)) return false;
+  first_leg_ = std::move(evidence_.grooves);
+  evidence_.grooves.clear();
+  follower_.Begin(sense_.felt(), glm::dvec2(action_.aim), glm::normalize(back), now_);
+  return true;
 }
 
 /// Whether one leg has felt nearly all of a sign of which there is no doubt.
@@ -471,6 +495,12 @@ bool Reader::IsLastAgain() const {
   return ShareOf(line_.back().guess, evidence_.grooves) > 0.7;
 }
 
+/// To either side of a line that is crossed [em].
+double Reader::ReachAcross() const {
+  constexpr double kReach = 0.2, kUnsures = 1.0;
+  return kReach + kUnsures * knowledge_.unsure / size_;
+}
+
 Reader::Unfelt Reader::FarthestUnfelt(const SignGuess& guess) const {
   Unfelt farthest;
   for (const SignPoint& point : knowledge_.shapes->Points(guess.sign)) {
@@ -486,11 +516,12 @@ Reader::Unfelt Reader::FarthestUnfelt(const SignGuess& guess) const {
 /// Goes across the part of a sign that is farthest from all that was felt, if that is far: what was
 /// felt may be a part of it only.
 bool Reader::CrossUnfelt(const SignGuess& guess) {
-  constexpr double kFar = 0.25, kReach = 0.2;  // [em]
+  constexpr double kFar = 0.25;  // [em]
+  const double reach = ReachAcross();
   const Unfelt unfelt = FarthestUnfelt(guess);
   if (unfelt.room <= kFar) return false;
   const SignPoint& farthest = unfelt.point;
-  const glm::dvec2 aside = kReach * glm::dvec2(-farthest.tangent.y, farthest.tangent.x);
+  const glm::dvec2 aside = reach * glm::dvec2(-farthest.tangent.y, farthest.tangent.x);
   SweepAlong({FromEm(guess.place, farthest.p + aside), FromEm(guess.place, farthest.p - aside)},
              errand_);
   crossing_ = true;
@@ -499,7 +530,9 @@ bool Reader::CrossUnfelt(const SignGuess& guess) {
 
 /// Goes across a part of `other` that `best` does not have and that has not been felt.
 bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
-  constexpr double kReach = 0.2;
+  const double reach = ReachAcross();
+  constexpr double kOwn = 0.1;         // before a sign's end, more may be the next one's [em]
+  constexpr double kBeyondCost = 0.6;  // as room
   double most = -INFINITY;
   glm::dvec2 from{0, 0}, to{0, 0};
   for (const SignPoint& point : knowledge_.shapes->Points(other.sign)) {
@@ -512,11 +545,13 @@ bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
       room = std::min(room, 2 * glm::distance(felt.p, p) / other.place.size);
     }
     // signs that follow lie to the right
-    const double score = std::min(room, 0.3) - 0.1 * point.p.x;
+    const double beyond = ToEm(best.place, p).x - (knowledge_.shapes->Advance(best.sign) - kOwn);
+    const double score =
+        std::min(room, 0.3) - 0.1 * point.p.x - kBeyondCost * std::max(0.0, beyond);
     if (room < 0.17 || score <= most) continue;
     const glm::dvec2 normal(-point.tangent.y, point.tangent.x);
-    const glm::dvec2 a = FromEm(other.place, point.p + kReach * normal);
-    const glm::dvec2 b = FromEm(other.place, point.p - kReach * normal);
+    const glm::dvec2 a = FromEm(other.place, point.p + reach * normal);
+    const glm::dvec2 b = FromEm(other.place, point.p - reach * normal);
     const double free_a = knowledge_.shapes->Distance(best.sign, ToEm(best.place, a));
     const double free_b = knowledge_.shapes->Distance(best.sign, ToEm(best.place, b));
     if (std::max(free_a, free_b) < 0.12) continue;

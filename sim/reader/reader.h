@@ -94,6 +94,8 @@ class Reader {
   };
   Unfelt FarthestUnfelt(const SignGuess& guess) const;
   bool KnowsTheRest();
+  bool TurnBack();
+  double ReachAcross() const;
   bool CrossUnfelt(const SignGuess& guess);
   Box FeltBox() const;
   bool FeltASpot(double widths) const;
@@ -154,6 +156,7 @@ class Reader {
   SignEvidence evidence_;
   std::vector<SignGuess> belief_;
   glm::dvec2 entry_{0, 0};
+  std::vector<FeltPoint> first_leg_;  ///< grooves of a leg that is felt again
   int legs_ = 0;                      ///< followed from `entry_`
   glm::dvec2 leg_end_{0, 0};          ///< of the newest leg
   glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
