@@ -111,6 +111,8 @@ class Reader {
   bool MetGapsEnd(glm::dvec2 entry);
   bool LeftAGap(glm::dvec2 entry);
   void SearchLineStart();
+  bool IsInLastLine(const SignPlace& place);
+  SignPlace StartOfLine() const;
   bool IsAtMargin(const SignPlace& place) const;
   void BeginLine();
   void SearchNextLine();

@@ -29,6 +29,8 @@ constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
 constexpr double kTopOfNext = 0.45;   ///< below a base line, the next line's signs begin there
 constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them signs begin and are
 constexpr double kDown = 0.2;     ///< each sweep between them; less than a dot's height
+constexpr int kMostSkips = 5;     ///< of what is the line above again
+constexpr double kLowered = 0.1;  ///< it is looked for so much lower then
 constexpr double kDeepest = 4.0;  ///< the next line lies no deeper
 
 double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
@@ -151,6 +153,7 @@ void Reader::Accept() {
     if (!line_.empty()) read.guess.place = Expected();
   }
   read.time = news_ = now_;
+  if (errand_ == Errand::kNextLine && IsInLastLine(read.guess.place)) return SearchNextLine();
   bool again = false;
   if (errand_ == Errand::kLineStart) {
     const SignPlace& first = line_.front().guess.place;
@@ -179,6 +182,21 @@ void Reader::Accept() {
   } else {
     SearchLineStart();
   }
+}
+
+/// Whether what was taken for the next line's is the last line's, whose height it tells then: that
+/// of its first sign may have been wrong.
+bool Reader::IsInLastLine(const SignPlace& place) {
+  constexpr double kSameLine = 0.5;  // [em]
+  SignPlace& last = line_starts_.back();
+  const double off = Across(last, place.origin);
+  if (std::abs(off) > kSameLine || skips_ >= kMostSkips) return false;
+  ++skips_;
+  last.origin = FromEm(last, {0, off - kLowered});
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = tries_ = circles_ = 0;
+  return true;
 }
 
 /// Whether a line's sign stands where the leftmost lines so far began, of which there must be two:
@@ -360,6 +378,24 @@ void Reader::Missed() {
   }
 }
 
+/// Where the line's first sign stands, at the middle height of all its signs: one of dots may be
+/// taken to stand too high.
+SignPlace Reader::StartOfLine() const {
+  SignPlace start = line_.front().guess.place;
+  start.size = size_;
+  start.turn = turn_;
+  std::vector<double> heights;
+  for (const SignRead& read : line_) {
+    if (read.guess.sign == SignGuess::kUnknown) continue;
+    heights.push_back(Across(start, read.guess.place.origin));
+  }
+  if (heights.empty()) return start;
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  start.origin = FromEm(start, {0, *middle});
+  return start;
+}
+
 void Reader::EndLine() {
   news_ = now_;
   std::optional<double> expected;
@@ -376,9 +412,7 @@ void Reader::EndLine() {
     expected = x + (known ? knowledge_.shapes->Advance(read.guess.sign) + gap_bias_ : kBeyond);
   }
   tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
-  line_starts_.push_back(line_.front().guess.place);
-  line_starts_.back().size = size_;
-  line_starts_.back().turn = turn_;
+  line_starts_.push_back(StartOfLine());
   line_.clear();
   skips_ = 0;
   evidence_.flats.clear();
