@@ -17,6 +17,7 @@ expect() {  # expect WHAT CONDITION...
 }
 code_is() { [ "$code" = "$1" ]; }
 one_line() { [ "$(wc -l <"$work/said")" = 1 ]; }
+silent() { [ ! -s "$work/said" ]; }
 nothing_left() { [ -z "$(ls "$work/out")" ]; }
 
 limited() {  # limited KIB ARGUMENT...: runs the program, which may write files of so many at most
@@ -45,9 +46,25 @@ mkfifo "$work/pipe"
 exec 3<>"$work/pipe" 4>"$work/pipe" 3>&-  # a pipe that nobody reads
 "$program" page IT >&4 2>"$work/said"
 code=$?
-exec 4>&-
-expect 'a pipe that nobody reads lacks a reader' code_is 4
-expect 'a pipe that nobody reads gives one line' one_line
+expect 'a pipe that nobody reads ends it by the code for that' code_is 141
+expect 'a pipe that nobody reads is nothing to complain of' silent
+mkfifo "$work/open"
+exec 5<>"$work/open"  # input that goes on
+for command in 'loop moon --seconds 60' 'loop moon' 'learn --device simulated' 'help --markdown'; do
+  timeout 30 "$program" $command >&4 2>"$work/said" <&5
+  code=$?
+  expect "nobody reads: $command" code_is 141
+  sed -i '/^Type a word/d; /^The force may/d' "$work/said"  # before it could know
+  expect "nobody reads, nothing is said: $command" silent
+done
+exec 4>&- 5>&-
+
+# Input that has ended ends the loop, and what reads it may leave.
+timeout 30 "$program" loop moon </dev/null 2>"$work/said" | head -1 >"$work/first"
+code=${PIPESTATUS[0]}
+expect 'the first line has come' grep -q 'On the page: moon' "$work/first"
+ended_or_left() { [ "$code" = 0 ] || [ "$code" = 141 ]; }
+expect 'a loop without input ends' ended_or_left
 
 # A stop request while nobody writes into the pipe that is to be read.
 "$program" page --file "$work/pipe" >/dev/null 2>"$work/said" &
@@ -90,7 +107,8 @@ expect 'a stop request leaves no force' last_is_zero
 
 # The same while the loop runs: the last force that the joystick is given is zero.
 MOONTRACE_FAKE_HID=pid MOONTRACE_FAKE_LOG=$work/loop_forces \
-  "$program" loop MOON --device openffboard --size-mm 6 >/dev/null 2>"$work/said" </dev/null &
+  "$program" loop MOON --device openffboard --size-mm 6 --seconds 120 \
+  >/dev/null 2>"$work/said" </dev/null &
 looper=$!
 mv "$work/forces" "$work/test_forces" 2>/dev/null
 for _ in {1..300}; do

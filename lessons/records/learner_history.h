@@ -14,7 +14,7 @@ struct LearnerEntry {
   std::string pseudonym;
   std::int64_t since = 0;     ///< Unix time [s]
   bool keeps_tracks = false;  ///< consented to raw tracks being kept
-  std::string consent;        ///< version of the text that was agreed to; empty: none
+  std::string consent;        ///< version of the question that was answered; empty: none
   bool simulated = false;
 };
 

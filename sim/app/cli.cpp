@@ -238,7 +238,7 @@ int RunCli(const std::vector<std::string>& args, Console& console) {
   try {
     const int code = Dispatch(args, console);
     console.out().flush();
-    if (!console.out()) return refuse(say::CannotWriteOutput(), exit_code::kLack);
+    if (!console.out()) throw OutputLost();
     return code;
   } catch (const UsageError& error) {
     return refuse(error.what(), exit_code::kUsage);
@@ -248,6 +248,9 @@ int RunCli(const std::vector<std::string>& args, Console& console) {
     return refuse(error.what(), exit_code::kLack);
   } catch (const LackError& error) {
     return refuse(error.what(), exit_code::kLack);
+  } catch (const OutputLost&) {
+    if (console.ReaderLeft()) return exit_code::kReaderLeft;
+    return refuse(say::CannotWriteOutput(), exit_code::kLack);
   } catch (const Interrupted&) {
     return refuse(say::Stopped(), exit_code::kInterrupted);
   } catch (const WorkFailed& error) {

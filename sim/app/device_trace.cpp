@@ -129,7 +129,7 @@ int TraceWithDevice(const TraceOptions& options, Console& console) {
   const TypeStyle& style = trace.text.set.style;
   SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
   const std::string why_not = session.loop().not_realtime();
-  if (!why_not.empty()) console.Remark(say::NotRealtime(why_not));
+  if (!why_not.empty() && session.device().felt()) console.Remark(say::NotRealtime(why_not));
   SayBeginning(session, console);
 
   const std::size_t pages = trace.text.set.pages.size();

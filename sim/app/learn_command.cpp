@@ -76,7 +76,7 @@ void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, boo
     if (!stage.pushes()) teller.Say(Priority::kText, say::NotFelt());
   }
   if (session.device().scale() != 1) teller.Say(Priority::kText, say::LearnScaled());
-  if (!session.loop().not_realtime().empty()) {
+  if (session.device().felt() && !session.loop().not_realtime().empty()) {
     teller.Remark(say::NotRealtime(session.loop().not_realtime()));
   }
   if (!brief) teller.Remark(keys ? say::LearnBeginsWithKeys() : say::LearnBegins());
@@ -105,8 +105,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   const std::unique_ptr<Sound> sound = SoundFor(options);
   LearnTeller teller(console, speech.get(), sound.get());
   LineReader lines(console.in());
-  std::optional<LearnMemory> opened =
-      OpenMemory(options, course, at_terminal, lines, teller, console);
+  std::optional<LearnMemory> opened = OpenMemory(options, course, lines, teller, console);
   if (!opened) return exit_code::kGood;
   LearnMemory& memory = *opened;
   AddOwnName(course, memory.name());
@@ -129,7 +128,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   if (feed) view = std::make_unique<LearnView>(*feed, parts, session, *tutor, console);
   std::unique_ptr<PathListener> path;
   if (sound) path = std::make_unique<PathListener>(*sound, stage, teller, session);
-  std::unique_ptr<LearnInput> input = InputFor(keys, lines, console);
+  std::unique_ptr<LearnInput> input = InputFor(keys, lines, memory.name(), console);
   memory.Admit();
   if (options.brief) memory.SetBrief(std::time(nullptr), true);
   session.Begin();
@@ -143,6 +142,10 @@ int Learn(LearnOptions options, Course course, Console& console) {
   }
   input.reset();
   const std::size_t lost = session.End();
+  // who closed the window is not at the terminal
+  const bool asks =
+      at_terminal && session.over() && !stage.simulated() && !(feed && feed->closed());
+  if (asks) AskConsent(memory, lines, teller, console);
   if (feed) SayView(*feed, options.view, console);
   if (lost > 0) throw LackError(say::NeverKept(lost));
   RequireDevice(stage.session());

@@ -133,7 +133,9 @@ void AddLoopOptions(CLI::App& app, LoopCommandOptions& options) {
   AddOptions(app, options.output);
 }
 
-int Run(const LoopCommandOptions& options, Console& console) {
+int Run(const LoopCommandOptions& given, Console& console) {
+  LoopCommandOptions options = given;
+  options.layout.centred = options.view.asked();  // as view has it
   const auto aims = AimsFor(options.live.device, options.view);
   const std::unique_ptr<ViewFeed> view = ViewFeed::Open(options.view, aims, console);
   return RunLoop(options, view.get(), aims, console);
@@ -147,7 +149,8 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
   SayReplacements(session.text().set,
                   [&console](const std::string& line) { console.Remark(line); });
   const std::string why_not = session.loop().not_realtime();
-  if (!why_not.empty()) console.Remark(say::NotRealtime(why_not));
+  const bool is_felt = session.device().felt();
+  if (is_felt && !why_not.empty()) console.Remark(say::NotRealtime(why_not));
   SayBeginning(session, console);
   Felt felt;
   DriveOptions drive;
@@ -165,12 +168,14 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
     if (view != nullptr) RequireView(*view, options.live.device);
     return exit_code::kGood;
   }
-  console.Result(say::LoopOutcome(report, TimeOf(session, report)));
-  console.Result(say::Lateness(report));
-  console.Result(say::Cost(report));
-  console.Result(say::Realtime(why_not));
-  console.Result(say::Touched(felt.Share(), felt.Mean(), felt.peak_force));
-  console.Result(say::SafetyActed(report));
+  console.Result(say::LoopOutcome(TimeOf(session, report)));
+  if (is_felt) {
+    console.Result(say::Touched(felt.Share(), felt.Mean(), felt.peak_force));
+    console.Result(say::SafetyActed(report));
+    console.Result(say::Lateness(report));
+  } else {
+    console.Result(say::Touched(felt.Share()));
+  }
   if (view != nullptr) SayView(*view, options.view, console);
   RequireDevice(session);
   if (view != nullptr) RequireView(*view, options.live.device);

@@ -43,7 +43,7 @@ std::string NotAPng(std::string_view option, std::string_view given) {
 std::string NoFolder() { return "no folder: write moontrace replay FOLDER"; }
 
 std::string CannotWriteOutput() {
-  return "standard output: cannot be written; check its disk and whoever reads it";
+  return "standard output: cannot be written; check the room on its disk";
 }
 
 std::string Stopped() { return "Stopped at your request; nothing half-written is left."; }

@@ -16,7 +16,9 @@ namespace {
 constexpr const char* kExitCodes =
     "Exit codes: 0 good; 1 the work failed; 2 the command line holds what no machine could take; 3 "
     "an input cannot be used: a file, a script, a text, or letters that do not fit it; 4 this "
-    "machine lacks something: a device, a library, a permission, room; 130 interrupted.";
+    "machine lacks something: a device, a library, a permission, room; 130 interrupted; 141 "
+    "whoever "
+    "read its output has left.";
 /// CLI11's own heading, for options that were added before any other.
 constexpr const char* kOwn = "Options";
 

@@ -141,7 +141,7 @@ int Erase(Records records, const RecordsOptions& options, Console& console) {
 int Consent(Records records, const RecordsOptions& options, Console& console) {
   KnownLearner(records, options.subject);
   const bool yes = options.answer == "yes";
-  records.SetConsent(options.subject, yes, yes ? say::kConsentVersion : "");
+  records.SetConsent(options.subject, yes, say::kConsentVersion);  // no is an answer too
   console.Result(say::ConsentNow(options.subject, yes));
   if (options.output.json) {
     console.Json(Dump(Json{{"learner", options.subject}, {"keeps_tracks", yes}}));

@@ -88,7 +88,7 @@ int DrawPicture(const ViewCommandOptions& options, Console& console) {
 
 void AddOptions(CLI::App& app, ViewCommandOptions& options) {
   AddLoopOptions(app, options);
-  options.layout.fitted = true;
+  options.layout.centred = true;
   Redescribe(app, "--device", say::help::kViewDevice);
   BeginGroup(app, help_group::kView);
   AddPath(app, "--picture", "F.png", options.picture, say::help::kViewPicture);

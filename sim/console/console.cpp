@@ -1,14 +1,14 @@
 #include "sim/console/console.h"
 
 #include <fmt/core.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <istream>
-#include <ostream>
+#include <iostream>
 
 #include "sim/console/line_wrap.h"
 #include "textures/base/text_file.h"
@@ -66,7 +66,10 @@ void Console::Remark(std::string_view line) {
   Spoke();
 }
 
-void Console::Error(std::string_view line) { err_ << OneLine(line, line.size()) << '\n'; }
+void Console::Error(std::string_view line) {
+  const std::string whole = OneLine(line, line.size());
+  err_ << (err_columns_ ? Wrapped(whole, err_columns_()) : whole + '\n');
+}
 
 void Console::Json(std::string_view text) { out_ << text << '\n'; }
 
@@ -79,6 +82,14 @@ void Console::Alive(double done) {
 
 void Console::CheckStop() const {
   if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Interrupted();
+  if (!out_ || ReaderLeft()) throw OutputLost();
+}
+
+/// Asked of the pipe, not of errno: a stream does not keep why it failed.
+bool Console::ReaderLeft() const {
+  if (&out_ != &std::cout) return false;
+  pollfd pipe{STDOUT_FILENO, 0, 0};
+  return poll(&pipe, 1, 0) > 0 && (pipe.revents & (POLLERR | POLLHUP)) != 0;
 }
 
 }  // namespace moontrace

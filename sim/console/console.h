@@ -19,6 +19,7 @@ inline constexpr int kUsage = 2;
 inline constexpr int kInput = 3;
 inline constexpr int kLack = 4;
 inline constexpr int kInterrupted = 130;
+inline constexpr int kReaderLeft = 141;
 }  // namespace exit_code
 
 /// The command line is wrong: one line; exit code 2.
@@ -38,6 +39,10 @@ class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
+
+/// What is said is no longer taken: whoever read it has left (exit code 141, quietly), or it has no
+/// room (exit code 4). Work ends as it does when someone asks it to.
+class OutputLost : public Interrupted {};
 
 /// Columns to which lines of an output are broken; 0: not at all.
 std::size_t TerminalColumns(int file_descriptor);
@@ -71,15 +76,19 @@ class Console {
   }
   void Path(std::string_view path);    ///< on stdout, alone on its line, never wrapped
   void Remark(std::string_view line);  ///< on stderr, wrapped at words
-  /// On stderr, one line however long: what a path or a name may hold to break it is shown as "?".
+  /// On stderr, one line however long, broken between words at a terminal only: what a path or a
+  /// name may hold to break it is shown as "?".
   void Error(std::string_view line);
   void Json(std::string_view text);  ///< on stdout, as it is, with a line's end
 
   /// A sign of life on stderr if nothing was said for 30 s.
   void Alive(double done);
 
-  /// Throws Interrupted once a stop was asked for; called between pieces of long work.
+  /// Throws Interrupted once a stop was asked for, OutputLost once results can no longer be
+  /// written; called between pieces of long work.
   void CheckStop() const;
+  /// Whoever read standard output has left, as `| head` does. Not of streams of a test's own.
+  bool ReaderLeft() const;
 
   std::istream& in() { return in_; }
   std::ostream& out() { return out_; }

@@ -66,6 +66,12 @@ constexpr auto kWords = std::to_array<TypedWord>({
     {45, "practise", In("L"), true, "b", "a sign that is known, once more"},
     {46, "more time", In("D"), false, "", "all waits are longer"},
     {47, "next lesson", In("T"), true, "", "on to the next lesson"},
+    {48, "find", In("LOT"), true, "TEXT",
+     "turns to where that stands in the text, and says the way"},
+    {49, "find next", In("LOT"), true, "", "where it stands once more"},
+    {50, "return", In("LOT"), true, "", "back to where you were before you looked for something"},
+    {51, "next line", In("LOT"), true, "", "the way to the beginning of the next line"},
+    {52, "next heading", In("LOT"), true, "", "likewise, of the next heading"},
 });
 
 bool Begins(std::string_view whole, std::string_view begin) {
@@ -199,7 +205,11 @@ SaidLine ReadLine(std::string_view line, WordPlace place) {
   if (typed.empty()) return {};
   const std::string given = LowerCase(typed);
   const WordFound alone = FindWord(given, place);
-  if (!Empty(alone)) return Said(alone, given, {}, place);
+  // "find n" looks for an n: only the whole of "find next" is that word
+  const TypedWord* before = WholeBefore(given, place);
+  const bool wants = before != nullptr && !before->behind.empty() &&
+                     (alone.word == nullptr || alone.word->word != given);
+  if (!wants && !Empty(alone)) return Said(alone, given, {}, place);
   std::size_t end = std::min(given.find_first_of(" \t"), given.size());
   WordFound first = FindWord(given.substr(0, end), place);
   if (const TypedWord* whole = WholeBefore(given, place)) {

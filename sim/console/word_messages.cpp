@@ -60,6 +60,8 @@ std::string WordOutOfRange(std::string_view word, std::string_view given, std::s
   return fmt::format("No {} {}, out of range: it wants {}.", word, Given(given), wants);
 }
 
+std::string NoTerminal() { return "single keys need a terminal: standard input is none"; }
+
 std::string WordStandsAlone(std::string_view word, std::string_view given) {
   return fmt::format("{} stands alone: leave out {}.", word, OneLine(given, 40));
 }

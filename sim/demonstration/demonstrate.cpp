@@ -62,7 +62,7 @@ int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& keys,
     stage.SetWatch([&feed](const LoopSample& sample) { feed->Add(sample); });
     teller.SetListener([&feed](std::string_view line) { feed->ShowLine(line); });
   }
-  const std::unique_ptr<LearnInput> input = InputFor(keys, lines, console);
+  const std::unique_ptr<LearnInput> input = InputFor(keys, lines, {}, console);
   Drive(demonstration, stage, *input, feed.get(), path.get(), options.live.seconds, console);
   stage.session().loop().End();
   if (feed) {

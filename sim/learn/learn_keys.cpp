@@ -11,6 +11,7 @@
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_words.h"
 #include "textures/base/toml_reader.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 
@@ -121,22 +122,26 @@ namespace {
 /// Lines that are typed with Enter.
 class TypedLines final : public LearnInput {
  public:
-  explicit TypedLines(LineReader& lines) : lines_(lines) {}
+  TypedLines(LineReader& lines, std::string name) : lines_(lines), name_(std::move(name)) {}
   std::optional<std::string> Next(int milliseconds, bool) override {
-    return lines_.Next(milliseconds);
+    const bool first = !lines_.begun() && !lines_.at_terminal() && !name_.empty();
+    std::optional<std::string> line = lines_.Next(milliseconds);
+    if (first && line && CaseFolded(*line) == CaseFolded(name_)) return std::nullopt;
+    return line;
   }
   bool ended() const override { return lines_.ended(); }
 
  private:
   LineReader& lines_;
+  std::string name_;
 };
 
 }  // namespace
 
 std::unique_ptr<LearnInput> InputFor(const std::optional<KeyMap>& keys, LineReader& lines,
-                                     Console& console) {
+                                     const std::string& name, Console& console) {
   if (keys) return std::make_unique<KeyInput>(*keys, console);
-  return std::make_unique<TypedLines>(lines);
+  return std::make_unique<TypedLines>(lines, name);
 }
 
 }  // namespace moontrace

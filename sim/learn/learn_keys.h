@@ -9,8 +9,9 @@
 
 #include "sim/console/console.h"
 #include "sim/console/line_reader.h"
+#include "sim/console/raw_terminal.h"
+#include "sim/console/terminal_keys.h"
 #include "sim/learn/learn_input.h"
-#include "sim/learn/terminal_keys.h"
 
 namespace moontrace {
 
@@ -59,8 +60,9 @@ class KeyInput final : public LearnInput {
 };
 
 /// Single keys, where they are given, otherwise lines that are typed with Enter. Throws LackError
-/// as KeyInput. `lines` and `console` must outlive it.
+/// as KeyInput. `lines` and `console` must outlive it. `name`: of the learner, which may come first
+/// in a pipe also where it need not be asked, and is no word then; empty: nobody's.
 std::unique_ptr<LearnInput> InputFor(const std::optional<KeyMap>& keys, LineReader& lines,
-                                     Console& console);
+                                     const std::string& name, Console& console);
 
 }  // namespace moontrace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/records/learner_history.h"
+#include "sim/console/line_wrap.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
@@ -27,11 +28,11 @@ std::string Trimmed(const std::string& line) {
 }
 
 /// The next line that somebody types; none: there will be no more. The words that are words at any
-/// moment are so here: "quit" throws LeftAtQuestion, "?" and "help" ask once more.
+/// moment are so here: "quit" throws LeftAtQuestion, "?" and "help" say `help` and ask once more.
 std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std::string& question,
-                               const Console& console) {
+                               const std::string& help, const Console& console) {
   const auto ask = [&] {
-    teller.Say(Priority::kText, question);
+    for (const std::string& sentence : Sentences(question)) teller.Say(Priority::kText, sentence);
     teller.EndTurn();
   };
   ask();
@@ -42,7 +43,7 @@ std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std
       const std::string word = LowerCase(said);
       if (word == "quit" || word == "/quit") throw LeftAtQuestion{};
       if (word != "?" && word != "help") return said;
-      teller.Say(Priority::kText, say::QuitLeaves());
+      teller.Say(Priority::kText, help);
       ask();
     } else if (lines.ended()) {
       return std::nullopt;
@@ -51,18 +52,17 @@ std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std
 }
 
 std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntry>& known,
-                      bool may_ask, LineReader& lines, LearnTeller& teller,
-                      const Console& console) {
+                      LineReader& lines, LearnTeller& teller, const Console& console) {
   if (!options.learner.empty()) return options.learner;
   std::vector<std::string> names;
   for (const LearnerEntry& learner : known) {
     if (!learner.simulated) names.push_back(learner.pseudonym);
   }
   if (names.size() == 1) return names.front();
-  if (!may_ask) throw UsageError(say::NoLearner());
   const std::string question = names.empty() ? say::AskLearner() : say::AskWhich(names);
   for (;;) {
-    const std::optional<std::string> line = Ask(lines, teller, question, console);
+    const std::optional<std::string> line =
+        Ask(lines, teller, question, say::QuitLeaves(), console);
     if (!line) throw UsageError(say::NoLearner());
     if (line->empty()) continue;
     try {
@@ -87,29 +87,10 @@ std::string KeptName(const std::string& given, const std::vector<LearnerEntry>& 
   return kept.empty() ? given : kept;
 }
 
-bool MayKeepTracks(bool may_ask, LineReader& lines, LearnTeller& teller, const Console& console) {
-  if (!may_ask) {
-    teller.Remark(say::NoConsentAsked());
-    return false;
-  }
-  std::string question = say::AskConsent();
-  for (;;) {
-    const std::optional<std::string> line = Ask(lines, teller, question, console);
-    const std::string answer = line ? LowerCase(*line) : "";
-    const bool yes = answer == "yes" || answer == "y";
-    if (!yes && answer != "no" && answer != "n" && !answer.empty()) {
-      question = say::YesOrNo();
-      continue;
-    }
-    teller.Say(Priority::kText, say::ConsentGiven(yes));
-    return yes;
-  }
-}
-
 }  // namespace
 
 std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course& course,
-                                      bool may_ask, LineReader& lines, LearnTeller& teller,
+                                      LineReader& lines, LearnTeller& teller,
                                       const Console& console) try {
   if (!Records::Available()) {
     teller.Say(Priority::kText, say::NoRecords());
@@ -118,7 +99,7 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
   Records records =
       Records::Open(options.records.empty() ? Records::DefaultPath() : options.records);
   const std::vector<LearnerEntry> known = records.Learners();
-  const std::string given = WhoLearns(options, known, may_ask, lines, teller, console);
+  const std::string given = WhoLearns(options, known, lines, teller, console);
   RequirePseudonym(given);
   const std::string name = KeptName(given, known);
   if (name != given) teller.Say(Priority::kText, say::TakenForKept(given, name));
@@ -126,10 +107,7 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
   if (learner && learner->simulated) throw UsageError(say::SimulatedOnly(name));
   const bool fresh = !learner;
   if (fresh) {
-    // asked first: who leaves at the question has left nothing behind, and is asked again
-    const bool keeps = MayKeepTracks(may_ask, lines, teller, console);
-    learner = LearnerEntry{name, static_cast<std::int64_t>(std::time(nullptr)), keeps,
-                           may_ask ? say::kConsentVersion : "", false};
+    learner = LearnerEntry{name, static_cast<std::int64_t>(std::time(nullptr)), false, "", false};
   }
   LearnMemory memory(std::move(records), *learner, course.id, fresh);
   teller.Say(Priority::kText, say::Learner(name, memory.trials(), fresh));
@@ -138,6 +116,28 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
   teller.Say(Priority::kText, say::LeftBeforeBeginning());
   teller.EndTurn();
   return std::nullopt;
+}
+
+void AskConsent(LearnMemory& memory, LineReader& lines, LearnTeller& teller,
+                const Console& console) {
+  if (!memory.remembers() || memory.consent_asked()) return;
+  std::string question = say::AskConsent();
+  try {
+    for (;;) {
+      const auto line = Ask(lines, teller, question, say::ConsentHelp(), console);
+      if (!line) return;
+      const std::string answer = LowerCase(*line);
+      const bool yes = answer == "yes" || answer == "y";
+      const bool no = answer == "no" || answer == "n" || answer.empty();
+      question = say::YesOrNo();
+      if (!yes && !no) continue;
+      memory.SetConsent(yes, say::kConsentVersion);
+      teller.Say(Priority::kText, say::ConsentGiven(yes));
+      return teller.EndTurn();
+    }
+  } catch (const LeftAtQuestion&) {
+    // asked again the next time
+  }
 }
 
 }  // namespace moontrace

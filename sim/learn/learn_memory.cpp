@@ -79,6 +79,12 @@ std::size_t LearnMemory::KeepRest() {
   return held_back_.size();
 }
 
+void LearnMemory::SetConsent(bool keeps_tracks, const std::string& version) {
+  if (records_) records_->SetConsent(learner_.pseudonym, keeps_tracks, version);
+  learner_.keeps_tracks = keeps_tracks;
+  learner_.consent = version;
+}
+
 void LearnMemory::SetBrief(std::int64_t time, bool brief) {
   if (brief == brief_) return;
   brief_ = brief;

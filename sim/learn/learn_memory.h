@@ -41,6 +41,11 @@ class LearnMemory {
   const std::string& own_text() const { return own_text_; }
   void SetOwnText(std::int64_t time, const std::string& text);
 
+  /// Whether the question about tracks has been answered.
+  bool consent_asked() const { return !learner_.consent.empty(); }
+  /// `version` of the question. Throws as Records::SetConsent.
+  void SetConsent(bool keeps_tracks, const std::string& version);
+
   bool keeps_tracks() const { return records_ && learner_.keeps_tracks; }
   bool remembers() const { return records_.has_value(); }
   const std::string& name() const { return learner_.pseudonym; }

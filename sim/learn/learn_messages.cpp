@@ -83,22 +83,27 @@ std::vector<std::string> LearnHelp() {
     std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(i)) ? later : words;
     list.push_back(fmt::format("{} {}", WordNamed(word)->number, word));
   }
-  return {fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
-          fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
-          "While something is asked, signs, numbers and names are answers.",
-          "A line that begins with / is a word: /7 is bigger, /a is again.",
-          "Stop and quit always are words.",
-          "lesson and a number goes to that lesson: lesson 5.",
-          "practise and a sign you know traces it once more: practise b.",
-          "my text and a text of your own lays it under your hand: my text the cat sat.",
-          kTraceEnds,
-          kButton,
-          "An empty line tells what is waited for."};
+  return {
+      fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
+      fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
+      "While something is asked, signs, numbers and names are answers.",
+      "A line that begins with / is a word: /7 is bigger, /a is again.",
+      "Stop and quit always are words.",
+      "lesson and a number goes to that lesson: lesson 5.",
+      "practise and a sign you know traces it once more: practise b.",
+      "my text and a text of your own lays it under your hand: my text the cat sat.",
+      "find and a word says the way to it on the page: find cat. So do find next, next line and "
+      "next heading; return leads back.",
+      kTraceEnds,
+      kButton,
+      "An empty line tells what is waited for."};
 }
 
 std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
 std::string NotStopped() { return "Not stopped: go on feeling."; }
-std::string Pausing() { return "Pause: no force. Say go to go on."; }
+std::string Pausing(bool felt) {
+  return felt ? "Pause: no force. Say go to go on." : "A pause. Say go to go on.";
+}
 std::string NotWhileAsked() { return "Not told while it is asked."; }
 std::string TipAt(std::string_view name, std::size_t line, bool touching) {
   const std::string_view touch = touching ? "touching" : "in the air";
@@ -154,7 +159,8 @@ std::string WhereInCourse(std::string_view title, std::size_t number, std::size_
 
 std::string Learner(std::string_view name, std::size_t trials, bool fresh) {
   if (fresh) return fmt::format("New learner: {}.", OneLine(name));
-  return fmt::format("Learner: {}, {} so far.", OneLine(name), Counted(trials, "trial", "trials"));
+  return fmt::format("Learner: {}, {} so far.", OneLine(name),
+                     Counted(trials, "exercise", "exercises"));
 }
 
 std::string TakenForKept(std::string_view given, std::string_view kept) {
@@ -168,19 +174,23 @@ std::string AskWhich(const std::vector<std::string>& names) {
   for (const std::string& name : names) shown.push_back(ShownPseudonym(name));
   return fmt::format("Who learns: {}, or a new name?", Joined(shown, ", "));
 }
-std::string NoLearner() { return "nobody said who learns: give a name with --learner NAME"; }
+std::string NoLearner() {
+  return "nobody said who learns: give a name with --learner NAME, or as the first line";
+}
 std::string AskConsent() {
-  return "Keep the raw tracks of your hand? They stay on this machine and can be erased with "
-         "moontrace records erase. Type yes, or Enter for no.";
+  return "One last question: may the path of your hand be kept too? It stays on this machine, and "
+         "shows where a letter is hard. Type yes, or Enter for no.";
+}
+std::string ConsentHelp() {
+  return "Yes or no. What was kept goes again with moontrace records consent NAME no.";
 }
 std::string ConsentGiven(bool yes) {
-  return yes ? "Raw tracks will be kept." : "Raw tracks will not be kept.";
+  return yes ? "The path of your hand will be kept." : "The path of your hand will not be kept.";
 }
 std::string YesOrNo() { return "Type yes or no."; }
 std::string NotAName() { return "Not a name: 1 to 60 printable characters, no slashes."; }
 std::string QuitLeaves() { return "The word quit ends, and nothing is kept yet."; }
 std::string LeftBeforeBeginning() { return "Ended before it began: nothing was kept."; }
-std::string NoConsentAsked() { return "Raw tracks are not kept: nobody was asked."; }
 std::string NoRecords() {
   return "Nothing is remembered after this session: this build has no SQLite.";
 }
@@ -188,7 +198,7 @@ std::string NotKept(std::string_view why) {
   return fmt::format("Not kept yet: {}. It is tried again.", OneLine(why, 300));
 }
 std::string KeptNow(std::size_t trials) {
-  return fmt::format("Kept now: {}.", Counted(trials, "trial", "trials"));
+  return fmt::format("Kept now: {}.", Counted(trials, "exercise", "exercises"));
 }
 std::string NeverKept(std::size_t trials) {
   return fmt::format("{} could not be kept in the records", Counted(trials, "trial", "trials"));
@@ -217,7 +227,7 @@ std::string LearnBeginsWithKeys() {
   return "One key a word: for next, press the key of next. ? tells the keys.";
 }
 std::string SessionEnded(std::size_t trials, std::size_t sure) {
-  return fmt::format("Ended: {} this time, {} sure.", Counted(trials, "trial", "trials"),
+  return fmt::format("Ended: {} this time, {} sure.", Counted(trials, "exercise", "exercises"),
                      Counted(sure, "sign", "signs"));
 }
 std::string EndOfInput() { return "End of input: the session ends."; }

@@ -66,7 +66,8 @@ std::vector<std::string> LearnHelp();
 std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys);
 std::string AlreadyStopped();
 std::string NotStopped();
-std::string Pausing();
+/// `felt`: a hand can be pushed here.
+std::string Pausing(bool felt);
 std::string NotWhileAsked();
 /// `name` empty: it is not said.
 std::string TipAt(std::string_view name, std::size_t line, bool touching);
@@ -103,14 +104,14 @@ std::string AskLearner();
 std::string AskWhich(const std::vector<std::string>& names);
 std::string NoLearner();
 std::string AskConsent();
+std::string ConsentHelp();
 /// Of that question: what a learner agreed to.
-inline constexpr const char* kConsentVersion = "tracks-1";
+inline constexpr const char* kConsentVersion = "tracks-2";
 std::string ConsentGiven(bool yes);
 std::string YesOrNo();
 std::string NotAName();
 std::string QuitLeaves();
 std::string LeftBeforeBeginning();
-std::string NoConsentAsked();
 std::string NoRecords();
 std::string NotKept(std::string_view why);
 std::string KeptNow(std::size_t trials);

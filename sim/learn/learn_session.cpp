@@ -33,6 +33,7 @@ LearnSession::LearnSession(const LearnParts& parts, std::uint64_t seed,
       help_(std::move(help)),
       state_(StartLesson(course_, memory_.Recall(course_), seed)),
       poll_(stage_.session().loop(), stage_.session().device()),
+      walk_(stage_.session(), [this](std::size_t page) { stage_.TurnTo(page); }),
       looked_(Clock::now()),
       ordered_(looked_),
       ticked_(looked_) {}
@@ -94,10 +95,7 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
 void LearnSession::Do(const lesson_action::Say& sentence) {
   std::string text;
   if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
-  if (text.empty()) {
-    const bool brief = memory_.brief() && !in_full_;
-    text = brief ? say::BriefSentence(course_, sentence) : say::LessonSentence(course_, sentence);
-  }
+  if (text.empty()) text = voice_.Words(course_, sentence, memory_.brief(), in_full_);
   for (const std::string& line : Sentences(text)) {
     teller_.Say(PriorityOf(sentence.sentence), OneLine(line, 1000));
   }
@@ -164,6 +162,7 @@ void LearnSession::Look() {
   passed_ = std::chrono::duration<double>(now - looked_).count();
   looked_ = now;
   poll_.Look(*this);
+  LookAtPlace();
   LookAtTrace();
   if (std::chrono::duration<double>(now - ticked_).count() >= kTickEvery) {
     ticked_ = now;
@@ -180,9 +179,11 @@ void LearnSession::LookAtStop() {
   if (newest.stopped == stopped_ || since < kObeysWithin) return;
   stopped_ = newest.stopped;
   stopped_by_tutor_ = paused_ = false;
-  if (!stopped_) return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
+  if (!stopped_) {
+    return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}, stage_.pushes()));
+  }
   teller_.Hush();
-  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped));
+  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped, stage_.pushes()));
   teller_.Play(Earcon::kSafetyStop);
   memory_.Note(Now(), "stop", "button");
 }
@@ -243,6 +244,7 @@ void LearnSession::LookAtTrace() {
 
 std::size_t LearnSession::End() {
   stage_.session().loop().End();
+  teller_.Say(Priority::kText, poll_.Repeated());
   const std::size_t lost = memory_.KeepRest();
   const auto& items = state_.progress.items;
   const auto sure =

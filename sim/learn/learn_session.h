@@ -12,8 +12,10 @@
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
 #include "sim/learn/learn_words.h"
+#include "sim/learn/lesson_voice.h"
 #include "sim/learn/running_lesson.h"
 #include "sim/session/loop_poll.h"
+#include "sim/session/place_walk.h"
 
 namespace moontrace {
 
@@ -64,6 +66,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   void TellHowItGoes();
   void Brief(bool brief);
   void OwnText(const std::string& given);
+  void GoToPlace(const PlaceCommand& command);
+  void LookAtPlace();
   void Speak(LearnWord word);
   void Next();
   void Back();
@@ -89,6 +93,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   LessonState state_;
   lesson_action::Await await_ = lesson_action::Await::kNext;
   LoopPoll poll_;
+  PlaceWalk walk_;
+  LessonVoice voice_;
   bool leading_ = false;       ///< the hand is led along, or would be
   bool led_by_tutor_ = false;  ///< the tutor leads the hand meanwhile
   bool shown_ = false;         ///< in this turn

@@ -69,6 +69,9 @@ void LearnSession::Obey(const std::string& line) {
     case LearnLine::Kind::kMyText:
       OwnText(read.answer);
       break;
+    case LearnLine::Kind::kPlace:
+      GoToPlace(read.place);
+      break;
     case LearnLine::Kind::kNothing:
       break;  // what is waited for
     case LearnLine::Kind::kRefused:
@@ -79,7 +82,8 @@ void LearnSession::Obey(const std::string& line) {
                      (read.word == LearnWord::kStop || read.word == LearnWord::kPause);
   // What is shown and asked while all rests comes with no force: that must not be forgotten.
   const bool rests = was_stopped && stopped_ && !stops;
-  if ((teller_.told() == before || rests) && !over_) {
+  const bool goes_there = read.kind == LearnLine::Kind::kPlace;  // told once the page lies there
+  if (((teller_.told() == before && !goes_there) || rests) && !over_) {
     teller_.Say(Priority::kText, Awaited());
   }
   in_full_ = false;
@@ -87,7 +91,8 @@ void LearnSession::Obey(const std::string& line) {
 }
 
 std::string LearnSession::Awaited() const {
-  if (stopped_) return paused_ ? say::Pausing() : say::Event(SafetyEvent::kStopped);
+  const bool felt = stage_.pushes();
+  if (stopped_) return paused_ ? say::Pausing(felt) : say::Event(SafetyEvent::kStopped, felt);
   if (led_by_tutor_) return say::LedNow();
   if (await_ == Await::kTrace && stage_.simulated()) return say::ProgramTraces();
   if (await_ == Await::kTrace && leading_ && stage_.pushes()) return say::LedNow();
@@ -154,6 +159,21 @@ void LearnSession::OwnText(const std::string& given) {
   if (stage_.shown().text == text) memory_.SetOwnText(Now(), text);
 }
 
+/// What stands where is not told while it is asked.
+void LearnSession::GoToPlace(const PlaceCommand& command) {
+  if (!told()) return teller_.Say(Priority::kText, say::NotWhileAsked());
+  teller_.Say(Priority::kText, walk_.Go(command, poll_.newest()));
+}
+
+void LearnSession::LookAtPlace() {
+  const auto arrival = walk_.Arrived(poll_.newest());
+  if (!arrival) return;
+  teller_.Say(Priority::kText, arrival->sentence);
+  if (stage_.pushes() && !stopped_) {
+    Lead(PathTo(*arrival, stage_.session().text().set.style.width));
+  }
+}
+
 void LearnSession::Answer(const std::string& text) {
   lesson_event::Answered answered;
   answered.text = text;
@@ -214,10 +234,10 @@ void LearnSession::Speak(LearnWord word) {
     case LearnWord::kPause:
       if (stopped_) return teller_.Say(Priority::kText, say::AlreadyStopped());
       Pause(false);
-      return teller_.Say(Priority::kText, say::Pausing());
+      return teller_.Say(Priority::kText, say::Pausing(stage_.pushes()));
     case LearnWord::kGo:
       if (!GoOn(false)) return teller_.Say(Priority::kText, say::NotStopped());
-      return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}));
+      return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}, stage_.pushes()));
     case LearnWord::kQuit:
       over_ = true;
       return;
@@ -312,7 +332,7 @@ void LearnSession::Stop(bool by_tutor) {
   Pause(by_tutor);
   paused_ = false;
   teller_.Hush();
-  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped));
+  teller_.Say(Priority::kImportant, say::Event(SafetyEvent::kStopped, stage_.pushes()));
   teller_.Play(Earcon::kSafetyStop);
   memory_.Note(Now(), "stop", by_tutor ? "tutor" : "learner");
 }

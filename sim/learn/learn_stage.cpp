@@ -158,6 +158,11 @@ bool LearnStage::Turn(bool forward) {
   return true;
 }
 
+void LearnStage::TurnTo(std::size_t index) {
+  session_.TurnTo(index);
+  Restart();
+}
+
 void LearnStage::Push(const lesson_action::Push& push) {
   push_ = push;
   led_path_.reset();

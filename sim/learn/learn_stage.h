@@ -46,6 +46,8 @@ class LearnStage {
   void LetGo();
   /// The next or last page of a long text. False if there is none.
   bool Turn(bool forward);
+  /// The page `index` of it, which it has.
+  void TurnTo(std::size_t index);
   /// The hand begins anew on the page that lies there.
   void Restart();
   /// Force again after a stop; what a simulated hand did counts from now on.

@@ -209,6 +209,8 @@ void TutorDesk::DoToLesson(const TutorCommand& command) {
       break;
     case TutorWord::kNext:
       return lesson_.Obey("/next");
+    case TutorWord::kPlace:
+      return lesson_.Obey("/" + command.text);
     case TutorWord::kNextLesson:
       overrule.next_lesson = true;
       break;

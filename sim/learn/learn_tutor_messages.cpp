@@ -34,6 +34,8 @@ std::string TutorDoes(const TutorCommand& command) {
       return "Tutor: skipped.";
     case TutorWord::kNext:
       return "Tutor: next.";
+    case TutorWord::kPlace:
+      return fmt::format("Tutor: {}.", OneLine(command.text, 60));
     case TutorWord::kNextLesson:
       return "Tutor: the next lesson.";
     case TutorWord::kLesson:

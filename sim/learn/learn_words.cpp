@@ -30,9 +30,9 @@ std::string_view Bare(std::string_view given) {
   return given;
 }
 
-LearnLine Word(LearnWord word) { return {Kind::kWord, word, {}}; }
+LearnLine Word(LearnWord word) { return {Kind::kWord, word, {}, {}}; }
 LearnLine Answer(std::string answer) {
-  return {Kind::kAnswer, LearnWord::kHelp, std::move(answer)};
+  return {Kind::kAnswer, LearnWord::kHelp, std::move(answer), {}};
 }
 
 /// Words that are kinds of their own, since something stands behind them.
@@ -45,33 +45,37 @@ std::optional<Kind> KindOf(std::string_view word) {
 
 /// A word with what stands behind it, as it was typed.
 LearnLine Said(std::string_view word, std::string_view behind) {
+  if (std::optional<PlaceCommand> place = PlaceCommandOf(word, behind)) {
+    return {Kind::kPlace, LearnWord::kHelp, {}, std::move(*place)};
+  }
   const std::optional<Kind> kind = KindOf(word);
   const bool asks = word == "my text" && behind.empty();
   if (kind && !asks) {
     const bool text = *kind == Kind::kMyText;  // capitals are part of a text
-    return {*kind, LearnWord::kHelp, text ? std::string(behind) : LowerCase(behind)};
+    return {*kind, LearnWord::kHelp, text ? std::string(behind) : LowerCase(behind), {}};
   }
   const std::vector<std::string>& words = LearnWords();
   const auto found = std::find(words.begin(), words.end(), word);
-  return {Kind::kWord, static_cast<LearnWord>(found - words.begin()), std::string(behind)};
+  return {Kind::kWord, static_cast<LearnWord>(found - words.begin()), std::string(behind), {}};
 }
 
 LearnLine Command(std::string_view typed) {
   SaidLine said = ReadLine(typed, WordPlace::kLesson);
-  if (said.word == nullptr) return {Kind::kRefused, LearnWord::kHelp, std::move(said.refusal)};
+  if (said.word == nullptr) return {Kind::kRefused, LearnWord::kHelp, std::move(said.refusal), {}};
   return Said(said.word->word, said.behind);
 }
 
 /// A whole word that wants something behind it, with that: no answer, whatever is asked.
 std::optional<LearnLine> WithBehind(std::string_view typed) {
   const std::string given = LowerCase(typed);
-  for (const char* name : {"lesson", "practise", "my text", "help"}) {
+  for (const char* name : {"lesson", "practise", "my text", "help", "find"}) {
     const std::string_view word = name;
     const bool begins = given.compare(0, word.size(), word) == 0;
     const bool alone = begins && given.size() == word.size();
     if (alone && KindOf(word)) return Said(word, {});
     if (!begins || given.size() <= word.size() || given[word.size()] != ' ') continue;
     const std::string_view behind = WithoutBlanks(typed.substr(word.size()));
+    if (PlaceCommandOf(word, {})) return Command(typed);  // "find next" is another word
     const bool is_help = KindOf(word) || ReadLine(behind, WordPlace::kLesson).word != nullptr;
     if (is_help) return Said(word, behind);
   }
@@ -108,6 +112,7 @@ const std::vector<std::string>& LearnWords() {
   static const std::vector<std::string> words = [] {
     std::vector<std::string> all = WordsIn(WordPlace::kLesson);
     const auto others = [](const std::string& word) {
+      if (PlaceCommandOf(word, {})) return true;
       return KindOf(word) && word != "my text";  // which alone asks for a text
     };
     all.erase(std::remove_if(all.begin(), all.end(), others), all.end());
@@ -118,7 +123,7 @@ const std::vector<std::string>& LearnWords() {
 
 LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course) {
   const std::string given = LowerCase(WithoutBlanks(line));
-  if (given.empty() && asked == Asked::kText) return {Kind::kMyText, LearnWord::kHelp, {}};
+  if (given.empty() && asked == Asked::kText) return {Kind::kMyText, LearnWord::kHelp, {}, {}};
   if (given.empty()) return {};
   const std::string_view typed = Bare(WithoutBlanks(line));
   if (typed.empty()) return Word(LearnWord::kHelp);  // a slash alone
@@ -132,7 +137,7 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
   switch (asked) {
     case Asked::kText:
       if (given == "?") return Word(LearnWord::kHelp);
-      return {Kind::kMyText, LearnWord::kHelp, std::string(WithoutBlanks(line))};
+      return {Kind::kMyText, LearnWord::kHelp, std::string(WithoutBlanks(line)), {}};
     case Asked::kSame:
       if (SameSaid(given)) return Answer(given);
       for (const char* word : {"same", "different"}) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/course/course.h"
+#include "sim/session/place_walk.h"
 
 namespace moontrace {
 
@@ -40,7 +41,7 @@ enum class LearnWord : std::uint8_t {
 };
 
 /// The words in the order of LearnWord, which is that of their numbers (sim/console/vocabulary.h):
-/// stop, next, where, ...
+/// stop, next, where, ... Without those of a kind of their own: lesson, practise, PlaceWords.
 const std::vector<std::string>& LearnWords();
 
 /// What is asked just now, so that an answer can be told from a word.
@@ -58,6 +59,7 @@ struct LearnLine {
     kAnswer,
     kLesson,    ///< "lesson 5"; without the number: "lesson"
     kPractise,  ///< "practise b", "practise"
+    kPlace,     ///< one of PlaceWords: "find moon", "next line"
     kMyText,    ///< "my text the cat sat", or what was typed where a text was asked for
     kNothing,   ///< an empty line
     kRefused    ///< no such word, and nothing was asked, or the beginning of several
@@ -67,6 +69,7 @@ struct LearnLine {
   /// Of kAnswer, in small letters; of kLesson and kPractise which one; of kMyText as it was typed;
   /// of "help" the word that is asked about; of kRefused one line: what is wrong, and the cure.
   std::string answer;
+  PlaceCommand place = {};  ///< of kPlace
 };
 
 /// A word as ReadLine has it (sim/console/vocabulary.h); a question mark behind it does not count.

@@ -103,7 +103,7 @@ std::optional<FoundPlace> Find(const TextSetup& text, const LetterPlace& place) 
   const FoundGlyph found = GlyphAt(text, place.source);
   if (found.glyph == nullptr) return std::nullopt;
   const glm::dvec2 p_P = found.glyph->origin_P + SizeOf(*found.glyph, text) * place.from_letter;
-  return FoundPlace{found.page, p_P, std::string(SourceOf(text, *found.glyph))};
+  return FoundPlace{found.page, found.glyph->line, p_P, std::string(SourceOf(text, *found.glyph))};
 }
 
 Followed Follow(const FeltPage& page, const TextSetup& next, glm::dvec2 tip_P) {

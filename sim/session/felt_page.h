@@ -56,6 +56,7 @@ std::optional<LetterPlace> LetterPlaceOf(const FeltPage& page, glm::dvec2 p_P);
 /// Where a place of a text lies.
 struct FoundPlace {
   std::size_t page = 0;  ///< from 0
+  std::size_t line = 0;  ///< on the page, from 0
   glm::dvec2 p_P{0, 0};  ///< [m]
   std::string letter;    ///< the characters that the letter there stands for
 };

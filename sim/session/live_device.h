@@ -41,6 +41,8 @@ class LiveDevice {
   const DeviceLimits& limits() const { return limits_; }
   /// What pushes this is felt, by a hand or by the simulated one.
   bool pushes() const;
+  /// A person's hand is pushed.
+  bool felt() const { return !simulated_ && pushes(); }
   double scale() const { return scale_; }  ///< see DevicePlace
   double press() const;                    ///< of what has no third axis [N]
   /// How much page it can reach [m]; infinite where nothing bounds it.

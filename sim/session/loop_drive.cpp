@@ -4,10 +4,13 @@
 #include <ostream>
 #include <string>
 
+#include "lessons/guide/guidance.h"
+#include "lessons/guide/guidance_path.h"
 #include "sim/console/word_messages.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_poll.h"
 #include "sim/session/loop_words.h"
+#include "sim/session/place_walk.h"
 #include "sim/session/tip_words.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
@@ -28,7 +31,9 @@ class Driver : private LoopListener {
         options_(options),
         console_(console),
         lines_(console.in()),
-        poll_(session.loop(), session.device()) {}
+        poll_(session.loop(), session.device()),
+        walk_(session, [&session](std::size_t page) { session.TurnTo(page); }),
+        spoken_(lines_.at_terminal()) {}
 
   void Run() {
     if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
@@ -39,10 +44,12 @@ class Driver : private LoopListener {
       if (options_.seconds && passed.count() >= *options_.seconds) break;
       Look();
       LookAtWindow();
-      if (const std::optional<std::string> line = lines_.Next(quit_ ? 0 : kPoll)) Obey(*line);
-      if (lines_.ended() && !told_end_ && !options_.seconds && !HasWindow()) {
-        told_end_ = true;
-        console_.Remark(say::CannotSpeak());
+      if (const std::optional<std::string> line = lines_.Next(quit_ ? 0 : kPoll)) {
+        spoken_ = true;
+        Obey(*line);
+      } else if (lines_.ended() && InputEndsIt()) {
+        quit_ = true;
+        console_.Remark(say::InputEnded());
       }
       console_.out().flush();
     }
@@ -51,6 +58,8 @@ class Driver : private LoopListener {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void Say(const std::string& line) {
     if (line.empty()) return;
     console_.Result(line);
@@ -61,15 +70,18 @@ class Driver : private LoopListener {
   void Report(const LoopEvent& event, const std::string& line) {
     const bool asked = event.kind == LoopEventKind::kBookmark ||
                        (event.kind == LoopEventKind::kSafety && TakesForceAway(event.safety));
-    if (asked) return Say(line);
     if (line.empty()) return;
+    if (asked) return Say(line);
     console_.Happening(line);
     if (options_.view != nullptr) options_.view->ShowLine(line);
   }
 
-  /// From which words can come too.
-  bool HasWindow() const {
-    return options_.view != nullptr && options_.view->window() && !options_.view->ended();
+  /// Nobody can say "quit" any more. A window can, where no word ever came from elsewhere; and
+  /// where the text itself was the input, no word was meant to come.
+  bool InputEndsIt() const {
+    const bool window =
+        options_.view != nullptr && options_.view->window() && !options_.view->ended();
+    return !options_.seconds && !session_.text_was_input() && (spoken_ || !window);
   }
 
   /// What is said in the window is as if it were typed.
@@ -87,6 +99,11 @@ class Driver : private LoopListener {
 
   void Look() {
     poll_.Look(*this);
+    if (const auto arrival = walk_.Arrived(poll_.newest())) {
+      Say(arrival->sentence);
+      LeadTo(*arrival);
+    }
+    if (led_ && (poll_.newest().guidance_done || Clock::now() > led_until_)) LetGo();
     if (options_.view != nullptr) options_.view->Look(session_.felt(), poll_);
   }
 
@@ -114,6 +131,26 @@ class Driver : private LoopListener {
 
   std::string WhereNow() {
     return Where(session_.felt(), session_.device().pushes(), poll_.newest());
+  }
+
+  /// A hand that can be pushed is led there, until it has come or does not follow.
+  void LeadTo(const PlaceWalk::Arrival& arrival) {
+    if (!session_.device().felt() || poll_.newest().stopped) return;
+    constexpr std::chrono::seconds kPatience{8};
+    GuidancePlan plan;
+    plan.mode = GuidanceMode::kBead;
+    plan.gains = GuidanceTable::Shipped().GainsOf(plan.mode, kMostHelp);
+    plan.path = PathTo(arrival, session_.text().set.style.width);
+    led_until_ = Clock::now() + kPatience +
+                 std::chrono::duration_cast<Clock::duration>(
+                     std::chrono::duration<double>(plan.path->times.back()));
+    session_.loop().Guide(std::make_shared<const GuidancePlan>(std::move(plan)));
+    led_ = true;
+  }
+
+  void LetGo() {
+    if (led_) session_.loop().Guide(nullptr);
+    led_ = false;
   }
 
   void Turn(bool forward) {
@@ -169,6 +206,7 @@ class Driver : private LoopListener {
       if (const std::optional<std::string> done = options_.view->Obey(line)) return Say(*done);
     }
     const LoopLine said = ReadLoopLine(line);
+    LetGo();  // whatever is said, the hand is to do something else now
     switch (said.word) {
       case LoopWord::kStop:
       case LoopWord::kPause:
@@ -189,6 +227,8 @@ class Driver : private LoopListener {
         return Say(WayToMark(session_, mark_, poll_.newest()));
       case LoopWord::kPage:
         return Change(said.page);
+      case LoopWord::kPlace:
+        return Say(walk_.Go(said.place, poll_.newest()));
       case LoopWord::kQuit:
         quit_ = true;
         return;
@@ -206,8 +246,11 @@ class Driver : private LoopListener {
   Console& console_;
   LineReader lines_;
   LoopPoll poll_;
+  PlaceWalk walk_;
+  bool led_ = false;
+  Clock::time_point led_until_;
   std::optional<LetterPlace> mark_;
-  bool told_end_ = false;
+  bool spoken_;  ///< a line has come, or may come from a terminal
   bool quit_ = false;
 };
 
@@ -229,8 +272,7 @@ void SayBeginning(const LoopSession& session, Console& console) {
   const TextOptions& given = request.text;
   const bool chosen = given.text || !given.file.empty() || text != request.default_text;
   console.Happening(say::OnThePage(text, chosen));
-  console.Happening(
-      say::LoopBegins(device.simulated() ? "simulated stylus" : device.name(), session.rate()));
+  console.Happening(say::LoopBegins(device.simulated() ? "simulated stylus" : device.name()));
   const Typeset& set = session.text().set;
   if (!device.simulated() && !device.mouse()) {
     console.Happening(say::SetFor(set.page, set.pages.size()));
@@ -245,8 +287,7 @@ void SayBeginning(const LoopSession& session, Console& console) {
   } else if (!device.simulated() && !device.pushes()) {
     console.Happening(say::NoMotors());
   }
-  const bool text_read = request.text.text == "-";
-  console.Remark(text_read ? say::CannotSpeak() : say::HowToSpeak());
+  console.Remark(session.text_was_input() ? say::CannotSpeak() : say::HowToSpeak());
   console.out().flush();
 }
 

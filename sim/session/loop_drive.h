@@ -12,8 +12,8 @@ namespace moontrace {
 
 /// How a running session is led.
 struct DriveOptions {
-  std::optional<double> seconds;                  ///< ends by itself; none: by "quit"
-  bool sizes = true;                              ///< words that change the page do something
+  std::optional<double> seconds;  ///< ends by itself; none: by "quit", or once input has ended
+  bool sizes = true;              ///< words that change the page do something
   std::function<void(const LoopSample&)> sample;  ///< is given every tick, off the tick
   ViewFeed* view = nullptr;                       ///< shows it; closing its window ends it
 };

@@ -5,17 +5,10 @@
 #include <cmath>
 
 #include "sim/console/wording.h"
+#include "sim/session/place_messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {
-
-namespace {
-
-/// Of microseconds, where the unit has been said.
-std::string Figure(double microseconds) { return Short(microseconds, microseconds < 10 ? 1 : 0); }
-std::string Micro(double microseconds) { return Figure(microseconds) + " microseconds"; }
-
-}  // namespace
 
 std::string OnThePage(std::string_view text, bool chosen) {
   text = text.substr(0, text.find_last_not_of("\r\n") + 1);  // the end of a piped line
@@ -23,12 +16,12 @@ std::string OnThePage(std::string_view text, bool chosen) {
                      chosen ? "" : ". No text was given; write one after the command.");
 }
 
-std::string LoopBegins(std::string_view device, double rate) {
-  return fmt::format("Running: {}, {:.0f} ticks a second.", OneLine(device), rate);
+std::string LoopBegins(std::string_view device) {
+  return fmt::format("Running: {}.", OneLine(device));
 }
 
 std::string NotRealtime(std::string_view why) {
-  return fmt::format("The loop may be late: {}.", why);
+  return fmt::format("The force may come late: {}.", why);
 }
 
 std::string Scaled(double scale) {
@@ -51,14 +44,19 @@ std::string SofterThanUsual(double stiffness) {
 std::string HowToSpeak() { return "Type a word and Enter; ? tells the words."; }
 
 std::string CannotSpeak() {
-  return "No words can come: standard input has ended. Ctrl-C ends this.";
+  return "No words can come: standard input gave the text. Ctrl-C ends this.";
 }
+
+std::string InputEnded() { return "End of input: no more words can come, so this ends."; }
 
 std::string EndedLost(std::string_view why) {
   return fmt::format("the device did not come back: {}", OneLine(why, 300));
 }
 
-std::string Event(SafetyEvent event) {
+namespace {
+
+/// Of a device that pushes a hand.
+std::string FeltEvent(SafetyEvent event) {
   switch (event) {
     case SafetyEvent::kNotANumber:
       return "No force: a value was no number.";
@@ -83,25 +81,107 @@ std::string Event(SafetyEvent event) {
     case SafetyEvent::kStopped:
       return "Stopped: no force. Say go to go on.";
     case SafetyEvent::kLateLoop:
-      return "No force for a moment: the loop was late.";
+      return "No force for a moment: the computer was late.";
     case SafetyEvent::kStuck:
       return "No force: the position seems stuck. Move the tip.";
   }
   return {};
 }
 
-std::string Event(const LoopEvent& event) {
+/// Where there is no force, its limits are nobody's matter.
+std::string UnfeltEvent(SafetyEvent event) {
+  switch (event) {
+    case SafetyEvent::kSilence:
+      return "The device is silent.";
+    case SafetyEvent::kPhysicsFault:
+      return "MuJoCo reported a fault.";
+    case SafetyEvent::kDeviceLost:
+      return DeviceLost({});
+    case SafetyEvent::kStopped:
+      return "Stopped. Say go to go on.";
+    case SafetyEvent::kStuck:
+      return "The position seems stuck. Move the tip.";
+    case SafetyEvent::kNotANumber:
+    case SafetyEvent::kJump:
+    case SafetyEvent::kForceCap:
+    case SafetyEvent::kRateCap:
+    case SafetyEvent::kPowerCap:
+    case SafetyEvent::kResting:
+    case SafetyEvent::kNotReady:
+    case SafetyEvent::kLateLoop:
+      break;
+  }
+  return {};
+}
+
+/// What happened, behind which a number of times stands.
+std::string_view Clause(SafetyEvent event) {
+  switch (event) {
+    case SafetyEvent::kNotANumber:
+      return "a value was no number";
+    case SafetyEvent::kJump:
+      return "the tip jumped";
+    case SafetyEvent::kForceCap:
+      return "force held at the greatest";
+    case SafetyEvent::kRateCap:
+      return "a sudden rise slowed";
+    case SafetyEvent::kPowerCap:
+      return "force lowered for a fast tip";
+    case SafetyEvent::kResting:
+      return "the motors rested";
+    case SafetyEvent::kSilence:
+      return "the device was silent";
+    case SafetyEvent::kDeviceLost:
+      return "the device was lost";
+    case SafetyEvent::kNotReady:
+      return "the motors were off";
+    case SafetyEvent::kPhysicsFault:
+      return "MuJoCo reported a fault";
+    case SafetyEvent::kStopped:
+      return "stopped";
+    case SafetyEvent::kLateLoop:
+      return "the computer was late";
+    case SafetyEvent::kStuck:
+      return "the position seemed stuck";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string Event(SafetyEvent event, bool felt) {
+  std::string sentence = felt ? FeltEvent(event) : UnfeltEvent(event);
+  if (sentence.empty() || !MayRepeat(event)) return sentence;
+  return sentence + " From now on this is counted.";
+}
+
+bool MayRepeat(SafetyEvent event) {
+  return event == SafetyEvent::kLateLoop || !TakesForceAway(event);
+}
+
+std::string Repeated(const std::array<std::uint64_t, kSafetyEvents>& counts) {
+  std::vector<std::string> repeated;
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    const auto event = static_cast<SafetyEvent>(i);
+    if (!MayRepeat(event) || counts[i] < 2) continue;
+    repeated.push_back(fmt::format("{} {}", Clause(event), Times(counts[i])));
+  }
+  return repeated.empty() ? "" : fmt::format("In all: {}.", Joined(repeated, ", "));
+}
+
+std::string Event(const LoopEvent& event, bool felt) {
   switch (event.kind) {
     case LoopEventKind::kSafety:
-      return Event(event.safety);
+      return Event(event.safety, felt);
     case LoopEventKind::kDeviceBack:
-      return "Device back: force comes slowly.";
+      return felt ? "Device back: force comes slowly." : "Device back.";
     case LoopEventKind::kWentOn:
-      return "Going on: force comes slowly.";
+      return felt ? "Going on: force comes slowly." : "Going on.";
     case LoopEventKind::kBookmark:
       return "Bookmark set.";
     case LoopEventKind::kThrough:
-      return "Through the paper: no force. Lift the tip, then press less.";
+      return felt ? "Through the paper: no force. Lift the tip, then press less."
+                  : "Through the paper. Lift the tip, then press less.";
     case LoopEventKind::kPageBack:
       return "The page lies in the middle of the reach again.";
     case LoopEventKind::kSay:
@@ -148,9 +228,7 @@ std::string_view EventName(SafetyEvent event) {
   return "";
 }
 
-std::string LoopSilent() {
-  return "The loop stands still: it should tick a thousand times a second.";
-}
+std::string LoopSilent() { return "No force: the computer stands still for a while."; }
 
 std::string StillLost(std::string_view why) {
   return fmt::format("Still lost: {}", OneLine(why, 300));
@@ -184,7 +262,7 @@ std::string Where(std::string_view letter, std::size_t line, std::size_t page, s
   const std::string push = feeling.touching && !feeling.has_motors
                                ? fmt::format("; the page pushes with {} N", Short(feeling.force, 1))
                                : std::string();
-  const std::string rest = feeling.stopped ? "; stopped: no force" : push;
+  const std::string rest = feeling.stopped ? "; stopped" : push;
   return fmt::format("{}, line {}, page {} of {}, {}{}.", at, line + 1, page + 1, pages, touch,
                      rest);
 }
@@ -198,43 +276,28 @@ std::string WayToMark(std::string_view letter, std::size_t page, std::size_t pag
   const std::string mark =
       fmt::format("Bookmark at {}, page {} of {}", OneLine(letter), page + 1, pages);
   if (!way_P) return mark + ", which you feel now.";
-  const auto part = [](double way, std::string_view low, std::string_view high) {
-    return fmt::format("{} mm {}", Short(kMillimetres * std::abs(way), 1), way < 0 ? low : high);
-  };
-  return fmt::format("{}: {}, {}.", mark, part(way_P->x, "left", "right"),
-                     part(way_P->y, "down", "up"));
+  return fmt::format("{}: {}.", mark, Way(*way_P));
 }
 
-std::string LoopOutcome(const LoopReport& report, double seconds) {
-  return fmt::format("Ran {} s: {}, {} lost.", Short(seconds, 1),
-                     Counted(report.ticks, "tick", "ticks"), report.lost_ticks);
-}
+std::string LoopOutcome(double seconds) { return fmt::format("Ran {} s.", Short(seconds, 1)); }
 
 std::string Lateness(const LoopReport& report) {
-  return fmt::format("Late by at most {} in 999 of 1000 ticks, {} at worst.",
-                     Micro(report.lateness.Percentile(0.999)), Figure(report.lateness.max()));
-}
-
-std::string Cost(const LoopReport& report) {
-  return fmt::format("A tick takes at most {} in 999 of 1000, {} at worst.",
-                     Micro(report.cost.Percentile(0.999)), Figure(report.cost.max()));
-}
-
-std::string Realtime(std::string_view not_realtime) {
-  if (not_realtime.empty()) return "With real-time priority.";
-  return fmt::format("Without real-time priority: {}.", not_realtime);
+  return fmt::format("Late by {} milliseconds at worst.", Short(1e-3 * report.lateness.max(), 1));
 }
 
 std::string SafetyActed(const LoopReport& report) {
   std::vector<std::string> acted;
   for (std::size_t i = 0; i < kSafetyEvents; ++i) {
     if (report.safety_counts[i] == 0) continue;
-    std::string name(EventName(static_cast<SafetyEvent>(i)));
-    for (char& c : name) c = c == '_' ? ' ' : c;
-    acted.push_back(fmt::format("{} {}", name, Times(report.safety_counts[i])));
+    const std::string_view what = Clause(static_cast<SafetyEvent>(i));
+    acted.push_back(fmt::format("{} {}", what, Times(report.safety_counts[i])));
   }
-  if (acted.empty()) return "Safety had nothing to do.";
-  return fmt::format("Safety acted: {}.", Joined(acted, ", "));
+  if (acted.empty()) return "The force was never held back.";
+  return fmt::format("Force held back: {}.", Joined(acted, ", "));
+}
+
+std::string Touched(double share) {
+  return fmt::format("Touching {} of the time.", Percent(share));
 }
 
 std::string Touched(double share, double mean_force, double peak_force) {

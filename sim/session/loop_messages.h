@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
@@ -21,7 +23,8 @@ inline constexpr const char* kLoopText =
 inline constexpr const char* kDevice =
     "what moves the tip: simulated, a name from moontrace devices, plugin:PATH, or mouse with "
     "--view. Default simulated.";
-inline constexpr const char* kSeconds = "ends after so many seconds. Default: when you say quit.";
+inline constexpr const char* kSeconds =
+    "ends after so many seconds. Default: when you say quit, or input has ended.";
 inline constexpr const char* kRate = "ticks a second, 250 to 10000. Default 1000.";
 inline constexpr const char* kScale =
     "way on the page per way of the device, 0.1 to 10. Default 1: letters in true size. Scaled "
@@ -33,18 +36,24 @@ inline constexpr const char* kHoldToFeel = "force only while the first button is
 
 /// What is felt; `chosen`: somebody gave it.
 std::string OnThePage(std::string_view text, bool chosen);
-std::string LoopBegins(std::string_view device, double rate);
+std::string LoopBegins(std::string_view device);
 std::string NotRealtime(std::string_view why);
 std::string Scaled(double scale);
 std::string SetFor(const PageSpec& page, std::size_t pages);
 std::string SofterThanUsual(double stiffness);
 std::string HowToSpeak();
 std::string CannotSpeak();
+std::string InputEnded();
 std::string EndedLost(std::string_view why);
 
-std::string Event(const LoopEvent& event);
+// Where nothing is felt (LiveDevice::felt) nothing is said of force: some events have no sentence.
+std::string Event(const LoopEvent& event, bool felt);
 /// What safety has done.
-std::string Event(SafetyEvent event);
+std::string Event(SafetyEvent event, bool felt);
+/// May happen many times a minute, and asks for nothing: said once, then counted (Repeated).
+bool MayRepeat(SafetyEvent event);
+/// Behind it all: what was said once, and happened again. Empty: nothing did.
+std::string Repeated(const std::array<std::uint64_t, kSafetyEvents>& counts);
 /// `why`: Loop::WhyGone.
 std::string DeviceLost(std::string_view why);
 /// "not_a_number", "jump", ...: the key in JSON.
@@ -73,11 +82,11 @@ std::string NoMark();
 std::string WayToMark(std::string_view letter, std::size_t page, std::size_t pages,
                       std::optional<glm::dvec2> way_P);
 
-std::string LoopOutcome(const LoopReport& report, double seconds);
+std::string LoopOutcome(double seconds);
 std::string Lateness(const LoopReport& report);
-std::string Cost(const LoopReport& report);
-std::string Realtime(std::string_view not_realtime);
 std::string SafetyActed(const LoopReport& report);
+/// Where nothing is felt.
+std::string Touched(double share);
 std::string Touched(double share, double mean_force, double peak_force);
 
 std::string NotWithDevice(std::string_view option);

@@ -1,22 +1,35 @@
 #include "sim/session/loop_poll.h"
 
+#include <utility>
+
 #include "sim/session/loop_messages.h"
 
 namespace moontrace {
+
+/// What happens again and again is said once.
+std::string LoopPoll::Sentence(const LoopEvent& event) {
+  if (event.kind != LoopEventKind::kSafety) return say::Event(event, device_.felt());
+  if (event.safety == SafetyEvent::kDeviceLost) return say::DeviceLost(loop_.WhyGone());
+  bool& said = said_[static_cast<std::size_t>(event.safety)];
+  if (std::exchange(said, say::MayRepeat(event.safety))) return {};
+  return say::Event(event.safety, device_.felt());
+}
+
+std::string LoopPoll::Repeated() const {
+  return device_.felt() ? say::Repeated(newest_.safety_counts) : std::string();
+}
 
 void LoopPoll::Look(LoopListener& listener) {
   loop_.TakeSnapshot(newest_);
   lateness_us_ = loop_.TakeLateness();
   LoopEvent event;
   while (loop_.TakeEvent(event)) {
-    const bool lost =
-        event.kind == LoopEventKind::kSafety && event.safety == SafetyEvent::kDeviceLost;
-    listener.Happened(event, lost ? say::DeviceLost(loop_.WhyGone()) : say::Event(event));
+    listener.Happened(event, Sentence(event));
   }
   for (const std::string& sentence : device_.TakeSentences()) listener.Reported(sentence, false);
   const bool silent = loop_.silent();
-  if (silent && !silent_) listener.Reported(say::LoopSilent(), true);
-  silent_ = silent;
+  if (silent && !silent_ && device_.felt()) listener.Reported(say::LoopSilent(), true);
+  silent_ = silent_ || silent;
   const std::string why = loop_.WhyLost();
   if (why != why_lost_ && !why.empty()) listener.Reported(say::StillLost(why), false);
   why_lost_ = why;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "sim/loop/loop.h"
@@ -34,15 +35,21 @@ class LoopPoll {
   void Look(LoopListener& listener);
   /// As of the last look.
   const LoopSnapshot& newest() const { return newest_; }
+  /// What was said once and happened again since, with its counts, as of the last look; empty:
+  /// nothing.
+  std::string Repeated() const;
   /// The worst between the last two looks [us].
   double lateness_us() const { return lateness_us_; }
 
  private:
+  std::string Sentence(const LoopEvent& event);
+
   Loop& loop_;
   LiveDevice& device_;
   LoopSnapshot newest_;
   double lateness_us_ = 0;
-  bool silent_ = false;
+  bool silent_ = false;                     ///< has stood still, and will not be told again
+  std::array<bool, kSafetyEvents> said_{};  ///< will not be said again
   std::string why_lost_;
 };
 

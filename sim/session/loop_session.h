@@ -30,6 +30,8 @@ class LoopSession {
   const TextSetup& text() const { return *felt_.text; }
   /// What the present text was made of.
   const TextRequest& request() const { return request_; }
+  /// Standard input gave the text, so that no words can come from it.
+  bool text_was_input() const { return request_.text.text == "-"; }
   double rate() const { return rate_; }                              ///< [Hz]
   double force_bound() const { return force_bound_; }                ///< see ForceBound [N]
   double carried_press() const { return carried_press_; }            ///< of the first page [N]

@@ -25,7 +25,11 @@ constexpr std::array kWords = {
     Entry{LoopWord::kHelp, "help"},       Entry{LoopWord::kBack, "back"},
     Entry{LoopWord::kMark, "mark"}};
 
-LoopLine Refused(std::string refusal) { return {LoopWord::kRefused, {}, {}, std::move(refusal)}; }
+LoopLine Refused(std::string refusal) {
+  LoopLine line{LoopWord::kRefused};
+  line.refusal = std::move(refusal);
+  return line;
+}
 
 }  // namespace
 
@@ -37,11 +41,20 @@ LoopLine ReadLoopLine(std::string_view line) {
   if (const std::optional<PageWord> page = PageWordOf(name)) {
     auto read = ReadPageCommand(*page, said.behind);
     if (auto* refusal = std::get_if<std::string>(&read)) return Refused(std::move(*refusal));
-    return {LoopWord::kPage, std::get<PageCommand>(std::move(read)), {}, {}};
+    LoopLine change{LoopWord::kPage};
+    change.page = std::get<PageCommand>(std::move(read));
+    return change;
+  }
+  if (std::optional<PlaceCommand> place = PlaceCommandOf(name, said.behind)) {
+    LoopLine way{LoopWord::kPlace};
+    way.place = std::move(*place);
+    return way;
   }
   const auto found = std::find_if(kWords.begin(), kWords.end(),
                                   [name](const Entry& entry) { return entry.name == name; });
-  return {found->word, {}, std::move(said.behind), {}};
+  LoopLine word{found->word};
+  word.text = std::move(said.behind);
+  return word;
 }
 
 }  // namespace moontrace

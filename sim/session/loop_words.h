@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/session/place_walk.h"
 #include "sim/tutor/page_words.h"
 
 namespace moontrace {
@@ -22,6 +23,7 @@ enum class LoopWord : std::uint8_t {
   kBack,
   kMark,
   kPage,     ///< one of PageWords
+  kPlace,    ///< one of PlaceWords
   kNothing,  ///< an empty line
   kRefused,  ///< no such word, the beginning of several, or what stands behind it is wrong
 };
@@ -30,6 +32,7 @@ enum class LoopWord : std::uint8_t {
 struct LoopLine {
   LoopWord word = LoopWord::kNothing;
   PageCommand page = {};     ///< of kPage
+  PlaceCommand place = {};   ///< of kPlace
   std::string text = {};     ///< what stands behind the word
   std::string refusal = {};  ///< of kRefused: one line: what is wrong, and the cure
 };

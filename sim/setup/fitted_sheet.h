@@ -9,5 +9,7 @@ namespace moontrace {
 /// long as it is no higher than the sheet that it was set on is wide, margins included; else all
 /// stays as it is. Before links are looked for.
 void FitSheet(Typeset& set, const Script& script);
+/// Likewise in the middle of the sheet that it was set on, which stays.
+void CentreText(Typeset& set, const Script& script);
 
 }  // namespace moontrace

@@ -80,8 +80,8 @@ inline constexpr const char* kGrade =
     "Moon: 0.5 no contractions, 1 those of grade 1, 2 what is known of grade 2. Braille: 1 "
     "uncontracted, 2 contracted. Default 1.";
 inline constexpr const char* kPaper =
-    "a4, a5, workspace (160 by 120 mm) or width x height in mm like 120x80. Default a4; in view a "
-    "square with the text in its middle, where it is one page whose lines fit that.";
+    "a4, a5, workspace (160 by 120 mm) or width x height in mm like 120x80. Default a4. In a "
+    "window a short text lies in the middle of it, by default of a square cut to the text.";
 inline constexpr const char* kMargin =
     "margin on all sides in mm. Default 15 on a4 and a5, else 10.";
 inline constexpr const char* kLetterGap = "added between letters in mm. Default 0.";

@@ -153,7 +153,7 @@ void AddOptions(CLI::App& app, LayoutOptions& options) {
       app, "--page", "PAPER",
       [&options](const std::string& given) {
         options.page = ParsePage(given);
-        options.fitted = false;
+        options.page_named = true;
       },
       help::kPaper);
   AddNumber(app, "--margin-mm", options.margin, 0, kLongest, kMillimetre, help::kMargin);

@@ -52,7 +52,10 @@ struct StyleOptions {
 /// The paper and the spaces on it.
 struct LayoutOptions {
   PageSpec page{"a4", 0.210, 0.297, 0.015};
-  bool fitted = false;  ///< the sheet is cut to the text, see FitSheet
+  bool page_named = false;  ///< by --page
+  /// A short text lies in the middle: of the sheet that was named, otherwise of one that is cut to
+  /// it, see FitSheet.
+  bool centred = false;
   std::optional<double> margin, letter_gap, word_gap, line_pitch, paragraph_gap;  ///< [m]
   bool usual_pitch = false;  ///< the line pitch was made of the usual one, not given
   LineDirection lines = LineDirection::kLeftToRight;

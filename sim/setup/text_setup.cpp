@@ -100,8 +100,10 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   if (request.room.x < sheet.width || request.room.y < sheet.height) sheet.name = "custom";
   sheet = CutTo(request.room, sheet, kDeviceMargin, margin_given);
   setup.set = SetText(setup.text, setup.script, style, sheet);
-  if (request.layout.fitted && sheet.name == LayoutOptions().page.name) {
-    FitSheet(setup.set, setup.script);
+  if (request.layout.centred && !model) {
+    const bool whole = sheet.name == LayoutOptions().page.name;  // no device is to reach it
+    const bool cut = whole && !request.layout.page_named;
+    cut ? FitSheet(setup.set, setup.script) : CentreText(setup.set, setup.script);
   }
   const std::size_t signs = CountSigns(setup.set);
   if (signs > kMostSigns) throw InputError(say::TooLong(signs, kMostSigns));

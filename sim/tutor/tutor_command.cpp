@@ -48,6 +48,11 @@ constexpr auto kRules = [] {
       {W::kPlayback, "playback"},
       {W::kWho, "who"},
       {W::kNextLesson, "next lesson"},
+      {W::kPlace, "find", Behind::kText, "a word of the page"},
+      {W::kPlace, "find next"},
+      {W::kPlace, "return"},
+      {W::kPlace, "next line"},
+      {W::kPlace, "next heading"},
   });
 }();
 
@@ -128,7 +133,12 @@ std::variant<TutorCommand, TutorRefusal> ReadTutorCommand(std::string_view line)
   if (const std::optional<PageWord> page = PageWordOf(name)) return ReadPage(*page, said.behind);
   const auto rule = std::find_if(kRules.begin(), kRules.end(),
                                  [name](const Rule& one) { return one.name == name; });
-  return ReadBehind(*rule, said.behind);
+  auto read = ReadBehind(*rule, said.behind);
+  auto* command = std::get_if<TutorCommand>(&read);
+  if (command == nullptr || command->word != TutorWord::kPlace) return read;
+  command->text =
+      command->text.empty() ? std::string(name) : std::string(name) + " " + command->text;
+  return read;
 }
 
 }  // namespace moontrace

@@ -24,6 +24,7 @@ enum class TutorWord : std::uint8_t {
   kAgain,       ///< the same once more
   kSkip,        ///< on to the next item
   kNext,        ///< as if the learner said it
+  kPlace,       ///< likewise; text: "find moon", "next line"
   kNextLesson,  ///< on to the next lesson
   kLesson,      ///< text: the lesson's number, its id or a beginning of it, as given
   kRecord,      ///< takes the tutor's own stroke from the device; again: ends it

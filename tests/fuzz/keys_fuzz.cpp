@@ -6,8 +6,9 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "sim/console/line_editor.h"
+#include "sim/console/terminal_keys.h"
 #include "sim/learn/learn_keys.h"
-#include "sim/learn/terminal_keys.h"
 #include "textures/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -31,6 +32,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const KeyLines::Result result = lines.Take(key, asked);
     if (result.line && result.line->find('\n') != std::string::npos) std::abort();
     if (result.echo.find('\x1b') != std::string::npos) std::abort();
+  }
+  LineEditor editor(100);
+  for (const std::string_view part :
+       {typed.substr(0, typed.size() / 2), typed.substr(typed.size() / 2)}) {
+    const LineEditor::Typed line = editor.Take(part);
+    if (line.echo.find('\x1b') != std::string::npos) std::abort();
+    for (const std::string& one : line.lines) {
+      if (one.size() > 100 || one.find('\n') != std::string::npos) std::abort();
+    }
   }
   return 0;
 }

@@ -6,6 +6,8 @@
 #include "tests/devices/fake_hid.h"
 #include "tests/devices/plugin_fixture.h"
 #include "tests/sim/cli_fixture.h"
+#include "tests/sim/eventually.h"
+#include "tests/sim/pty_fixture.h"
 
 namespace moontrace {
 namespace {
@@ -43,9 +45,12 @@ TEST_F(LoopCommand, SaysThemInPlainLines) {
   // nobody chose the text: its first line says what is felt, and how to choose
   EXPECT_EQ(outcome.out.rfind("On the page: the moon is bright. No text was given;", 0), 0U)
       << outcome.out;
-  EXPECT_TRUE(Holds(outcome.out, "Running: simulated stylus, 1000 ticks a second."));
+  EXPECT_TRUE(Holds(outcome.out, "Running: simulated stylus."));
   EXPECT_TRUE(Holds(outcome.out, "Ran "));
-  EXPECT_TRUE(Holds(outcome.out, "Late by at most"));
+  // nobody feels it: no force, no figures of it, no ticks
+  for (const char* not_here : {"orce", "tick", " late", "second", "priority"}) {
+    EXPECT_FALSE(Holds(outcome.out + outcome.err, not_here)) << outcome.out << outcome.err;
+  }
 }
 
 TEST_F(LoopCommand, SaysWhatIsOnThePage) {
@@ -62,14 +67,13 @@ TEST_F(LoopCommand, QuietLeavesOutWhatGoesOnButNoAnswerAndNoLossOfForce) {
     EXPECT_FALSE(Holds(outcome.out, left_out)) << outcome.out;
   }
   EXPECT_TRUE(Holds(outcome.out, ", page 1 of")) << outcome.out;  // where
-  EXPECT_TRUE(Holds(outcome.out, "Stopped: no force.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Stopped. Say go")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Ran ")) << outcome.out;
 }
 
 TEST_F(LoopCommand, WhereTellsThatItIsStopped) {
   const say::Feeling stopped{false, true, true, 0};
-  EXPECT_EQ(say::Where("m", 0, 0, 1, stopped),
-            "At m, line 1, page 1 of 1, in the air; stopped: no force.");
+  EXPECT_EQ(say::Where("m", 0, 0, 1, stopped), "At m, line 1, page 1 of 1, in the air; stopped.");
 }
 
 TEST_F(LoopCommand, ObeysWordsUntilQuit) {
@@ -120,7 +124,7 @@ TEST_F(LoopCommand, TellsTheChangedPageInItsFigures) {
 
 TEST_F(LoopCommand, StopsWhenAskedAndTellsIt) {
   const Outcome outcome = RunLine({"loop", "--seconds", "0.5"}, "stop\n");
-  EXPECT_TRUE(Holds(outcome.out, "Stopped: no force. Say go to go on.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Stopped. Say go to go on.")) << outcome.out;
 }
 
 TEST_F(LoopCommand, EndsInOrderWhenInterrupted) {
@@ -191,6 +195,70 @@ TEST_F(LoopCommand, GoesOnAfterReplugging) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(Holds(outcome.out, "Device lost: no force.")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Device back: force comes slowly.")) << outcome.out;
+}
+
+TEST_F(LoopCommand, EndsWithItsInputUnlessItHasATime) {
+  const Outcome outcome = RunLine({"loop", "MOON"}, "where\n");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(Holds(outcome.err, "End of input")) << outcome.err;
+  EXPECT_TRUE(Holds(outcome.out, "Ran ")) << outcome.out;
+  const Outcome timed = RunLine({"loop", "MOON", "--seconds", "0.3", "--json"}, "");
+  EXPECT_GE(timed.Json()["seconds"], 0.25);
+}
+
+TEST_F(LoopCommand, EndsQuietlyOnceNobodyTakesWhatItSays) {
+  std::istringstream in("where\n");
+  std::ostringstream out, err;
+  Console console(in, out, err);
+  out.setstate(std::ios::badbit);
+  EXPECT_EQ(RunCli({"loop", "MOON", "--seconds", "60"}, console), 4);  // a stream without a reader
+}
+
+TEST_F(LoopCommand, BringsALineBackAtATerminalAndPrintsNoArrow) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session({"loop", "MOON", "--page", "60x40", "--size-mm", "20"});
+  ASSERT_TRUE(session.WaitFor("? tells the words.")) << session.all();
+  ASSERT_TRUE(session.Ask("back")) << session.all();
+  session.Send("\x1b[C\x1b[A\n");
+  EXPECT_TRUE(session.WaitFor("This is the first page.")) << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_TRUE(session.terminal_is_usual());
+  ExpectStream(session.all());
+  EXPECT_EQ(session.all().find("[A"), std::string::npos) << session.all();
+}
+
+TEST_F(LoopCommand, GivesTheTerminalBackEvenWhereItIsKilled) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session({"loop", "MOON"});
+  ASSERT_TRUE(session.WaitFor("? tells the words.")) << session.all();
+  EXPECT_TRUE(Eventually([&] { return !session.echoes(); }));
+  session.Kill(SIGKILL);
+  EXPECT_TRUE(Eventually([&] { return session.terminal_is_usual(); }));
+}
+
+TEST_F(LoopCommand, SaysOnceWhatHappensAgainAndAgainAndSumsItUp) {
+  EXPECT_TRUE(say::MayRepeat(SafetyEvent::kLateLoop));
+  EXPECT_TRUE(say::MayRepeat(SafetyEvent::kRateCap));
+  EXPECT_FALSE(say::MayRepeat(SafetyEvent::kDeviceLost));
+  EXPECT_EQ(say::Event(SafetyEvent::kLateLoop, true),
+            "No force for a moment: the computer was late. From now on this is counted.");
+  std::array<std::uint64_t, kSafetyEvents> counts{};
+  counts[static_cast<std::size_t>(SafetyEvent::kRateCap)] = 1;
+  EXPECT_EQ(say::Repeated(counts), "");  // has been said
+  counts[static_cast<std::size_t>(SafetyEvent::kLateLoop)] = 6;
+  counts[static_cast<std::size_t>(SafetyEvent::kStopped)] = 2;  // asked for, and said each time
+  EXPECT_EQ(say::Repeated(counts), "In all: the computer was late 6 times.");
+}
+
+TEST_F(LoopCommand, SaysNothingOfForceWhereNothingIsFelt) {
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    const auto event = static_cast<SafetyEvent>(i);
+    if (event == SafetyEvent::kDeviceLost) continue;  // said of what pushes only
+    EXPECT_FALSE(Holds(say::Event(event, false), "orce")) << say::Event(event, false);
+  }
+  EXPECT_EQ(say::Event(SafetyEvent::kLateLoop, false), "");
+  EXPECT_EQ(say::Event({LoopEventKind::kWentOn}, false), "Going on.");
 }
 
 class LoopWithPlugin : public PluginTest {};

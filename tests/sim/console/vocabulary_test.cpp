@@ -129,6 +129,12 @@ TEST(Vocabulary, ReadsWordsWithWhatStandsBehind) {
   EXPECT_EQ(read("n").word, WordNamed("next"));
   EXPECT_EQ(read("").word, nullptr);
   EXPECT_EQ(read("").refusal, "");
+  EXPECT_EQ(read("find next").word, WordNamed("find next"));
+  EXPECT_EQ(read("find n").word, WordNamed("find"));  // a text, not a beginning
+  EXPECT_EQ(read("find n").behind, "n");
+  EXPECT_EQ(read("next l").refusal, "next l could be next lesson or next line.");
+  EXPECT_EQ(read("next h").word, WordNamed("next heading"));
+  EXPECT_EQ(read("re").word, WordNamed("record"));  // the older one
   EXPECT_EQ(read("pause now").refusal, "pause stands alone: leave out now.");
 }
 

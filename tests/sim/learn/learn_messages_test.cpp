@@ -36,7 +36,12 @@ TEST(LearnMessages, EverySentenceOfTheLessonHasItsOutcomeInTheFirst40Columns) {
 TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
   for (const std::string& line : {say::AlreadyStopped(),
                                   say::NotStopped(),
-                                  say::Pausing(),
+                                  say::Pausing(true),
+                                  say::Pausing(false),
+                                  say::AskConsent(),
+                                  say::ConsentHelp(),
+                                  say::ConsentGiven(true),
+                                  say::ConsentGiven(false),
                                   say::NotWhileAsked(),
                                   say::NoLetterHere(),
                                   say::NothingTouched(),

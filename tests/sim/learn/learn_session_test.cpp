@@ -6,7 +6,9 @@
 #include <random>
 
 #include "lessons/records/records.h"
+#include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_words.h"
+#include "tests/devices/fake_hid.h"
 #include "tests/sim/learn_fixture.h"
 #include "tests/sim/pty_fixture.h"
 
@@ -145,7 +147,7 @@ TEST_F(LearnSessionTest, TakesANameThatDiffersByCapitalsForTheKeptOne) {
   ASSERT_EQ(learn("Ada").code, 0);
   const Outcome small = learn("ada");
   EXPECT_TRUE(Holds(small.out, "Ada is known here: ada is taken for that.")) << small.out;
-  EXPECT_TRUE(Holds(small.out, "Learner: Ada, 0 trials so far.")) << small.out;
+  EXPECT_TRUE(Holds(small.out, "Learner: Ada, 0 exercises so far.")) << small.out;
   EXPECT_TRUE(Holds(learn("Ida").out, "New learner: Ida."));
   EXPECT_EQ(Records::OpenToRead(In("r.sqlite")).Learners().size(), 2U);
 }
@@ -170,16 +172,16 @@ kind = "trace"
   EXPECT_TRUE(Holds(outcome.out, "\nThe second text.\n")) << outcome.out;
 }
 
-TEST_F(LearnSessionTest, TakesTheOnlyLearnerAndAsksNobodyInAPipe) {
+TEST_F(LearnSessionTest, TakesTheOnlyLearnerInAPipe) {
   const std::vector<std::string> nobody = {"learn",        "--course", In("course"), "--records",
                                            In("r.sqlite"), "--device", "simulated"};
-  const Outcome none = RunLine(nobody, "quit\n");
+  const Outcome none = RunLine(nobody, "");
   EXPECT_EQ(none.code, 2);
   EXPECT_EQ(Lines(none.err).size(), 1U) << none.err;
   ASSERT_EQ(RunLine(With(nobody, {"--learner", "ann"}), "quit\n").code, 0);
   const Outcome one = RunLine(nobody, "quit\n");
   EXPECT_EQ(one.code, 0) << one.err;
-  EXPECT_TRUE(Holds(one.out, "Learner: ann, 0 trials so far.")) << one.out;
+  EXPECT_TRUE(Holds(one.out, "Learner: ann, 0 exercises so far.")) << one.out;
 }
 
 TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
@@ -198,16 +200,14 @@ TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
 TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
-  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
-  session.Send("\n");
   ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
   session.Send("pause\n");
-  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  EXPECT_TRUE(session.WaitFor("A pause. ")) << session.all();
   session.Send("\n");
-  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  EXPECT_TRUE(session.WaitFor("A pause. ")) << session.all();
   session.Send("where\n");  // answered, and that all rests
   EXPECT_TRUE(session.WaitFor("Lesson 1 of 2")) << session.all();
-  EXPECT_TRUE(session.WaitFor("Pause: no force.")) << session.all();
+  EXPECT_TRUE(session.WaitFor("A pause. ")) << session.all();
   session.Send("stop\n");  // a pause is not taken for a stop, nor a stop for a pause
   session.Send("\n");
   EXPECT_TRUE(session.WaitFor("Say go to go on.")) << session.all();
@@ -226,9 +226,6 @@ TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
 TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
-  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
-  session.Send("\n");
-  ASSERT_TRUE(session.WaitFor("Raw tracks will not be kept.")) << session.all();
   ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
   for (const char* line : {"stop", "", "where", "letter", "fly", "le", "?", "go", "12", "/hint"}) {
     EXPECT_TRUE(session.Ask(line)) << line << session.all();
@@ -242,8 +239,7 @@ TEST_F(LearnSessionTest, AnswersEveryLineAtATerminal) {
 TEST_F(LearnSessionTest, LeavesASignOfADemonstrationAtNext) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
-  ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
-  session.Send("no\nnext\nnext\nnext\n");  // what is explored, then what i and l are
+  session.Send("next\nnext\nnext\n");  // what is explored, then what i and l are
   ASSERT_TRUE(session.WaitFor("\r\nGood: ")) << session.all();
   ASSERT_TRUE(session.WaitFor("hand traces i.")) << session.all();
   session.ReadFor(300);  // the hand is on the page: the trace has begun
@@ -263,8 +259,6 @@ TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
     ASSERT_TRUE(session.WaitFor("Who learns?")) << session.all();
   }
   session.Send(" ann \n");
-  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
-  session.Send("no\n");
   EXPECT_TRUE(session.WaitFor("New learner: ann.")) << session.all();
   session.Send("quit\n");
   EXPECT_EQ(session.Wait(), 0);
@@ -273,25 +267,64 @@ TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
 
 TEST_F(LearnSessionTest, KeepsNobodyWhoLeavesAtAQuestion) {
   SKIP_WITHOUT_TERMINALS();
-  for (const bool asked_who : {true, false}) {
-    std::vector<std::string> args{"learn",     "--course",           In("course"),
-                                  "--records", In("records.sqlite"), "--device",
-                                  "simulated"};
-    if (!asked_who) args = Learn();
+  PtySession session({"learn", "--course", In("course"), "--records", In("records.sqlite"),
+                      "--device", "simulated"});
+  ASSERT_TRUE(session.WaitFor("Who learns?"));
+  session.Send("quit\n");
+  EXPECT_TRUE(session.WaitFor("Ended before it began: nothing was kept.")) << session.all();
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_TRUE(Records::OpenToRead(In("records.sqlite")).Learners().empty());
+}
+
+TEST_F(LearnSessionTest, AsksLastAndOnceWhetherTheHandsPathMayBeKept) {
+  SKIP_WITHOUT_TERMINALS();
+  const FakeHid fake("moontrace-raw");
+  const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+  const std::vector<std::string> args = Learn({"--device", name});
+  const auto consent = [this] {
+    return Records::OpenToRead(In("records.sqlite")).Learners().at(0).consent;
+  };
+  for (const char* answer : {"quit", "?", "no"}) {
     PtySession session(args);
-    ASSERT_TRUE(session.WaitFor(asked_who ? "Who learns?" : "Keep the raw tracks"));
+    ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+    EXPECT_EQ(session.all().find("may the path"), std::string::npos) << session.all();
     session.Send("quit\n");
-    EXPECT_TRUE(session.WaitFor("Ended before it began: nothing was kept.")) << session.all();
+    ASSERT_TRUE(session.WaitFor("may the path of your hand be kept too?")) << session.all();
+    EXPECT_EQ(consent(), "");
+    session.Send(std::string(answer) + "\n");
+    if (std::string(answer) == "?") {
+      EXPECT_TRUE(session.WaitFor("Type yes, or Enter for no.")) << session.all();
+      session.Send("quit\n");
+    }
     EXPECT_EQ(session.Wait(), 0);
-    EXPECT_TRUE(Records::OpenToRead(In("records.sqlite")).Learners().empty());
+    ExpectStream(session.all());
   }
+  EXPECT_EQ(consent(), say::kConsentVersion);
+  EXPECT_FALSE(Records::OpenToRead(In("records.sqlite")).Learners().at(0).keeps_tracks);
+  PtySession session(args);
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_EQ(session.all().find("may the path"), std::string::npos) << session.all();
+}
+
+TEST_F(LearnSessionTest, TakesANameThatComesFirstInAPipe) {
+  const std::vector<std::string> args{"learn",     "--course",           In("course"),
+                                      "--records", In("records.sqlite"), "--device",
+                                      "simulated"};
+  const Outcome first = RunLine(args, "ada\nwhere\nquit\n");
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_TRUE(Holds(first.out, "New learner: ada.")) << first.out;
+  const Outcome again = RunLine(args, "ada\nwhere\nquit\n");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(Holds(again.out, "Learner: ada, 0 exercises so far.")) << again.out;
+  EXPECT_FALSE(Holds(again.out, "Unknown")) << again.out;
+  EXPECT_TRUE(Holds(again.out, "Lesson 1 of 2")) << again.out;
 }
 
 TEST_F(SlowLearnSession, AnswersEveryWordAtEveryStep) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
-  ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
-  session.Send("no\n");
   ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
   for (std::size_t step = 1; step <= kStepsOfFirst; ++step) {
     const std::string place = "step " + std::to_string(step) + " of 8";
@@ -326,10 +359,6 @@ void KillAgainAndAgain(const std::vector<std::string>& args, const std::string& 
   std::size_t announced = 0;
   for (int i = 0; i < times; ++i) {
     PtySession session(args);
-    if (i == 0) {
-      ASSERT_TRUE(session.WaitFor("Keep the raw tracks"));
-      session.Send("\n");
-    }
     ASSERT_TRUE(session.WaitFor("earner: ann")) << session.all();
     // at the recognising step each answer is a trial; others skip or trace
     session.Send("/next\n/next\n/next\n/next\n/next\ni\nl\ni\nl\ni\n");
@@ -342,7 +371,7 @@ void KillAgainAndAgain(const std::vector<std::string>& args, const std::string& 
   EXPECT_GT(announced, 0U);
   // and it goes on where the rows say
   PtySession session(args);
-  EXPECT_TRUE(session.WaitFor("Learner: ann, " + std::to_string(announced) + " trial"))
+  EXPECT_TRUE(session.WaitFor("Learner: ann, " + std::to_string(announced) + " exercise"))
       << session.all();
   session.Send("quit\n");
   EXPECT_EQ(session.Wait(), 0) << session.all();

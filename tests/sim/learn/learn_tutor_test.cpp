@@ -29,8 +29,6 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
   std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
   {
     PtySession session(Learn({"--tutor"}));
-    ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
-    session.Send("\n");
     ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
     RawTutor tutor(In("moontrace/tutor-ann.sock"));
     ASSERT_TRUE(session.WaitFor("Tutor 1 is here")) << session.all();
@@ -76,7 +74,7 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
     EXPECT_TRUE(Hears(tutor, "Stays as it was: script"));
     tutor.Send("say after\n");
     EXPECT_TRUE(session.WaitFor("Tutor says: after")) << session.all();
-    EXPECT_EQ(session.all().find("going on", session.all().find("Stopped: no force")),
+    EXPECT_EQ(session.all().find("going on", session.all().find("Stopped. Say go")),
               std::string::npos);
     EXPECT_EQ(session.all().find("nine"), std::string::npos);
     EXPECT_EQ(session.all().find("Stays as it was"), std::string::npos);
@@ -103,8 +101,6 @@ TEST_F(LearnTutor, TakesTheTutorsStrokeFromADevice) {
   const FakeHid fake("moontrace-raw");
   const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
   PtySession session(Learn({"--tutor", "--device", name}));
-  ASSERT_TRUE(session.WaitFor("Keep the raw tracks")) << session.all();
-  session.Send("\n");
   ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
   RawTutor tutor(In("moontrace/tutor-ann.sock"));
   ASSERT_TRUE(session.WaitFor("Tutor 1 is here")) << session.all();

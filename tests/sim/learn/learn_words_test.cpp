@@ -85,6 +85,23 @@ TEST(LearnWords, AnyLineIsTheTextThatWasAskedForButStopQuitAndSlashes) {
   ExpectWord(Read("?", Asked::kText), LearnWord::kHelp);
 }
 
+TEST(LearnWords, FindTakesATextAndIsNoAnswer) {
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
+    for (const char* line : {"find the Cat", "/Find the Cat", "48 the Cat"}) {
+      if (line[0] == '4' && asked != Asked::kNothing) continue;  // digits are signs then
+      const LearnLine read = Read(line, asked);
+      EXPECT_EQ(read.kind, Kind::kPlace) << line;
+      EXPECT_EQ(read.place.word, PlaceWord::kFind) << line;
+      EXPECT_EQ(read.place.text, "the Cat") << line;
+    }
+    EXPECT_EQ(Read("find next", asked).place.word, PlaceWord::kFindNext);
+    EXPECT_EQ(Read("next line", asked).place.word, PlaceWord::kNextLine);
+    EXPECT_EQ(Read("return", asked).place.word, PlaceWord::kReturn);
+  }
+  EXPECT_EQ(Read("find n").place.text, "n");
+  ExpectWord(Read("f"), LearnWord::kFaster);
+}
+
 TEST(LearnWords, PractiseTakesASign) {
   for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
     const LearnLine read = Read("practise B", asked);

@@ -83,7 +83,7 @@ const std::pair<const char*, const char*> kPanel[] = {
     {"Right", "Width 110 percent"},        {"Right", "Embossed"},
     {"Right", "H has the form arc"},       {"Right", "Lines apart 110 percent"},
     {"Right", "Page tilted by 5 degrees"}, {"Right", "Paper sine"},
-    {"Return", "Stopped: no force."},      {"Return", "Going on"},
+    {"Return", "Stopped. Say go"},         {"Return", "Going on"},
     {"Return", "one page only"},           {"Return", "one page only"}};
 
 TEST_F(SlowViewByHand, EachControlOfThePanelIsSaidAndDone) {
@@ -160,15 +160,13 @@ TEST_F(SlowViewByHand, ADisplayThatIsLostIsOneLineAndTheLoopGoesOn) {
 
 TEST_F(SlowViewByHand, ThePanelIsTheTutorsInALesson) {
   session_ = std::make_unique<PtySession>(Learn({"--view"}));
-  ASSERT_TRUE(session_->WaitFor("Keep the raw tracks")) << session_->all();
-  session_->Send("\n");
   ASSERT_TRUE(session_->WaitFor("say next to go on.")) << session_->all();
   ASSERT_TRUE(Titled("Moontrace") && display_->MoveTo(700, 300));
   session_->Send("where\n");
   ASSERT_TRUE(Titled("[Ll]esson 1 of 2")) << session_->all();
   // help, mode, then the buttons: stop, pause, go, again, next, next lesson, show; size, depth
   ASSERT_TRUE(Keys({"Tab", "Tab", "Tab", "Return"}));
-  EXPECT_TRUE(session_->WaitFor("Stopped: no force")) << session_->all();
+  EXPECT_TRUE(session_->WaitFor("Stopped. Say go")) << session_->all();
   ASSERT_TRUE(Keys({"Tab", "Tab", "Return"}));
   EXPECT_TRUE(session_->WaitFor("Tutor: going on.")) << session_->all();
   ASSERT_TRUE(Keys({"Tab", "Tab", "Tab", "Tab", "Tab", "Right"}));
@@ -194,8 +192,6 @@ TEST_F(SlowViewByHand, NothingIsFeltOfAMouse) {
   session_ = std::make_unique<PtySession>(
       std::vector<std::string>{"learn", "--course", In("course"), "--records", In("records.sqlite"),
                                "--learner", "ann", "--device", "mouse", "--view"});
-  ASSERT_TRUE(session_->WaitFor("Keep the raw tracks")) << session_->all();
-  session_->Send("\n");
   EXPECT_TRUE(session_->WaitFor("Nothing is felt")) << session_->all();
   session_->Send("quit\n");
   EXPECT_EQ(session_->Wait(), 0);

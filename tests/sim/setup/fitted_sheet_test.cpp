@@ -40,6 +40,18 @@ TEST(FitSheet, TheTextLiesInTheMiddleAndFillsTheSheetButForItsMargins) {
   }
 }
 
+TEST(FitSheet, OnASheetThatWasNamedTheTextLiesInTheMiddleToo) {
+  const Script moon = FindScript("moon");
+  for (const char* text : {"a", "the moon", "i\ni\ni\ni"}) {
+    Typeset set = On(FindPage("a4"), text, moon);
+    CentreText(set, moon);
+    const Box after = TextOn(set, moon);
+    EXPECT_NEAR(after.min.x + after.max.x, 0.210, 1e-12) << text;
+    EXPECT_NEAR(after.min.y + after.max.y, 0.297, 1e-12) << text;
+    EXPECT_EQ(set.page.name, "a4");
+  }
+}
+
 TEST(FitSheet, ATextThatFillsItsSheetOrSeveralStaysWhereItIs) {
   const Script moon = FindScript("moon");
   std::string lines, pages;

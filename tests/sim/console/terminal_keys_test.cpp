@@ -1,4 +1,4 @@
-#include "sim/learn/terminal_keys.h"
+#include "sim/console/terminal_keys.h"
 
 #include <gtest/gtest.h>
 

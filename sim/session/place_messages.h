@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Sentences about places of a text and the way there.
+namespace moontrace::say {
+
+/// "12 mm right, 3 mm down", "under the tip". `way_P` [m].
+std::string Way(glm::dvec2 way_P);
+/// "bread, 2 of 5: page 2 of 3, line 1, 12 mm right." `what` empty: the line alone, of which it is
+/// the beginning. Page and line from 0; no way: it is not told.
+std::string PlaceIs(std::string_view what, std::size_t page, std::size_t pages, std::size_t line,
+                    std::optional<glm::dvec2> way_P);
+/// What stands at a place. `number` from 1.
+std::string Occurrence(std::string_view wanted, std::size_t number, std::size_t of);
+std::string HeadingIs(std::string_view line);
+std::string BackAt(std::string_view letter);
+
+std::string FindWhat();
+std::string NotInText(std::string_view wanted);
+std::string NowhereToReturn();
+std::string NoLineBehind();
+std::string NoHeadingBehind();
+/// An empty page.
+std::string NoPlaceHere();
+
+}  // namespace moontrace::say

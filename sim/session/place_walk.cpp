@@ -1,0 +1,206 @@
+#include "sim/session/place_walk.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "sim/session/place_messages.h"
+#include "textures/base/utf8.h"
+
+namespace moontrace {
+
+namespace {
+
+/// Of a letter, where a hand finds it: a little inside, half way up [em].
+constexpr glm::dvec2 kInLetter{0.25, 0.5};
+constexpr double kLedAt = 0.04;       ///< [m/s], as a calm hand goes from line to line; ours
+constexpr double kShortestWay = 0.5;  ///< [s]
+
+bool IsBlank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
+/// A text made ready for comparing, and the byte in the text for each of its own.
+struct Comparable {
+  std::string text;
+  std::vector<std::size_t> sources;
+};
+
+Comparable ComparableOf(std::string_view text) {
+  Comparable made;
+  for (std::size_t i = 0; i < text.size();) {
+    char32_t c = 0;
+    const std::size_t length = std::max<std::size_t>(1, Decode(text.substr(i), c));
+    std::string folded(text.substr(i, length));
+    if (IsBlank(text[i])) {
+      folded = made.text.empty() || made.text.back() == ' ' ? "" : " ";
+    } else if (length > 1 || (text[i] >= 'A' && text[i] <= 'Z')) {
+      folded = CaseFolded(folded);
+    }
+    made.text += folded;
+    made.sources.insert(made.sources.end(), folded.size(), i);
+    i += length;
+  }
+  return made;
+}
+
+/// A letter that stands on a page of a text.
+struct Standing {
+  std::size_t page = 0;
+  const PlacedGlyph* glyph = nullptr;
+};
+
+/// The first letter of a row behind (`page`, `line`) for which `fits` holds; a running head is no
+/// row of the text.
+template <typename Fits>
+std::optional<Standing> RowBehind(const TextSetup& text, std::size_t page, std::size_t line,
+                                  Fits fits) {
+  for (std::size_t at = page; at < text.set.pages.size(); ++at) {
+    for (const PlacedGlyph& glyph : text.set.pages[at].glyphs) {
+      const bool behind = at > page || glyph.line > line;
+      if (behind && glyph.kind != LineKind::kHead && fits(glyph)) return Standing{at, &glyph};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The line of the source that a byte stands in.
+std::string_view LineAround(std::string_view text, std::size_t source) {
+  const std::size_t end = std::min(text.find('\n', source), text.size());
+  const std::size_t begin = text.rfind('\n', source);
+  const std::size_t first = begin == std::string_view::npos || begin > source ? 0 : begin + 1;
+  return text.substr(first, end - first);
+}
+
+}  // namespace
+
+std::optional<PlaceCommand> PlaceCommandOf(std::string_view word, std::string_view behind) {
+  constexpr std::array<std::string_view, 5> kWords = {"find", "find next", "return", "next line",
+                                                      "next heading"};
+  const auto found = std::find(kWords.begin(), kWords.end(), word);
+  if (found == kWords.end()) return std::nullopt;
+  return PlaceCommand{static_cast<PlaceWord>(found - kWords.begin()), std::string(behind)};
+}
+
+std::vector<std::size_t> Occurrences(std::string_view text, std::string_view wanted) {
+  std::vector<std::size_t> found;
+  std::string sought = ComparableOf(wanted).text;
+  while (!sought.empty() && sought.back() == ' ') sought.pop_back();
+  if (sought.empty()) return found;
+  const Comparable all = ComparableOf(text);
+  std::size_t at = all.text.find(sought);
+  for (; at != std::string::npos; at = all.text.find(sought, at + sought.size())) {
+    found.push_back(all.sources[at]);
+  }
+  return found;
+}
+
+PlaceWalk::PlaceWalk(const LoopSession& session, Turn turn)
+    : session_(session), turn_(std::move(turn)) {}
+
+void PlaceWalk::ForgetOtherText() {
+  const std::string& text = session_.text().text;
+  if (text == text_) return;
+  text_ = text;
+  wanted_.clear();
+  found_.clear();
+  before_.reset();
+  target_.reset();
+}
+
+std::string PlaceWalk::Go(const PlaceCommand& command, const LoopSnapshot& now) {
+  ForgetOtherText();
+  const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
+  if (!here || session_.felt().blank) return say::NoPlaceHere();
+  const std::optional<LetterPlace> before = before_;
+  if (command.word != PlaceWord::kReturn && command.word != PlaceWord::kNextLine && !before_) {
+    before_ = here;
+  }
+  std::string refusal;
+  switch (command.word) {
+    case PlaceWord::kFind:
+      refusal = Find(command.text, here->source);
+      break;
+    case PlaceWord::kFindNext:
+      refusal = FindNext();
+      break;
+    case PlaceWord::kReturn:
+      return Return();
+    case PlaceWord::kNextLine:
+      return NextRow(false, now);
+    case PlaceWord::kNextHeading:
+      refusal = NextRow(true, now);
+      break;
+  }
+  if (!refusal.empty()) before_ = before;  // the hand has gone nowhere
+  return refusal;
+}
+
+std::string PlaceWalk::Find(const std::string& wanted, std::size_t here) {
+  if (wanted.empty()) return say::FindWhat();
+  std::vector<std::size_t> found = Occurrences(text_, wanted);
+  if (found.empty()) return say::NotInText(wanted);
+  found_ = std::move(found);
+  wanted_ = wanted;
+  const auto first = std::lower_bound(found_.begin(), found_.end(), here);
+  at_ = first == found_.end() ? 0 : static_cast<std::size_t>(first - found_.begin());
+  return GoTo({found_[at_], say::Occurrence(wanted_, at_ + 1, found_.size())});
+}
+
+std::string PlaceWalk::FindNext() {
+  if (found_.empty()) return say::FindWhat();
+  at_ = (at_ + 1) % found_.size();
+  return GoTo({found_[at_], say::Occurrence(wanted_, at_ + 1, found_.size())});
+}
+
+std::string PlaceWalk::Return() {
+  if (!before_) return say::NowhereToReturn();
+  const std::size_t source = std::exchange(before_, std::nullopt)->source;
+  const auto found = moontrace::Find(session_.text(), {source, kInLetter});
+  return GoTo({source, say::BackAt(found ? found->letter : "")});
+}
+
+std::string PlaceWalk::NextRow(bool heading, const LoopSnapshot& now) {
+  const FeltPage& felt = session_.felt();
+  const std::size_t line = LetterNear(felt, now.tip_P)->line;
+  const std::size_t here = LetterPlaceOf(felt, now.tip_P)->source;
+  const auto fits = [&](const PlacedGlyph& glyph) {
+    if (!heading) return true;
+    // a heading of two rows is one
+    const std::size_t length = glyph.source_begin - std::min(here, glyph.source_begin);
+    return glyph.kind == LineKind::kHeading &&
+           std::string_view(text_).substr(here, length).find('\n') != std::string_view::npos;
+  };
+  const auto row = RowBehind(session_.text(), felt.index, line, fits);
+  if (!row) return heading ? say::NoHeadingBehind() : say::NoLineBehind();
+  const std::size_t source = row->glyph->source_begin;
+  return GoTo({source, heading ? say::HeadingIs(LineAround(text_, source)) : ""});
+}
+
+std::string PlaceWalk::GoTo(Target target) {
+  const auto found = moontrace::Find(session_.text(), {target.source, kInLetter});
+  if (!found) return say::NoPlaceHere();
+  if (found->page != session_.felt().index) turn_(found->page);
+  target_ = std::move(target);
+  return {};
+}
+
+std::optional<PlaceWalk::Arrival> PlaceWalk::Arrived(const LoopSnapshot& now) {
+  if (!target_ || now.page != session_.felt().number) return std::nullopt;
+  const Target target = *std::exchange(target_, std::nullopt);
+  const auto found = moontrace::Find(session_.text(), {target.source, kInLetter});
+  if (session_.text().text != text_ || !found) return std::nullopt;
+  // the simulated hand goes its own way: from where it is now says nothing
+  std::optional<glm::dvec2> way_P;
+  if (!session_.device().simulated()) way_P = found->p_P - glm::dvec2(now.tip_P);
+  const std::size_t pages = session_.text().set.pages.size();
+  return Arrival{say::PlaceIs(target.what, found->page, pages, found->line, way_P), now.tip_P,
+                 found->p_P};
+}
+
+std::shared_ptr<const GuidancePath> PathTo(const PlaceWalk::Arrival& arrival, double width) {
+  const double way = glm::length(arrival.place_P - glm::dvec2(arrival.tip_P));
+  return MakeRecordedPath({0, std::max(kShortestWay, way / kLedAt)},
+                          {arrival.tip_P, glm::dvec3(arrival.place_P, arrival.tip_P.z)}, width);
+}
+
+}  // namespace moontrace

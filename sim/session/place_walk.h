@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/guide/guidance_path.h"
+#include "sim/loop/loop_types.h"
+#include "sim/session/felt_page.h"
+#include "sim/session/loop_session.h"
+
+namespace moontrace {
+
+/// Words that lead to another place of a text: the same in the loop, in a view and in a lesson.
+enum class PlaceWord : std::uint8_t { kFind, kFindNext, kReturn, kNextLine, kNextHeading };
+
+struct PlaceCommand {
+  PlaceWord word = PlaceWord::kFind;
+  std::string text = {};  ///< of kFind: what is looked for
+};
+/// Reads a word as the vocabulary has it, and what stands behind it. None: another word.
+std::optional<PlaceCommand> PlaceCommandOf(std::string_view word, std::string_view behind);
+
+/// Bytes of `text` where `wanted` begins, ascending, none within another. Capitals do not count,
+/// nor how many blanks and line ends stand between two words.
+std::vector<std::size_t> Occurrences(std::string_view text, std::string_view wanted);
+
+/// Leads from place to place in the text that a session lets be felt: turns to the page, then says
+/// the way there from the tip. Forgets all when another text lies there. One thread.
+class PlaceWalk {
+ public:
+  using Turn = std::function<void(std::size_t page)>;
+  /// `session` must outlive this; `turn` lets another page of its text be felt.
+  PlaceWalk(const LoopSession& session, Turn turn);
+
+  /// What is said at once: why there is no way. Empty: the way is said by Arrived. `now`: the
+  /// newest tick.
+  std::string Go(const PlaceCommand& command, const LoopSnapshot& now);
+
+  struct Arrival {
+    std::string sentence;       ///< what is there, and the way
+    glm::dvec3 tip_P{0, 0, 0};  ///< from where [m]
+    glm::dvec2 place_P{0, 0};   ///< [m]
+  };
+  /// Once, as soon as the page under the hand is that of the place.
+  std::optional<Arrival> Arrived(const LoopSnapshot& now);
+
+ private:
+  struct Target {
+    std::size_t source = 0;  ///< byte of the letter
+    std::string what;        ///< that it is, in words
+  };
+  std::string GoTo(Target target);
+  std::string Find(const std::string& wanted, std::size_t here);
+  std::string FindNext();
+  std::string Return();
+  std::string NextRow(bool heading, const LoopSnapshot& now);
+  void ForgetOtherText();
+
+  const LoopSession& session_;
+  Turn turn_;
+  std::string text_;    ///< that all below is of
+  std::string wanted_;  ///< as it was typed
+  std::vector<std::size_t> found_;
+  std::size_t at_ = 0;                 ///< of `found_`
+  std::optional<LetterPlace> before_;  ///< where the hand was before it went anywhere
+  std::optional<Target> target_;       ///< not yet told
+};
+
+/// Along the straight way to a place, for a hand that can be led: 40 mm a second. `width` [m] of
+/// the groove.
+std::shared_ptr<const GuidancePath> PathTo(const PlaceWalk::Arrival& arrival, double width);
+
+}  // namespace moontrace

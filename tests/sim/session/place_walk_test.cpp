@@ -1,0 +1,145 @@
+#include "sim/session/place_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "sim/session/place_messages.h"
+#include "tests/devices/fake_hid.h"
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+using Places = std::vector<std::size_t>;
+
+TEST(PlaceWalkText, IsFoundWithoutCapitalsAndAcrossLineEnds) {
+  EXPECT_EQ(Occurrences("The moon. MOON, moons", "moon"), (Places{4, 10, 16}));
+  EXPECT_EQ(Occurrences("full\n  moon, Full moon", "full moon"), (Places{0, 13}));
+  EXPECT_EQ(Occurrences("caf\xc3\x89 caf\xc3\xa9", "CAF\xc3\x89"), (Places{0, 6}));
+  EXPECT_EQ(Occurrences("aaaa", "aa"), (Places{0, 2}));
+  EXPECT_EQ(Occurrences("moon", "sun"), Places{});
+  EXPECT_EQ(Occurrences("moon", " \n"), Places{});
+  EXPECT_EQ(Occurrences("", "a"), Places{});
+  EXPECT_EQ(Occurrences("a\xff\xfe z", "z"), Places{4});  // broken bytes are no other letter's
+}
+
+TEST(PlaceWalkSentences, HaveTheirOutcomeFirst) {
+  EXPECT_EQ(say::PlaceIs("moon, 2 of 5", 1, 3, 0, glm::dvec2(0.012, -0.003)),
+            "moon, 2 of 5: page 2 of 3, line 1, 12 mm right, 3 mm down.");
+  EXPECT_EQ(say::PlaceIs("", 0, 1, 3, glm::dvec2(-0.02, 0)), "Line 4, 20 mm left.");
+  EXPECT_EQ(say::PlaceIs("", 0, 2, 0, glm::dvec2(0, 0)), "Page 1 of 2, line 1, under the tip.");
+}
+
+/// On a device whose tip a test puts where it likes: of two pages, whose letters are 12 mm high.
+class PlaceWalkTest : public ::testing::Test {
+ protected:
+  static SessionRequest Request() {
+    SessionRequest request;
+    request.text.text.text = "IT\nLOT\n# TOIL\nIT\nNOT IT";
+    request.text.style.structure = true;
+    request.text.style.size = 0.012;
+    request.live.device = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+    return request;
+  }
+  /// The tip rests at the corner of a letter, or off it by `off_P` [m].
+  LoopSnapshot At(std::size_t page, std::size_t glyph, glm::dvec2 off_P = {0, 0}) const {
+    LoopSnapshot now;
+    now.tip_P = glm::dvec3(Set(page).glyphs.at(glyph).origin_P + off_P, 0);
+    now.page = session_.felt().number;
+    return now;
+  }
+  const TextPage& Set(std::size_t page) const { return session_.text().set.pages.at(page); }
+  /// A word said with the tip there, which stays.
+  std::string Say(PlaceWord word, const std::string& text, LoopSnapshot now) {
+    const std::string refusal = walk_.Go({word, text}, now);
+    if (!refusal.empty()) return refusal;
+    now.page = session_.felt().number;
+    const auto arrival = walk_.Arrived(now);
+    EXPECT_FALSE(walk_.Arrived(now)) << "told twice";
+    if (!arrival) return "nothing was told";
+    place_P_ = arrival->place_P;
+    return arrival->sentence;
+  }
+
+  FakeHid fake_{"moontrace-raw"};
+  std::istringstream in_;
+  std::ostringstream out_, err_;
+  Console console_{in_, out_, err_};
+  LoopSession session_{Request(), console_};
+  std::vector<std::size_t> turned_;
+  PlaceWalk walk_{session_, [this](std::size_t page) {
+                    turned_.push_back(page);
+                    session_.TurnTo(page);
+                  }};
+  glm::dvec2 place_P_{0, 0};
+};
+
+TEST_F(PlaceWalkTest, FindsFromTheTipOnAndCounts) {
+  const std::size_t pages = session_.text().set.pages.size();
+  ASSERT_GT(pages, 1U);
+  // from the second letter of "LOT": the next IT stands behind the heading
+  std::string said = Say(PlaceWord::kFind, "it", At(0, 3));
+  EXPECT_EQ(said.rfind("it, 2 of 3: page ", 0), 0U) << said;
+  said = Say(PlaceWord::kFindNext, "", At(0, 0));
+  EXPECT_EQ(said.rfind("it, 3 of 3: page ", 0), 0U) << said;
+  EXPECT_EQ(session_.felt().index, pages - 1);  // the last word of the text
+  said = Say(PlaceWord::kFindNext, "", At(pages - 1, 0));
+  EXPECT_EQ(said.rfind("it, 1 of 3: page 1 of ", 0), 0U) << said;  // round again
+  EXPECT_EQ(session_.felt().index, 0U);
+  EXPECT_EQ(turned_.back(), 0U);
+}
+
+TEST_F(PlaceWalkTest, SaysTheWayFromTheTip) {
+  // I of "IT", found from 10 mm left of its corner and 4 mm nearer: its middle is half its height
+  // up, and a quarter of it to the right
+  const std::string said = Say(PlaceWord::kFind, "IT", At(0, 0, {-0.010, -0.004}));
+  EXPECT_NE(said.find(", line 1, 13 mm right, 10 mm up."), std::string::npos) << said;
+  EXPECT_NEAR(place_P_.x, Set(0).glyphs[0].origin_P.x + 0.003, 1e-9);
+  EXPECT_NEAR(place_P_.y, Set(0).glyphs[0].origin_P.y + 0.006, 1e-9);
+}
+
+TEST_F(PlaceWalkTest, ReturnsToWhereTheHandWasBeforeTheFirstFind) {
+  EXPECT_EQ(Say(PlaceWord::kReturn, "", At(0, 3)), say::NowhereToReturn());
+  EXPECT_EQ(Say(PlaceWord::kFind, "moon", At(0, 3)), say::NotInText("moon"));
+  EXPECT_EQ(Say(PlaceWord::kReturn, "", At(0, 3)), say::NowhereToReturn());
+  Say(PlaceWord::kFind, "not", At(0, 3));
+  Say(PlaceWord::kFind, "it", At(session_.felt().index, 0));
+  const std::string said = Say(PlaceWord::kReturn, "", At(session_.felt().index, 0));
+  EXPECT_EQ(said.rfind("Back at O: page 1 of ", 0), 0U) << said;  // the second letter of "LOT"
+  EXPECT_EQ(Say(PlaceWord::kReturn, "", At(0, 3)), say::NowhereToReturn());
+}
+
+TEST_F(PlaceWalkTest, GoesFromLineToLineAndToHeadings) {
+  std::string said = Say(PlaceWord::kNextLine, "", At(0, 1));
+  EXPECT_NE(said.find("ine 2, "), std::string::npos) << said;
+  said = Say(PlaceWord::kNextHeading, "", At(0, 0));
+  EXPECT_EQ(said.rfind("Heading TOIL: page ", 0), 0U) << said;
+  const std::size_t last = session_.text().set.pages.size() - 1;
+  session_.TurnTo(last);
+  const LoopSnapshot end = At(last, Set(last).glyphs.size() - 1);
+  EXPECT_EQ(Say(PlaceWord::kNextLine, "", end), say::NoLineBehind());
+  EXPECT_EQ(Say(PlaceWord::kNextHeading, "", end), say::NoHeadingBehind());
+}
+
+TEST_F(PlaceWalkTest, LeadsAtAnEvenPace) {
+  PlaceWalk::Arrival arrival;
+  arrival.place_P = {0.08, 0};
+  const auto path = PathTo(arrival, 0.001);
+  EXPECT_NEAR(path->times.back(), 2, 1e-9);  // 80 mm at 40 mm a second
+  EXPECT_NEAR(path->points.back().x, 0.08, 1e-9);
+}
+
+TEST(PlaceWords, AreObeyedInALoopAndEachIsAnswered) {
+  const Outcome outcome = RunLine({"loop", "MOON NOON", "--page", "60x40", "--size-mm", "20"},
+                                  "find noon\nfind next\nreturn\nfind\nfind x\nnext line\n"
+                                  "next heading\n48 moon\nwhere\nquit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* said : {"noon, 1 of 1: page ", "Back", "Say what to find: find moon.",
+                           "Not in this text: x.", "No heading further on.", "moon, 1 of 1: "}) {
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << said << outcome.out;
+  }
+}
+
+}  // namespace
+}  // namespace moontrace
