@@ -39,7 +39,6 @@ std::optional<std::string> Word(const TomlTable& table, const std::string& key) 
 }
 
 glm::dvec2 Position(const TomlTable& table, const std::string& key) {
-  if (!table.Has(key)) return {0, 0};
   const std::vector<double> at = table.Numbers(key);
   if (at.size() != 2) table.Fail(key, "not two numbers; write [x, y] in millimetres");
   if (std::max(std::abs(at[0]), std::abs(at[1])) > kGreatestAt) {
@@ -91,7 +90,40 @@ void ReadTexture(const TomlTable& table, Label& label) {
   label.texture_wavelength = Length(table, "texture_wavelength_mm");
 }
 
+/// Where on its geom, and how that answers.
+void ReadPlace(const TomlTable& table, Label& label) {
+  if (table.Has("at_mm") && table.Has("middle_mm")) {
+    table.Fail("middle_mm", "at_mm is there too; write one of them");
+  }
+  label.at_given = table.Has("at_mm");
+  if (label.at_given) label.at = Position(table, "at_mm");
+  if (table.Has("middle_mm")) label.middle = Position(table, "middle_mm");
+  if (table.Has("face")) {
+    label.face = FaceOf(table.String("face"));
+    if (!label.face) table.Fail("face", std::string("not one of ") + kFaceNames);
+    if (!label.middle && !label.at_given) label.middle = {0, 0};
+  }
+  if (table.Has("turn_deg")) {
+    label.turn = table.Number("turn_deg") * std::numbers::pi / 180;
+    if (!(std::abs(label.turn) <= 2 * std::numbers::pi)) {
+      table.Fail("turn_deg", "not from -360 to 360; write degrees to the left");
+    }
+  }
+  const auto within = [&](const std::string& key, double least, double most, const char* mend) {
+    if (!table.Has(key)) return std::optional<double>();
+    const double value = table.Number(key);
+    if (!(value >= least && value <= most)) table.Fail(key, mend);
+    return std::optional<double>(value);
+  };
+  label.stiffness = within("stiffness_n_per_m", 10, 1e5, "not from 10 to 100000; paper has 1000");
+  label.force_cap = within("force_cap_n", 0.05, 50, "not from 0.05 to 50; paper has 4");
+}
+
 }  // namespace
+
+std::string NameOf(const Label& label) {
+  return label.number == 0 ? label.geom : label.geom + ":" + std::to_string(label.number);
+}
 
 bool IsLabelName(const std::string& name) { return name.rfind(kLabelPrefix, 0) == 0; }
 
@@ -104,7 +136,7 @@ Label ParseLabel(const std::string& name, const std::string& data, const std::st
   }
   const TomlTable table = TomlTable::ParseInline(data, place);
   label.text = table.String("text", "");
-  label.at = Position(table, "at_mm");
+  ReadPlace(table, label);
   label.size = Length(table, "size_mm");
   label.width = Length(table, "width_mm");
   label.depth = Length(table, "depth_mm");

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "textures/objects/solid.h"
 #include "textures/typeset/style.h"
 
 namespace moontrace {
@@ -15,8 +16,16 @@ namespace moontrace {
 struct Label {
   std::string geom;
   int number = 0;
-  std::string text;     ///< may be empty: the program's text goes there
-  glm::dvec2 at{0, 0};  ///< the page's lower left corner in the geom's frame [m]
+  std::string text;  ///< may be empty: the program's text goes there
+  /// The page's lower left corner on the face, from its middle [m]: of a top face in the geom's own
+  /// frame.
+  glm::dvec2 at{0, 0};
+  bool at_given = false;
+  std::optional<glm::dvec2> middle;  ///< of the text, on the face [m]; then `at` does not count
+  std::optional<Face> face;          ///< none: UsualFace
+  double turn = 0;                   ///< of the page on the face, to the left [rad]
+  std::optional<double> stiffness;   ///< of the geom [N/m]
+  std::optional<double> force_cap;   ///< of the geom [N]
   std::optional<double> size, width, depth, rounding;  ///< [m]
   std::optional<bool> embossed;
   std::optional<std::string> script, h_form;
@@ -35,6 +44,8 @@ struct Label {
 /// What the name of a text begins with when the text is a label.
 inline constexpr std::string_view kLabelPrefix = "moontrace:";
 bool IsLabelName(const std::string& name);
+/// As people name it: GEOM, or GEOM:n for the further ones.
+std::string NameOf(const Label& label);
 
 /// Reads one label. `where` stands in messages. Throws InputError naming unknown keys with the
 /// nearest valid one.

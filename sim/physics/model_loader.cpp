@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
+#include "sim/physics/felt_object.h"
 #include "sim/physics/mjcf.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
@@ -62,7 +64,32 @@ std::string PlaceOf(const Label& label, const std::string& name) {
   return fmt::format("{}: label on '{}'", name, OneLine(label.geom));
 }
 
-/// The geom a label names, checked: it exists and has a flat page.
+std::string FacesOf(const Solid& solid) {
+  std::string faces;
+  for (const Face face : {Face::kTop, Face::kBottom, Face::kFront, Face::kBack, Face::kLeft,
+                          Face::kRight, Face::kRound}) {
+    if (!HasFace(solid, face)) continue;
+    faces += (faces.empty() ? "" : ", ") + std::string(NameOf(face));
+  }
+  return faces;
+}
+
+/// A page's corner lies on its face, with room beyond it. What the text needs is known later.
+void CheckAt(const Label& label, const Solid& solid, const std::string& place) {
+  const Face face = label.face.value_or(UsualFace(solid));
+  const Box room = RoomOn(solid, face);
+  const glm::dvec2 at = label.middle.value_or(label.at);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (axis == 0 && face == Face::kRound) continue;  // it may begin anywhere around
+    if (at[axis] >= room.min[axis] && at[axis] < room.max[axis]) continue;
+    throw InputError(
+        fmt::format("{}: {} lies outside the geom, from {:g} to {:g} mm along {}: move it in",
+                    place, label.middle ? "middle_mm" : "at_mm", 1e3 * room.min[axis],
+                    1e3 * room.max[axis], axis == 0 ? 'x' : 'y'));
+  }
+}
+
+/// The geom a label names, checked: it exists, has a chart and the face, and room at that place.
 int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
   const int geom = mj_name2id(&m, mjOBJ_GEOM, label.geom.c_str());
   const std::string place = PlaceOf(label, name);
@@ -72,44 +99,37 @@ int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
                      (nearest.empty() ? "name one of the model's geoms"
                                       : "did you mean '" + OneLine(nearest) + "'?"));
   }
-  const int type = m.geom_type[geom];
-  if (type != mjGEOM_PLANE && type != mjGEOM_BOX) {
-    throw InputError(place + ": labels on round geoms come later; use a plane or a box");
+  const std::optional<Solid> solid = SolidOf(m, geom);
+  if (!solid) {
+    throw InputError(place +
+                     ": a mesh or height field has no chart; put it on a plane, box, cylinder, "
+                     "sphere, capsule or ellipsoid");
   }
+  if (label.face && !HasFace(*solid, *label.face)) {
+    throw InputError(fmt::format("{}: that geom has no face {}; take {}", place,
+                                 NameOf(*label.face), FacesOf(*solid)));
+  }
+  CheckAt(label, *solid, place);
   return geom;
-}
-
-PagePlace FindPage(const mjModel& m, const Label& label, const std::string& name) {
-  PagePlace page;
-  page.geom = GeomOf(m, label, name);
-  page.body = m.geom_bodyid[page.geom];
-  page.moves = m.body_weldid[page.body] != 0;
-  const bool box = m.geom_type[page.geom] == mjGEOM_BOX;
-  page.origin_G = {label.at.x, label.at.y, box ? m.geom_size[3 * page.geom + 2] : 0.0};
-  for (int axis = 0; axis < 2; ++axis) {
-    // a plane's half size of zero means that it has no edge
-    const double half = m.geom_size[3 * page.geom + axis];
-    page.extent[axis] = half > 0 ? half - label.at[axis] : std::numeric_limits<double>::infinity();
-    if (half > 0 && !(std::abs(label.at[axis]) <= half && page.extent[axis] > 0)) {
-      throw InputError(
-          fmt::format("{}: at_mm lies outside the geom, from {:g} to {:g} mm along {}: move it in",
-                      PlaceOf(label, name), -1e3 * half, 1e3 * half, axis == 0 ? 'x' : 'y'));
-    }
-  }
-  return page;
 }
 
 /// Turns the geom about its own x axis through the page's origin, the far edge (+y) up. A body that
 /// can move keeps its inertia where it was, so its geom must not turn.
-void Tilt(mjModel& m, const PagePlace& page, double tilt, const std::string& place) {
+void Tilt(mjModel& m, const Label& label, int geom, double tilt, const std::string& place) {
   if (tilt == 0) return;
-  if (page.moves) {
+  const int body = m.geom_bodyid[geom];
+  if (m.body_weldid[body] != 0 || m.body_mocapid[m.body_rootid[body]] >= 0) {
     throw InputError(place + ": its body can move: tilt that in the model, not by --tilt-deg");
   }
-  mjtNum* pos = m.geom_pos + std::ptrdiff_t{3} * page.geom;
-  mjtNum* quat = m.geom_quat + std::ptrdiff_t{4} * page.geom;
+  const Solid solid = SolidOf(m, geom).value_or(Solid());
+  if (label.face.value_or(UsualFace(solid)) != Face::kTop) {
+    throw InputError(place + ": only a top face is tilted by --tilt-deg: tilt it in the model");
+  }
+  mjtNum* pos = m.geom_pos + std::ptrdiff_t{3} * geom;
+  mjtNum* quat = m.geom_quat + std::ptrdiff_t{4} * geom;
   const mjtNum turn[4] = {std::cos(tilt / 2), std::sin(tilt / 2), 0, 0};
-  const mjtNum origin_G[3] = {page.origin_G.x, page.origin_G.y, page.origin_G.z};
+  const glm::dvec3 origin = LabelChart(solid, PlaceOn(label, solid, {})).ToObject({0, 0, 0});
+  const mjtNum origin_G[3] = {origin.x, origin.y, origin.z};
   mjtNum tilted_G[3], before_B[3], after_B[3], tilted_quat[4];
   mju_rotVecQuat(before_B, origin_G, quat);
   mju_rotVecQuat(tilted_G, origin_G, turn);
@@ -117,7 +137,7 @@ void Tilt(mjModel& m, const PagePlace& page, double tilt, const std::string& pla
   for (int i = 0; i < 3; ++i) pos[i] += before_B[i] - after_B[i];
   mju_mulQuat(tilted_quat, quat, turn);
   mju_copy4(quat, tilted_quat);
-  m.geom_sameframe[page.geom] = 0;  // no longer its body's own frame
+  m.geom_sameframe[geom] = 0;  // no longer its body's own frame
 }
 
 /// True if joint `j` slides freely along the world's axis `axis`.
@@ -256,10 +276,19 @@ ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
   return proxy;
 }
 
+/// MuJoCo's solvers end when a step gains less than their tolerance by a scale, the mean inertia of
+/// all joints times their number. Without the proxy's it is what the model has by itself, so that
+/// its contacts are solved to the same bit.
+void HideFromSolvers(mjModel& m, const ProxyPlace& proxy) {
+  const double all = static_cast<double>(m.nv);
+  const double own = proxy.axis_mass.x + proxy.axis_mass.y + proxy.axis_mass.z;
+  if (m.nv > 3) m.stat.meaninertia = (m.stat.meaninertia * all - own) / all;
+}
+
 }  // namespace
 
 LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
-                      double tilt) {
+                      double tilt, std::size_t label) {
   LoadedModel loaded;
   const std::string proxy_xml = ReadTextFile(ResourcePath("models/proxy.xml"), kGreatestFile);
   const Mjcf mjcf = PrepareMjcf(xml, folder, name, proxy_xml);
@@ -270,20 +299,26 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
   loaded.xml = mjcf.xml;
   mjModel& m = *loaded.m;
   loaded.labels = ReadLabels(m, name);
-  for (const Label& label : loaded.labels) GeomOf(m, label, name);
-  if (loaded.labels.size() > 1) {
-    loaded.remarks.push_back(fmt::format("{} labels in the model: the first is felt, on '{}'",
-                                         loaded.labels.size(), loaded.labels.front().geom));
+  if (label >= loaded.labels.size()) {
+    throw InputError(fmt::format("{}: label {} of {}: count from 0; take one that is there", name,
+                                 label, loaded.labels.size()));
   }
-  loaded.page = FindPage(m, loaded.labels.front(), name);
-  Tilt(m, loaded.page, tilt, PlaceOf(loaded.labels.front(), name));
+  for (Label& each : loaded.labels) {
+    const Solid solid = SolidOf(m, GeomOf(m, each, name)).value_or(Solid());
+    const bool round = each.face.value_or(UsualFace(solid)) == Face::kRound;
+    if (round && !each.at_given && !each.middle) each.middle = {0, 0};
+  }
+  const Label& page = loaded.labels[label];
+  if (loaded.labels.size() > 1) {
+    loaded.remarks.push_back(fmt::format("{} labels in the model: the page is on '{}'",
+                                         loaded.labels.size(), OneLine(NameOf(page))));
+  }
+  Tilt(m, page, GeomOf(m, page, name), tilt, PlaceOf(page, name));
   loaded.proxy = FindProxy(m, name);
   if (KeepAwake(m)) {
     loaded.remarks.push_back("sleeping is turned off: forces on a sleeping body are lost");
   }
-  if (m.opt.integrator == mjINT_RK4) {
-    loaded.remarks.push_back("the model asks for RK4: here it is integrated by Euler");
-  }
+  HideFromSolvers(m, loaded.proxy);
   SkipIdleStages(m);
   return loaded;
 }

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "sim/physics/scene_impl.h"
@@ -38,21 +39,20 @@ void CheckFriction(const SceneOptions& options, double slope) {
 constexpr double kMovingPage = 0.04;
 
 /// Integration steps a tick so that h^2 k / m < 1 and h b / m < 1: well inside the semi-implicit
-/// integrator's stability, h^2 k / m + 2 h b / m < 4. `page_compliance` [1/kg]: PageCompliance.
-int StepsFor(const SceneOptions& options, const TextureField& field, double mass,
-             double page_compliance) {
+/// integrator's stability, h^2 k / m + 2 h b / m < 4. `surface` [N/m]: the greatest stiffness of
+/// what is touched; `compliance` [1/kg]: FeltObject::compliance.
+int StepsFor(const SceneOptions& options, double surface, double mass, double compliance) {
   const bool direct = options.rendering == Rendering::kDirect;
-  if (direct && page_compliance == 0) return 1;
-  const double page = GreatestStiffness(options.surface, field, options.surface.force_cap) +
-                      (options.friction > 0 ? options.presliding_stiffness : 0);
+  if (direct && compliance == 0) return 1;
+  const double page = surface + (options.friction > 0 ? options.presliding_stiffness : 0);
   const double own = direct ? 0 : 1 / mass;
   const double rate = (page + (direct ? 0 : options.coupling_stiffness)) * own;  // [1/s^2]
-  const double both = page * (own + page_compliance);
+  const double both = page * (own + compliance);
   const double damped = direct ? 0 : options.coupling_damping / mass;  // [1/s]
-  const int most = page_compliance > 0 ? kMostOfMoving : kMostSubsteps;
+  const int most = compliance > 0 ? kMostOfMoving : kMostSubsteps;
   for (int steps = 1; steps <= most; ++steps) {
     const double h = options.tick / steps;
-    const bool page_holds = page_compliance == 0 || h * h * both < kMovingPage;
+    const bool page_holds = compliance == 0 || h * h * both < kMovingPage;
     if (h * h * rate < 1 && h * damped < 1 && page_holds) return steps;
   }
   const double finest = options.tick / most;
@@ -60,44 +60,32 @@ int StepsFor(const SceneOptions& options, const TextureField& field, double mass
     throw InputError(fmt::format(
         "the page's body is too light: {:.3g} g where it gives way most, under {:.0f} N/m; make it "
         "heavier or round the letters more",
-        1000 / page_compliance, page));
+        1000 / compliance, page));
   }
   throw InputError(fmt::format(
       "too stiff: {:.0f} N/m, {:.0f} N s/m on {:.0f} g, over {} steps in {:g} ms: round it more",
       rate * mass, options.coupling_damping, 1000 * mass, most, 1000 * options.tick));
 }
 
-/// How readily the page's body gives way [1/kg]: the greatest velocity that a unit impulse on a
-/// corner of the page gives that corner, from J M^-1 J^T; at least its greatest eigenvalue, by its
-/// row sums. Zero for a page that rests. Constraints, which hold it back, do not count.
-double PageCompliance(const mjModel& m, mjData& d, const PagePlace& page) {
-  if (!page.moves) return 0;
-  const auto nv = static_cast<std::size_t>(m.nv);
-  std::vector<mjtNum> J(3 * nv), solved(3 * nv);
-  const mjtNum* half = m.geom_size + std::ptrdiff_t{3} * page.geom;
-  const mjtNum* p = d.geom_xpos + std::ptrdiff_t{3} * page.geom;
-  const mjtNum* R = d.geom_xmat + std::ptrdiff_t{9} * page.geom;
-  double greatest = 0;
-  for (const int corner : {0, 1, 2, 3}) {
-    const mjtNum corner_G[3] = {(corner & 1) != 0 ? half[0] : -half[0],
-                                (corner & 2) != 0 ? half[1] : -half[1], half[2]};
-    mjtNum corner_W[3];
-    mju_rotVecMat(corner_W, corner_G, R);
-    mju_addTo3(corner_W, p);
-    mj_jac(&m, &d, J.data(), nullptr, corner_W, page.body);
-    mj_solveM(&m, &d, solved.data(), J.data(), 3);
-    for (std::size_t row = 0; row < 3; ++row) {
-      double sum = 0;
-      for (std::size_t column = 0; column < 3; ++column) {
-        sum += std::abs(
-            std::inner_product(J.begin() + static_cast<std::ptrdiff_t>(row * nv),
-                               J.begin() + static_cast<std::ptrdiff_t>((row + 1) * nv),
-                               solved.begin() + static_cast<std::ptrdiff_t>(column * nv), 0.0));
-      }
-      greatest = std::max(greatest, sum);
+/// Of all objects, the page with `field` on it.
+int StepsFor(const SceneOptions& options, const std::vector<FeltObject>& objects,
+             std::size_t page_object, std::size_t page_number, const TextureField& field,
+             double mass) {
+  int steps = 1;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const FeltObject& object = objects[i];
+    std::vector<LabelOnSolid> labels = object.labels;
+    if (i == page_object) labels[page_number].field = &field;
+    const double shrink =
+        ShrinkAt(object.solid, ThroughDepthOn(object.solid, object.surface, labels));
+    for (const LabelOnSolid& label : labels) {
+      if (label.field == nullptr) continue;
+      CheckFriction(options, shrink * label.stretch * label.field->greatest_slope());
     }
+    const double stiffness = StiffnessOn(object.solid, object.surface, labels);
+    steps = std::max(steps, StepsFor(options, stiffness, mass, object.compliance));
   }
-  return greatest;
+  return steps;
 }
 
 /// Calls `visit(values, count)` for every array that a step starts from.
@@ -126,42 +114,84 @@ Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
     : loaded(std::move(loaded_model)),
       options(scene_options),
       d(MakeData(*loaded.m, name)),
-      caller_qfrc(static_cast<std::size_t>(loaded.m->nv), 0.0) {
+      caller_qfrc(static_cast<std::size_t>(loaded.m->nv), 0.0),
+      name_(name) {
   mjModel& m = *loaded.m;
   if (std::abs(m.opt.timestep - options.tick) > 1e-12) {
     loaded.remarks.push_back(fmt::format("time step: {:g} ms instead of the model's {:g} ms",
                                          1000 * options.tick, 1000 * m.opt.timestep));
   }
-  if ((m.opt.disableflags & mjDSBL_GRAVITY) == 0) {
-    lift_W = -loaded.proxy.weight_mass *
-             glm::dvec3(m.opt.gravity[0], m.opt.gravity[1], m.opt.gravity[2]);
-  }
-  mj_forward(loaded.m.get(), d.get());
-  page_compliance = PageCompliance(m, *d, loaded.page);
   SetOptions(scene_options);
 }
 
 void Scene::Impl::SetOptions(const SceneOptions& new_options) {
   const double tick = options.tick, tilt = options.tilt;
+  const std::size_t label = options.label;
   options = new_options;
   options.tick = tick;
   options.tilt = tilt;
+  options.label = label;
   coupling = {options.coupling_stiffness, options.coupling_damping};
+  mj_resetData(loaded.m.get(), d.get());
+  mj_forward(loaded.m.get(), d.get());
+  objects = FeltObjects(*loaded.m, *d, loaded.labels, options, name_);
+  FindPage();
   SetField(nullptr);
   Reset({0, 0, 0.02});
 }
 
+/// Which object carries the page, and how that lies on it.
+void Scene::Impl::FindPage() {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    for (std::size_t k = 0; k < objects[i].numbers.size(); ++k) {
+      if (objects[i].numbers[k] != options.label) continue;
+      page_object = i;
+      page_number = k;
+    }
+  }
+  reactions.assign(objects.size(), {0, 0, 0});
+  sides.assign(objects.size(), {});
+  touched = page_object;
+  page_only = objects.size() == 1 && page().IsPage();
+  const LabelChart& chart = page_label().chart;
+  flat = chart.place().face != Face::kRound;
+  X_GP = {};
+  if (!flat) return;
+  const glm::dvec3 origin = chart.ToObject({0, 0, 0});
+  const LabelChart::Point at = chart.At(origin);
+  X_GP = Pose{{at.dx_O, at.dy_O, glm::cross(at.dx_O, at.dy_O)}, origin};
+  turned = X_GP.R != glm::dmat3(1.0);
+}
+
 int Scene::Impl::CheckField(const TextureField* new_field) const {
-  const TextureField& next = new_field != nullptr ? *new_field : flat;
-  CheckFriction(options, next.greatest_slope());
-  return StepsFor(options, next, loaded.proxy.mass, page_compliance);
+  static const TextureField blank;
+  return StepsFor(options, objects, page_object, page_number,
+                  new_field != nullptr ? *new_field : blank, loaded.proxy.mass);
 }
 
 void Scene::Impl::SetField(const TextureField* new_field) {
-  substeps = CheckField(new_field);
-  field = new_field != nullptr ? new_field : &flat;
-  law = LawOf(options.surface, *field);
-  through_depth = ThroughDepth(options.surface, *field);
+  const int steps = CheckField(new_field);
+  objects[page_object].labels[page_number].field = new_field;
+  objects[page_object].Settle();
+  TakeSteps(steps);
+}
+
+void Scene::Impl::SetLabel(const LaidLabel& laid) {
+  for (FeltObject& object : objects) {
+    for (std::size_t k = 0; k < object.numbers.size(); ++k) {
+      if (object.numbers[k] != laid.label) continue;
+      object.labels[k] =
+          Lay(loaded.labels[laid.label], object.solid, laid.field.get(), laid.text_P);
+      object.Settle();
+    }
+  }
+  TakeSteps(CheckField(page_label().field));
+}
+
+void Scene::Impl::TakeSteps(int steps) {
+  substeps = steps;
+  free_substeps = StepsFor(options, 0, loaded.proxy.mass, 0);
+  steps_taken = 0;
   loaded.m->opt.timestep = options.tick / substeps;
   memory.stored_jumped = 1;
   remarks = loaded.remarks;
@@ -170,11 +200,26 @@ void Scene::Impl::SetField(const TextureField* new_field) {
   }
 }
 
+PagePoint Scene::Impl::PointOn(glm::dvec3 p_P) const noexcept {
+  const Pose X_WG = PoseOfGeom(*d, page().geom);
+  if (flat) {
+    const Pose X_WP = PoseOfPage({0, 0, 0});
+    return {ToWorld(X_WP, p_P), X_WP.R};
+  }
+  const LabelChart& chart = page_label().chart;
+  const glm::dvec3 p_O = chart.ToObject(p_P);
+  const LabelChart::Point at = chart.At(p_O);
+  const glm::dmat3 gradients(at.dx_O, at.dy_O, chart.Above(p_O).normal_O);
+  return {ToWorld(X_WG, p_O), X_WG.R * glm::transpose(glm::inverse(gradients))};
+}
+
 void Scene::Impl::Reset(glm::dvec3 tip_P) {
   mj_resetData(loaded.m.get(), d.get());
   mj_kinematics(loaded.m.get(), d.get());
   memory = TickMemory();
-  memory.tip_W = ToWorld(PoseOfPage(*d, loaded.page), tip_P);
+  touched = page_object;
+  std::fill(sides.begin(), sides.end(), Sides());
+  memory.tip_W = PointOn(tip_P).p_W;
   PlaceProxy(memory.tip_W, {0, 0, 0});
   if (loaded.proxy.handle_mocap >= 0) {
     for (int i = 0; i < 3; ++i) {
@@ -194,14 +239,16 @@ Scene Scene::Load(const std::string& model_path, const SceneOptions& options) {
   const bool shipped = model_path.empty();
   const std::string path = shipped ? ResourcePath("models/page.xml") : model_path;
   const std::string folder = std::filesystem::absolute(path).parent_path().string();
-  LoadedModel loaded = LoadModel(ReadTextFile(path, kGreatestModel), folder, path, options.tilt);
+  LoadedModel loaded =
+      LoadModel(ReadTextFile(path, kGreatestModel), folder, path, options.tilt, options.label);
   if (shipped) loaded.remarks.clear();  // what it lacks, it lacks on purpose
   return Scene(std::make_unique<Impl>(std::move(loaded), options, path));
 }
 
 Scene Scene::FromXml(const std::string& xml, const std::string& name, const SceneOptions& options) {
   Check(options);
-  return Scene(std::make_unique<Impl>(LoadModel(xml, "", name, options.tilt), options, name));
+  return Scene(
+      std::make_unique<Impl>(LoadModel(xml, "", name, options.tilt, options.label), options, name));
 }
 
 void Scene::SetOptions(const SceneOptions& options) {
@@ -209,6 +256,7 @@ void Scene::SetOptions(const SceneOptions& options) {
   impl_->SetOptions(options);
 }
 void Scene::SetField(const TextureField* field) { impl_->SetField(field); }
+void Scene::SetLabel(const LaidLabel& laid) { impl_->SetLabel(laid); }
 int Scene::CheckField(const TextureField* field) const { return impl_->CheckField(field); }
 void Scene::SwapField(const TextureField* field, int substeps) noexcept {
   impl_->SwapField(field, substeps);
@@ -220,9 +268,24 @@ TickResult Scene::Tick(const DeviceState& input, bool delivered) noexcept {
 void Scene::Reset(glm::dvec3 tip_P) { impl_->Reset(tip_P); }
 
 const std::vector<Label>& Scene::labels() const { return impl_->loaded.labels; }
-Pose Scene::X_WP() const { return PoseOfPage(*impl_->d, impl_->loaded.page); }
-glm::dvec2 Scene::page_extent() const { return impl_->loaded.page.extent; }
-bool Scene::page_moves() const { return impl_->loaded.page.moves; }
+const Label& Scene::page_label() const { return labels()[options().label]; }
+Pose Scene::X_WP() const { return impl_->PoseOfPage(impl_->memory.tip_W); }
+PagePoint Scene::PointOn(glm::dvec3 p_P) const noexcept { return impl_->PointOn(p_P); }
+bool Scene::page_is_flat() const { return impl_->flat; }
+bool Scene::page_goes() const { return impl_->page().moves; }
+bool Scene::page_falls() const { return impl_->page().free; }
+bool Scene::page_moves() const {
+  return std::any_of(impl_->objects.begin(), impl_->objects.end(),
+                     [](const FeltObject& object) { return object.moves; });
+}
+glm::dvec2 Scene::page_extent() const { return ExtentOf(page_label(), impl_->page().solid); }
+std::vector<Solid> Scene::solids() const {
+  std::vector<Solid> solids(labels().size());
+  for (const FeltObject& object : impl_->objects) {
+    for (const std::size_t number : object.numbers) solids[number] = object.solid;
+  }
+  return solids;
+}
 const SceneOptions& Scene::options() const { return impl_->options; }
 const std::string& Scene::model_xml() const { return impl_->loaded.xml; }
 const std::vector<std::string>& Scene::remarks() const { return impl_->remarks; }
@@ -232,7 +295,10 @@ double Scene::force_bound(const Movement& movement) const {
   if (page_moves()) return std::numeric_limits<double>::infinity();
   return ForceBound(options(), proxy_mass(), movement, substeps());
 }
-double Scene::carried_press() const { return CarriedPress(impl_->options.surface, *impl_->field); }
+double Scene::carried_press() const {
+  const FeltObject& page = impl_->page();
+  return CarriedPressOn(page.solid, page.surface, page.labels);
+}
 const mjModel_* Scene::model() const { return impl_->loaded.m.get(); }
 mjData_* Scene::data() { return impl_->d.get(); }
 
@@ -243,11 +309,17 @@ std::vector<double> Scene::State() const {
   });
   state.resize(state.size() + kMemoryDoubles);
   std::memcpy(state.data() + state.size() - kMemoryDoubles, &impl_->memory, sizeof(TickMemory));
+  if (impl_->page_only) return state;
+  state.push_back(static_cast<double>(impl_->touched));
+  for (const Sides& sides : impl_->sides) {
+    for (int i = 0; i < 3; ++i) state.push_back(sides.of[i]);
+  }
   return state;
 }
 
 void Scene::SetState(const std::vector<double>& state) {
-  std::size_t expected = kMemoryDoubles;
+  const std::size_t more = impl_->page_only ? 0 : 1 + 3 * impl_->sides.size();
+  std::size_t expected = kMemoryDoubles + more;
   VisitState(*impl_->loaded.m, *impl_->d,
              [&expected](const mjtNum*, std::size_t count) { expected += count; });
   if (state.size() != expected) {
@@ -260,6 +332,15 @@ void Scene::SetState(const std::vector<double>& state) {
     next += count;
   });
   std::memcpy(static_cast<void*>(&impl_->memory), next, sizeof(TickMemory));
+  if (more > 0) {
+    next += kMemoryDoubles;
+    const double kept = *next++;
+    const bool sound = kept >= 0 && kept < static_cast<double>(impl_->objects.size());
+    impl_->touched = sound ? static_cast<std::size_t>(kept) : impl_->page_object;
+    for (Sides& sides : impl_->sides) {
+      for (int i = 0; i < 3; ++i) sides.of[i] = *next++;
+    }
+  }
   mj_kinematics(impl_->loaded.m.get(), impl_->d.get());
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <glm/mat3x3.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +9,7 @@
 #include "devices/core/device.h"
 #include "sim/physics/coupling.h"
 #include "sim/physics/label.h"
+#include "sim/physics/label_place.h"
 #include "sim/physics/pose.h"
 #include "sim/physics/scene_options.h"
 #include "textures/field/field.h"
@@ -16,29 +19,40 @@ struct mjData_;
 
 namespace moontrace {
 
-/// A MuJoCo model that carries Moon: owns model and data, knows the textured plane geom, the proxy
-/// and the handle. One thread at a time; two scenes share nothing.
+/// A point over the page, in the world.
+struct PagePoint {
+  glm::dvec3 p_W{0, 0, 0};  ///< [m]
+  glm::dmat3 moves{1.0};    ///< columns: how it moves as x, y, z of P grow [m/m]
+};
+
+/// A MuJoCo model that carries Moon: owns model and data, knows the geoms with labels, the proxy
+/// and the handle. One of the labels is the page P; the tip feels all of them. One thread at a
+/// time; two scenes share nothing.
 class Scene {
  public:
   /// Loads an MJCF file; an empty path means the shipped `models/page.xml`. A model without a body
   /// named `moontrace_proxy` gets `models/proxy.xml` inserted. Throws InputError: the file does not
-  /// load, a label names no geom or one that is not a plane, no label at all, a proxy that is not
+  /// load, a label names no geom or one without a chart, no label at all, a proxy that is not
   /// three free slides that nothing else holds, a tilt of a page that can move, friction too high
-  /// for `greatest_slope` (mu * s_max >= 0.9), h^2 k_eff / m >= 1 even with 64 sub-steps (16 where
-  /// the page rests).
+  /// for the greatest slope (mu * s_max >= 0.9), h^2 k_eff / m >= 1 even with 64 sub-steps (16
+  /// where what carries labels rests).
   static Scene Load(const std::string& model_path, const SceneOptions& options);
   /// The same from MJCF text (a record's model.xml); `name` stands in messages.
   static Scene FromXml(const std::string& xml, const std::string& name,
                        const SceneOptions& options);
 
   /// Other options for the model that is loaded, which begins anew as Load leaves it: on flat
-  /// paper, the proxy above it. Tick and tilt are the model's own by now and stay. Throws
+  /// paper, the proxy above it. Tick, tilt and label are the model's own by now and stay. Throws
   /// InputError as Load; then the scene is of no more use.
   void SetOptions(const SceneOptions& options);
 
-  /// Sets what is felt from now on. Checks the bounds of Load against this field (so call it
-  /// outside the tick); `field` must outlive its use here.
+  /// Sets what is felt on the page from now on. Checks the bounds of Load against this field (so
+  /// call it outside the tick); `field` must outlive its use here.
   void SetField(const TextureField* field);
+
+  /// Sets what is felt on another label than the page; its field must outlive its use here. Outside
+  /// the tick. Throws as SetField.
+  void SetLabel(const LaidLabel& laid);
 
   /// What SetField checks, without setting anything: the sub-steps that a tick takes on this field
   /// (nullptr: flat paper). Any thread, also while another ticks.
@@ -60,22 +74,31 @@ class Scene {
   void Reset(glm::dvec3 tip_P);
 
   const std::vector<Label>& labels() const;  ///< of the model's <custom>, in order
-  Pose X_WP() const;                         ///< where the page lies now
-  /// From the page's origin to the far edges of its geom; infinite where it has none [m].
-  glm::dvec2 page_extent() const;
-  bool page_moves() const;  ///< its body or one that carries it has a joint: no force bound holds
+  const Label& page_label() const;           ///< that is the page P
+  /// Where the page lies now. A round one: where the plane lies that touches it below the tip, so
+  /// that near the tip P is as on paper, and at the tip exact.
+  Pose X_WP() const;
+  PagePoint PointOn(glm::dvec3 p_P) const noexcept;  ///< exact everywhere
+  glm::dvec2 page_extent() const;                    ///< ExtentOf (label_place.h) of the page [m]
+  std::vector<Solid> solids() const;                 ///< that the labels lie on, one for each
+  bool page_is_flat() const;
+  /// The page's own body can move: on joints or led, or quite freely.
+  bool page_goes() const;
+  bool page_falls() const;
+  /// Something that carries a label can move: no force bound holds.
+  bool page_moves() const;
   const SceneOptions& options() const;
   /// The MJCF that MuJoCo was given, number for number: includes expanded, proxy inserted, folders
   /// of meshes and textures absolute. What a record keeps. (MuJoCo's own saving rounds to six
   /// digits, which would end bit-equal replay.)
   const std::string& model_xml() const;
-  /// One-line remarks for the user (RK4 integrated by Euler, proxy inserted, sub-steps).
+  /// One-line remarks for the user (time step, proxy inserted, sub-steps).
   const std::vector<std::string>& remarks() const;
   int substeps() const;
   double proxy_mass() const;  ///< that the coupling moves [kg]
   /// ForceBound (coupling.h) of this scene [N]; infinite where the page moves.
   double force_bound(const Movement& movement = {}) const;
-  double carried_press() const;  ///< CarriedPress (surface.h) of the field that is felt [N]
+  double carried_press() const;  ///< CarriedPressOn (solid_contact.h) of the page [N]
 
   /// Everything a replay must start from: MuJoCo's integration state, coupling, friction, observer.
   std::vector<double> State() const;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <string>
 #include <type_traits>
 #include <vector>
 
 #include "sim/physics/coupling.h"
+#include "sim/physics/felt_object.h"
 #include "sim/physics/friction.h"
 #include "sim/physics/model_loader.h"
 #include "sim/physics/passivity.h"
@@ -34,10 +36,11 @@ struct StepForces {
   Pose X_WP;
   glm::dvec3 point_W{0, 0, 0};     ///< the proxy, or the tip when direct [m]
   glm::dvec3 velocity_W{0, 0, 0};  ///< of the proxy [m/s]
-  glm::dvec3 point_P{0, 0, 0};     ///< [m]
+  glm::dvec3 touch_T{0, 0, 0};     ///< the point, in the frame of what is touched [m]
   double depth = 0;                ///< Contact::depth [m]
-  double displacement = 0;         ///< of the texture there [m]
-  glm::dvec3 page_P{0, 0, 0};      ///< page's force, friction included [N]
+  double sunk = 0;                 ///< below the smooth surface that is touched [m]
+  double energy = 0;               ///< that what is touched holds, all of its force given [J]
+  glm::dvec3 page_P{0, 0, 0};      ///< force of what is touched, friction included [N]
   glm::dvec3 page_W{0, 0, 0};      ///< [N]
   glm::dvec3 pull_W{0, 0, 0};      ///< the coupling's on the proxy, zero when direct [N]
 };
@@ -57,26 +60,50 @@ struct Scene::Impl {
   glm::dvec3 ProxyPosition() const noexcept;
   glm::dvec3 ProxyVelocity() const noexcept;
   void PlaceProxy(glm::dvec3 p_W, glm::dvec3 v_W) noexcept;
+  void SetLabel(const LaidLabel& laid);
+
+  const FeltObject& page() const noexcept { return objects[page_object]; }
+  const LabelOnSolid& page_label() const noexcept { return page().labels[page_number]; }
+  /// The page's pose; of a round one, of the plane that touches it below `p_W`.
+  Pose PoseOfPage(glm::dvec3 p_W) const noexcept;
+  glm::dvec3 ToPage(const Pose& X_WP, glm::dvec3 p_W) const noexcept;
+  PagePoint PointOn(glm::dvec3 p_P) const noexcept;
 
   LoadedModel loaded;
   SceneOptions options;
   Coupling coupling;
   DataPtr d;
-  glm::dvec3 lift_W{0, 0, 0};  ///< carries the proxy's weight [N]
-  TextureField flat;
-  const TextureField* field = &flat;
-  int substeps = 1;
-  SurfaceLaw law;              ///< of options and field
-  double through_depth = 0;    ///< ThroughDepth of the field [m]
-  double page_compliance = 0;  ///< greatest velocity per impulse of the page's body [1/kg]
+  std::vector<FeltObject> objects;  ///< all that carry labels
+  std::size_t page_object = 0;      ///< that carries the page ...
+  std::size_t page_number = 0;      ///< ... as this one of its labels
+  bool page_only = true;            ///< there is nothing but a page on a plane
+  bool flat = true;                 ///< the page
+  bool turned = false;              ///< a flat page, on its geom
+  Pose X_GP;                        ///< of a flat page on its geom
+  int substeps = 1;                 ///< of a tick that touches
+  int free_substeps = 1;            ///< of one far from everything
+  int steps_taken = 0;              ///< that the time step of MuJoCo is set for; 0: for none
   std::vector<std::string> remarks;
-  std::vector<double> caller_qfrc;  ///< the caller's qfrc_applied while ours is added [nv]
+  std::vector<double> caller_qfrc;    ///< the caller's qfrc_applied while ours is added [nv]
+  std::vector<glm::dvec3> reactions;  ///< force on the tip of each object in this step [N]
   TickMemory memory;
+  // more of it, for models that are more than a page
+  std::size_t touched = 0;   ///< object that was touched last
+  std::vector<Sides> sides;  ///< of each object
 
  private:
+  std::string name_;  ///< of the model, in messages
+  void FindPage();
+  void TakeSteps(int steps);
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
-  double Observe(glm::dvec3 tip_W, const StepForces& step) noexcept;
+  void TouchPage(StepForces& step) noexcept;
+  void TouchObjects(StepForces& step) noexcept;
+  Pose FrameOf(std::size_t object, const Pose& X_WP) const noexcept;
+  double Observe(glm::dvec3 tip_W, const StepForces& step, std::size_t before) noexcept;
   void Integrate(const StepForces& step) noexcept;
+  void PushBack(const StepForces& step) noexcept;
+  void FinishStep() noexcept;
+  int StepsNow(glm::dvec3 tip_W) const noexcept;
   bool IsHeld(const StepForces& step) const noexcept;
   void WatchThrough(const StepForces& step, bool delivered) noexcept;
   void Idle() noexcept;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 
+#include "textures/field/piece.h"
 #include "textures/field/surface.h"
 
 namespace moontrace {
@@ -20,6 +22,8 @@ struct SceneOptions {
   double presliding_stiffness = 2000;  ///< of elastic friction [N/m]
   double tick = 0.001;                 ///< [s]
   double tilt = 0;                     ///< raises the page's far edge [rad]
+  std::size_t label = 0;               ///< of the model's, that is the page P
+  Box text_P{};  ///< what its text covers; where the label gives the text's middle, or is round
 };
 
 /// Throws InputError naming the first value that is not finite or out of its range.
@@ -33,6 +37,9 @@ struct TickResult {
   glm::dvec3 proxy_P{0, 0, 0};  ///< after the step [m]; the tip itself when direct
   glm::dvec3 force_P{0, 0, 0};  ///< to the device [N]
   glm::dvec3 force_W{0, 0, 0};  ///< the same in the world's frame, what Device::Write receives
+  /// Of that force about the world's origin [N m], mean over the tick, as it acts where the proxy
+  /// (tip when direct) is: proxy and touched bodies gain the opposite.
+  glm::dvec3 moment_W{0, 0, 0};
   glm::dvec3 page_force_P{0, 0,
                           0};  ///< the page's on the proxy (tip when direct), friction included [N]
   double depth = 0;  ///< of the proxy (tip) in the page [m], > 0 in contact; 0 while through

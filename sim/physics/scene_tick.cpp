@@ -44,7 +44,32 @@ class ResetWatch {
   double margin_;
 };
 
+/// The plane that touches a round label below a point: P as on paper there.
+Pose TouchingPose(const LabelChart& chart, const Pose& X_WO, glm::dvec3 p_W) noexcept {
+  const glm::dvec3 p_O = FromWorld(X_WO, p_W);
+  const LabelChart::Point at = chart.At(p_O);
+  const Nearest above = chart.Above(p_O);
+  const glm::dvec3 n = above.normal_O;
+  const glm::dvec3 x = glm::normalize(at.dx_O - glm::dot(at.dx_O, n) * n);
+  const glm::dmat3 R(x, glm::cross(n, x), n);
+  return {X_WO.R * R, p_W - X_WO.R * (R * glm::dvec3(at.p_P, above.height))};
+}
+
 }  // namespace
+
+Pose Scene::Impl::PoseOfPage(glm::dvec3 p_W) const noexcept {
+  const Pose X_WG = PoseOfGeom(*d, page().geom);
+  if (!flat) return TouchingPose(page_label().chart, X_WG, p_W);
+  if (!turned) return {X_WG.R, ToWorld(X_WG, X_GP.p)};
+  return {X_WG.R * X_GP.R, ToWorld(X_WG, X_GP.p)};
+}
+
+glm::dvec3 Scene::Impl::ToPage(const Pose& X_WP, glm::dvec3 p_W) const noexcept {
+  if (flat) return FromWorld(X_WP, p_W);
+  const LabelChart& chart = page_label().chart;
+  const glm::dvec3 p_O = FromWorld(PoseOfGeom(*d, page().geom), p_W);
+  return {chart.At(p_O).p_P, chart.Above(p_O).height};
+}
 
 glm::dvec3 Scene::Impl::ProxyPosition() const noexcept {
   const mjtNum* q = d->qpos + loaded.proxy.qpos;
@@ -67,8 +92,7 @@ void Scene::Impl::PlaceProxy(glm::dvec3 p_W, glm::dvec3 v_W) noexcept {
 /// Runs MuJoCo up to its forces and computes ours from the same moment: positions and velocities at
 /// the start of the step. The semi-implicit integrator that follows turns the springs' forces into
 /// velocity before it moves, which keeps their energy (it is symplectic); the device feels the
-/// pull of that same moment, so that what it is given is what the proxy gets. Each value is written
-/// once: clearing the struct first would cost a twentieth of the tick.
+/// pull of that same moment, so that what it is given is what the proxy gets.
 StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   const mjModel& m = *loaded.m;
   if (direct()) PlaceProxy(tip_W, v_W);
@@ -78,34 +102,90 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   }
   mj_step1(&m, d.get());
 
-  const Pose X_WP = PoseOfPage(*d, loaded.page);
-  const glm::dvec3 point_W = direct() ? tip_W : ProxyPosition();
-  const glm::dvec3 velocity_W = ProxyVelocity();
-  const glm::dvec3 point_P = FromWorld(X_WP, point_W);
-  const Contact contact = Touch(law, *field, point_P);
-  glm::dvec3 page_P = memory.page_share * contact.force_P;
-  if (options.friction > 0) {
-    const glm::dvec3 normal_P = NormalOf(contact.sample.gradient);
-    page_P += memory.friction.Advance(options.friction, options.presliding_stiffness, point_P,
-                                      normal_P, glm::dot(page_P, normal_P));
+  StepForces step;
+  step.point_W = direct() ? tip_W : ProxyPosition();
+  step.velocity_W = ProxyVelocity();
+  step.X_WP = PoseOfPage(step.point_W);
+  if (!direct()) step.pull_W = coupling.Pull(tip_W - step.point_W, v_W - step.velocity_W);
+  if (page_only) {
+    TouchPage(step);
+  } else {
+    TouchObjects(step);
   }
-  const glm::dvec3 pull_W =
-      direct() ? glm::dvec3(0) : coupling.Pull(tip_W - point_W, v_W - velocity_W);
-  return {.X_WP = X_WP,
-          .point_W = point_W,
-          .velocity_W = velocity_W,
-          .point_P = point_P,
-          .depth = contact.depth,
-          .displacement = contact.sample.displacement,
-          .page_P = page_P,
-          .page_W = TurnToWorld(X_WP, page_P),
-          .pull_W = pull_W};
+  return step;
 }
 
-/// The energy stored now [J].
-double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
-  double stored = memory.page_share * Potential(law, step.displacement, step.point_P.z) +
-                  memory.friction.Energy(options.presliding_stiffness);
+/// One page on a plane, in its own frame: the quick way.
+void Scene::Impl::TouchPage(StepForces& step) noexcept {
+  const glm::dvec3 point_P = FromWorld(step.X_WP, step.point_W);
+  static const TextureField blank;
+  const TextureField* field = page_label().field;
+  const SurfaceLaw& law = page().law;
+  const Contact contact = Touch(law, field != nullptr ? *field : blank, point_P);
+  step.page_P = memory.page_share * contact.force_P;
+  if (options.friction > 0) {
+    const glm::dvec3 normal_P = NormalOf(contact.sample.gradient);
+    step.page_P += memory.friction.Advance(options.friction, options.presliding_stiffness, point_P,
+                                           normal_P, glm::dot(step.page_P, normal_P));
+  }
+  step.touch_T = point_P;
+  step.depth = contact.depth;
+  step.sunk = -point_P.z;
+  step.energy = Potential(law, contact.sample.displacement, point_P.z);
+  step.page_W = reactions[0] = TurnToWorld(step.X_WP, step.page_P);
+}
+
+/// All objects that carry labels. The one that is touched deepest has the friction.
+void Scene::Impl::TouchObjects(StepForces& step) noexcept {
+  std::size_t deepest = touched;
+  SolidContact there;
+  Pose X_WO = PoseOfGeom(*d, objects[deepest].geom);
+  step.touch_T = FromWorld(X_WO, step.point_W);
+  step.depth = -1;
+  step.sunk = -1;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const FeltObject& object = objects[i];
+    reactions[i] = {0, 0, 0};
+    const Pose pose = PoseOfGeom(*d, object.geom);
+    const glm::dvec3 p_O = FromWorld(pose, step.point_W);
+    if (!(glm::dot(p_O, p_O) < object.reach * object.reach)) {
+      sides[i] = {};
+      continue;
+    }
+    Remember(object.solid, object.thin, p_O, sides[i]);
+    const SolidContact contact = TouchSolid(object.law, object.solid, object.labels, p_O, sides[i]);
+    step.energy += Potential(object.law, contact.displacement, contact.nearest.height);
+    reactions[i] = TurnToWorld(pose, memory.page_share * contact.force_O);
+    step.sunk = std::max(step.sunk, -contact.nearest.height);
+    if (contact.depth <= step.depth || contact.depth <= 0) continue;
+    step.depth = contact.depth;
+    deepest = i;
+    there = contact;
+    X_WO = pose;
+    step.touch_T = p_O;
+  }
+  if (deepest != touched) memory.friction = Friction();
+  touched = deepest;
+  if (options.friction > 0) {
+    const glm::dvec3 normal_O = glm::normalize(there.nearest.normal_O - there.gradient_O);
+    const double press = step.depth > 0 ? memory.page_share * glm::dot(there.force_O, normal_O) : 0;
+    reactions[touched] +=
+        TurnToWorld(X_WO, memory.friction.Advance(options.friction, options.presliding_stiffness,
+                                                  step.touch_T, normal_O, press));
+  }
+  for (const glm::dvec3& reaction : reactions) step.page_W += reaction;
+  step.page_P = TurnFromWorld(step.X_WP, step.page_W);
+}
+
+/// The frame of StepForces::touch_T.
+Pose Scene::Impl::FrameOf(std::size_t object, const Pose& X_WP) const noexcept {
+  return page_only ? X_WP : PoseOfGeom(*d, objects[object].geom);
+}
+
+/// The energy stored now [J]. `before`: what was touched in the tick before.
+double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step, std::size_t before) noexcept {
+  double stored =
+      memory.page_share * step.energy + memory.friction.Energy(options.presliding_stiffness);
   if (!direct()) {
     stored += coupling.Energy(tip_W - step.point_W) +
               0.5 * loaded.proxy.mass * glm::dot(step.velocity_W, step.velocity_W);
@@ -113,37 +193,85 @@ double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step) noexcept {
   if (memory.started == 0 || memory.stored_jumped != 0) {
     memory.observer.Rebase(stored);
   } else {
-    const glm::dvec3 page_travel = ToWorld(step.X_WP, memory.touch_P) - memory.touch_W;
+    const glm::dvec3 page_travel =
+        ToWorld(FrameOf(before, step.X_WP), memory.touch_P) - memory.touch_W;
     const double work = glm::dot(memory.device_force_W, tip_W - memory.tip_W) -
                         glm::dot(memory.page_force_W, page_travel);
     memory.observer.Add(work, stored);
   }
   memory.stored_jumped = 0;
-  memory.touch_P = step.point_P;
+  memory.touch_P = step.touch_T;
   memory.touch_W = step.point_W;
   return stored;
 }
 
 /// Adds our forces to the caller's qfrc_applied for one step, then restores its bits. The proxy's
 /// three slides are the world's axes: a force on it is its own generalized force, as mj_applyFT
-/// would find it. What the model's air and wind would do to the proxy, a thing that is not there,
-/// is taken back.
+/// would find it. Its weight, and what the model's air and wind would do to the proxy, a thing that
+/// is not there, are taken back. MuJoCo's solvers begin where the proxy will be: nothing of it is
+/// left to be solved among the model's own contacts.
 void Scene::Impl::Integrate(const StepForces& step) noexcept {
   const mjModel& m = *loaded.m;
   std::copy_n(d->qfrc_applied, caller_qfrc.size(), caller_qfrc.begin());
-  const glm::dvec3 on_proxy = direct() ? lift_W : lift_W + step.page_W + step.pull_W;
+  const glm::dvec3 on_proxy = direct() ? glm::dvec3(0) : step.page_W + step.pull_W;
+  const bool alone = m.nv == 3;
   for (int i = 0; i < 3; ++i) {
     const int dof = loaded.proxy.dof + i;
-    d->qfrc_applied[dof] += on_proxy[i] - d->qfrc_passive[dof];
+    d->qfrc_applied[dof] += on_proxy[i] + (d->qfrc_bias[dof] - d->qfrc_passive[dof]);
+    if (!alone) d->qacc_warmstart[dof] = on_proxy[i] / loaded.proxy.axis_mass[i];
   }
-  if (loaded.page.moves) {
-    const mjtNum reaction[3] = {-step.page_W.x, -step.page_W.y, -step.page_W.z};
+  PushBack(step);
+  FinishStep();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (reactions[i] == glm::dvec3(0) || !objects[i].floating.floats()) continue;
+    bool done = false;  // two objects on one body
+    for (std::size_t k = 0; k < i; ++k) {
+      done |= reactions[k] != glm::dvec3(0) && objects[k].floating.Is(objects[i].floating);
+    }
+    if (!done) objects[i].floating.End(m.opt.timestep, *d);
+  }
+  std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
+}
+
+/// MuJoCo's step from where mj_step1 left it. Its mj_step2 knows no RK4, so a model that asks for
+/// that is stepped whole, and the proxy, whose forces are held over the step, goes on as by Euler.
+void Scene::Impl::FinishStep() noexcept {
+  const mjModel& m = *loaded.m;
+  if (m.opt.integrator != mjINT_RK4) {
+    mj_step2(&m, d.get());
+    return;
+  }
+  const glm::dvec3 from_W = ProxyPosition();
+  mj_step(&m, d.get());
+  PlaceProxy(from_W + m.opt.timestep * ProxyVelocity(), ProxyVelocity());
+}
+
+/// Integration steps of this tick: where nothing is near that the page's stiffness could move, as
+/// few as the coupling needs, so that a model without touch goes as it would by itself.
+int Scene::Impl::StepsNow(glm::dvec3 tip_W) const noexcept {
+  if (substeps == 1 || loaded.m->nv == 3) return substeps;
+  const glm::dvec3 points_W[] = {tip_W, direct() ? tip_W : ProxyPosition()};
+  for (const FeltObject& object : objects) {
+    const Pose X_WO = PoseOfGeom(*d, object.geom);
+    for (const glm::dvec3& p_W : points_W) {
+      const double height = NearestOf(object.solid, FromWorld(X_WO, p_W)).height;
+      if (!(height > object.near)) return substeps;
+    }
+  }
+  return free_substeps;
+}
+
+/// The opposite of each force on the tip, where that acts, on what can be pushed.
+void Scene::Impl::PushBack(const StepForces& step) noexcept {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    FeltObject& object = objects[i];
+    if (!object.pushed || reactions[i] == glm::dvec3(0)) continue;
+    object.floating.Begin(*d);
+    const mjtNum reaction[3] = {-reactions[i].x, -reactions[i].y, -reactions[i].z};
     const mjtNum point[3] = {step.point_W.x, step.point_W.y, step.point_W.z};
     const mjtNum torque[3] = {0, 0, 0};
-    mj_applyFT(&m, d.get(), reaction, torque, point, loaded.page.body, d->qfrc_applied);
+    mj_applyFT(loaded.m.get(), d.get(), reaction, torque, point, object.body, d->qfrc_applied);
   }
-  mj_step2(&m, d.get());
-  std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
 }
 
 /// Whether something besides coupling and page moved the proxy in the step just taken.
@@ -159,13 +287,13 @@ bool Scene::Impl::IsHeld(const StepForces& step) const noexcept {
 /// page's force fades, its stored energy with it, until the proxy is above the page again. A proxy
 /// that begins there, or that came there without the page's whole force, is pushed up as ever.
 void Scene::Impl::WatchThrough(const StepForces& step, bool delivered) noexcept {
-  const bool deep = -step.point_P.z > through_depth;
+  const bool deep = step.sunk > objects[touched].through_depth;
   if (deep && memory.deep == 0 && delivered) memory.through = 1;
   memory.deep = deep ? 1 : 0;
   if (memory.through == 0) return;
   memory.stored_jumped = 1;  // what was stored is dropped, not handed out
   memory.page_share = std::max(0.0, memory.page_share - options.tick / kFadeTime);
-  if (step.depth > 0 || step.point_P.z < 0) return;
+  if (step.depth > 0 || step.sunk > 0) return;
   memory.through = 0;
   memory.page_share = 1;
 }
@@ -173,6 +301,9 @@ void Scene::Impl::WatchThrough(const StepForces& step, bool delivered) noexcept 
 /// Steps the rest of the world while the device gives nothing usable.
 void Scene::Impl::Idle() noexcept {
   StepForces none;
+  steps_taken = 0;
+  loaded.m->opt.timestep = options.tick / substeps;
+  std::fill(reactions.begin(), reactions.end(), glm::dvec3(0));
   for (int i = 0; i < substeps; ++i) {
     PlaceProxy(memory.tip_W, {0, 0, 0});
     mj_step1(loaded.m.get(), d.get());
@@ -182,10 +313,10 @@ void Scene::Impl::Idle() noexcept {
 }
 
 void Scene::Impl::SwapField(const TextureField* new_field, int new_substeps) noexcept {
-  field = new_field != nullptr ? new_field : &flat;
-  law = LawOf(options.surface, *field);
-  through_depth = ThroughDepth(options.surface, *field);
+  objects[page_object].labels[page_number].field = new_field;
+  objects[page_object].Settle();
   substeps = new_substeps;
+  steps_taken = 0;
   loaded.m->opt.timestep = options.tick / substeps;
   Restart();
 }
@@ -205,7 +336,7 @@ TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
   Restart();
   TickResult result;
   result.fault = true;
-  const glm::dvec3 tip_P = FromWorld(PoseOfPage(*d, loaded.page), tip_W);
+  const glm::dvec3 tip_P = ToPage(PoseOfPage(tip_W), tip_W);
   if (IsSane(tip_P, 1e300)) result.tip_P = result.proxy_P = tip_P;
   result.energy_out = memory.observer.energy_out();
   return result;
@@ -222,26 +353,38 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   // a proxy left where the tip was before a gap would be a wound-up spring
   if (memory.started == 0) PlaceProxy(tip_W, v_W);
 
-  const ResetWatch watch(*loaded.m, *d, substeps);
+  const int steps = StepsNow(tip_W);
+  if (steps != steps_taken) {
+    steps_taken = steps;
+    loaded.m->opt.timestep = options.tick / steps;
+  }
+  // Felt directly, the tip stays where it was read: so its force acts, on what it touches, at the
+  // place that is reported.
   const auto aim_W = [&](int i) noexcept {
-    return i == substeps ? tip_W : from_W + static_cast<double>(i) / substeps * (tip_W - from_W);
+    if (i == steps || direct()) return tip_W;
+    return from_W + static_cast<double>(i) / steps * (tip_W - from_W);
   };
+  const ResetWatch watch(*loaded.m, *d, steps);
+  const std::size_t before = touched;
   StepForces step = Compute(aim_W(1), v_W);
-  const double stored = Observe(tip_W, step);
+  const double stored = Observe(tip_W, step, before);
   Integrate(step);
   bool held = IsHeld(step);
   glm::dvec3 pull_W = step.pull_W;
   glm::dvec3 page_W = step.page_W;
-  for (int i = 2; i <= substeps; ++i) {
+  glm::dvec3 moment_W = glm::cross(step.point_W, direct() ? step.page_W : step.pull_W);
+  for (int i = 2; i <= steps; ++i) {
     step = Compute(aim_W(i), v_W);
     Integrate(step);
     held |= IsHeld(step);
     pull_W += step.pull_W;
     page_W += step.page_W;
+    moment_W += glm::cross(step.point_W, direct() ? step.page_W : step.pull_W);
   }
-  if (substeps > 1) {
-    pull_W *= 1.0 / substeps;
-    page_W *= 1.0 / substeps;
+  if (steps > 1) {
+    pull_W *= 1.0 / steps;
+    page_W *= 1.0 / steps;
+    moment_W *= 1.0 / steps;
   }
 
   // through the paper not even the proxy's own weight is dragged along
@@ -261,12 +404,13 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   memory.device_force_W = force_W;
   memory.page_force_W = page_W;
   const bool through = memory.through != 0;
-  return {.tip_P = FromWorld(step.X_WP, tip_W),
+  return {.tip_P = ToPage(step.X_WP, tip_W),
           .v_P = input.velocity_known ? TurnFromWorld(step.X_WP, v_W) : glm::dvec3(0),
           .velocity_known = input.velocity_known,
-          .proxy_P = FromWorld(step.X_WP, ProxyPosition()),
+          .proxy_P = ToPage(step.X_WP, ProxyPosition()),
           .force_P = TurnFromWorld(step.X_WP, force_W),
           .force_W = force_W,
+          .moment_W = direct() ? moment_W : -memory.page_share * moment_W,
           .page_force_P = step.page_P,
           .depth = through ? 0 : step.depth,
           .energy_out = memory.observer.energy_out(),

@@ -266,6 +266,14 @@ glm::dvec3 LabelChart::ToObject(glm::dvec3 p_P) const noexcept {
   return FromFace(place_.on_face + Turned(from_middle, c_, s_), p_P.z);
 }
 
+Nearest LabelChart::Above(glm::dvec3 p_O) const noexcept {
+  if (place_.face != Face::kRound) {
+    return {place_.face, glm::dot(p_O, own_[2]) - HeightOf(solid_, place_.face), own_[2]};
+  }
+  if (solid_.kind != SolidKind::kCylinder) return NearestOf(solid_, p_O);
+  return NearestOf({SolidKind::kSphere, solid_.half}, {p_O.x, p_O.y, 0});  // its side alone
+}
+
 Box RoomOn(const Solid& solid, Face face) noexcept {
   constexpr double kNoEdge = std::numeric_limits<double>::infinity();
   glm::dvec2 half(kNoEdge, kNoEdge);

@@ -64,6 +64,10 @@ class LabelChart {
   /// The point of space over a page's point; inverse of At and NearestOf down to GreatestDepth.
   glm::dvec3 ToObject(glm::dvec3 p_P) const noexcept;
 
+  /// Height of a point above the label's own face, which goes on beyond its edges, and the normal
+  /// there: what the z of P is.
+  Nearest Above(glm::dvec3 p_O) const noexcept;
+
   const LabelPlace& place() const noexcept { return place_; }
 
  private:

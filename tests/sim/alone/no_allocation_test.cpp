@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "sim/loop/button.h"
 #include "sim/safety/safety.h"
@@ -54,6 +56,32 @@ TEST(NoAllocation, InAnyTick) {
       scene.SetField(&field);
       EXPECT_EQ(AllocationsOf(scene), 0);
     }
+  }
+}
+
+TEST(NoAllocation, OnLabelsOfEveryKindThatFloat) {
+  std::string labels, bodies;
+  const char* kinds[] = {"type='box' size='0.02 0.02 0.001'", "type='sphere' size='0.02'",
+                         "type='cylinder' size='0.02 0.02'", "type='capsule' size='0.02 0.01'",
+                         "type='ellipsoid' size='0.03 0.02 0.015'"};
+  char letter = 'a';
+  for (const char* kind : kinds) {
+    const std::string name(1, letter++);
+    labels += "<text name='moontrace:" + name + "' data='{}'/>";
+    bodies += "<body><freejoint/><geom name='" + name +
+              "' mass='0.3' contype='0' conaffinity='0' " + kind + "/></body>";
+  }
+  const std::string xml = "<mujoco><option gravity='0 0 0'/><custom>" + labels +
+                          "</custom><worldbody>" + bodies + "</worldbody></mujoco>";
+  const auto field = std::make_shared<const TextureField>(GrooveAlongY());
+  for (const Rendering rendering : {Rendering::kProxy, Rendering::kDirect}) {
+    SceneOptions options;
+    options.rendering = rendering;
+    options.friction = 0.2;
+    Scene scene = Scene::FromXml(xml, "all", options);
+    for (std::size_t i = 1; i < scene.labels().size(); ++i) scene.SetLabel({i, field, {}});
+    scene.SetField(field.get());
+    EXPECT_EQ(AllocationsOf(scene), 0);
   }
 }
 

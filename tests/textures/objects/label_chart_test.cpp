@@ -65,8 +65,17 @@ TEST(LabelChart, ThereAndBackIsTheSamePoint) {
       EXPECT_EQ(nearest.face, place.face);
       EXPECT_NEAR(nearest.height, p_P.z, 1e-12);
       EXPECT_NEAR(glm::distance(chart.At(p_O).p_P, glm::dvec2(p_P)), 0, 1e-12);
+      EXPECT_NEAR(chart.Above(p_O).height, p_P.z, 1e-12);
+      EXPECT_NEAR(glm::distance(chart.Above(p_O).normal_O, nearest.normal_O), 0, 1e-12);
     }
   }
+}
+
+TEST(LabelChart, ItsFaceGoesOnBeyondItsEdges) {
+  const LabelChart side(kCylinder, {Face::kRound, {0, 0}, {0, 0}, 0});
+  EXPECT_NEAR(side.Above({0, -0.031, 0.07}).height, 0.001, 1e-15);
+  const LabelChart front(kBox, {Face::kFront, {0, 0}, {0, 0}, 0});
+  EXPECT_NEAR(front.Above({0.2, -0.019, 0}).height, -0.001, 1e-15);
 }
 
 TEST(LabelChart, ReadsFromLeftToRightFromOutside) {
