@@ -23,13 +23,21 @@ class Sheet {
   glm::dvec2 ToPage(glm::dvec2 p) const noexcept {
     return start_P_ + glm::dvec2(c_ * p.x + s_ * p.y, c_ * p.y - s_ * p.x);
   }
+  /// The page is round or moves, and the hand goes along: its coordinates are the page's, wherever
+  /// that is. `scene` outlives this.
+  void GoAlong(const Scene* scene) noexcept { scene_ = scene; }
   glm::dvec3 ToWorldFrame(glm::dvec3 p) const noexcept {
-    return ToWorld(X_WP_, {ToPage(glm::dvec2(p)), p.z});
+    const glm::dvec3 p_P(ToPage(glm::dvec2(p)), p.z);
+    return scene_ != nullptr ? scene_->PointOn(p_P).p_W : ToWorld(X_WP_, p_P);
   }
-  glm::dvec3 ToPageFrame(glm::dvec3 f_W) const noexcept { return TurnFromWorld(X_WP_, f_W); }
+  /// The force on a hand at `p`: its work is the same in both coordinates.
+  glm::dvec3 ToPageFrame(glm::dvec3 f_W, glm::dvec3 p) const noexcept {
+    if (scene_ == nullptr) return TurnFromWorld(X_WP_, f_W);
+    return f_W * scene_->PointOn({ToPage(glm::dvec2(p)), p.z}).moves;
+  }
   /// A place in the world, as the hand has it.
   glm::dvec3 FromWorldFrame(glm::dvec3 p_W) const noexcept {
-    const glm::dvec3 p_P = FromWorld(X_WP_, p_W);
+    const glm::dvec3 p_P = FromWorld(scene_ != nullptr ? scene_->X_WP() : X_WP_, p_W);
     return ToHandFrame({p_P.x - start_P_.x, p_P.y - start_P_.y, p_P.z});
   }
   glm::dvec3 ToHandFrame(glm::dvec3 f_P) const noexcept {
@@ -38,6 +46,7 @@ class Sheet {
 
  private:
   Pose X_WP_;
+  const Scene* scene_ = nullptr;
   glm::dvec2 start_P_;
   double c_, s_;
 };
@@ -50,14 +59,17 @@ class StylusOnSheet final : public Device {
   DeviceLimits Limits() const noexcept override { return stylus_.Limits(); }
   DeviceStatus Read(DeviceState& state) noexcept override {
     const DeviceStatus status = stylus_.Read(state);
-    state.p_D = sheet_.ToWorldFrame(state.p_D);
+    p_ = state.p_D;
+    state.p_D = sheet_.ToWorldFrame(p_);
     return status;
   }
   DeviceStatus Write(glm::dvec3 f_W) noexcept override {
-    return stylus_.Write(sheet_.ToHandFrame(sheet_.ToPageFrame(f_W)));
+    return stylus_.Write(sheet_.ToHandFrame(sheet_.ToPageFrame(f_W, p_)));
   }
+  glm::dvec3 p() const noexcept { return p_; }  ///< where it was read last, in its own frame [m]
 
  private:
+  glm::dvec3 p_{0, 0, 0};
   LedStylus stylus_;
   Sheet sheet_;
 };
@@ -115,7 +127,10 @@ ReadingResult RunReading(const ReadingSetup& setup) {
   Scene scene = Scene::Load(setup.model_path, setup.scene);
   if (setup.device) scene.SetOptions(HeldOn(*setup.device, setup.scene, scene.proxy_mass()));
   scene.SetField(setup.field);
-  const Sheet sheet(scene.X_WP(), setup.start_P, setup.page_turn);
+  for (const LaidLabel& other : setup.others) scene.SetLabel(other);
+  const bool on_page = !scene.page_is_flat() || (scene.page_goes() && !scene.page_falls());
+  Sheet sheet(scene.X_WP(), setup.start_P, setup.page_turn);
+  if (on_page) sheet.GoAlong(&scene);
   const double tick = setup.scene.tick;
   const glm::dvec3 start{0, 0, kApproach};
   HandModel hand = setup.hand;
@@ -143,7 +158,7 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     const DeviceState input = device.Read(scene, n > 0 ? &felt : nullptr, *setup.field);
     felt = scene.Tick(input);
     device.Write(felt.force_W, felt.stored);
-    const glm::dvec3 force_P = sheet.ToPageFrame(device.Given(felt.force_W));
+    const glm::dvec3 force_P = sheet.ToPageFrame(device.Given(felt.force_W), stylus.p());
     ReaderInput now{input.time, sheet.FromWorldFrame(device.reported_W()),
                     sheet.ToHandFrame(force_P)};
     now.tip += glm::dvec3(unsure.Next(), 0);

@@ -13,6 +13,7 @@
 #include "devices/core/profile.h"
 #include "devices/hand/hand.h"
 #include "devices/hand/led_stylus.h"
+#include "sim/physics/label_place.h"
 #include "sim/physics/scene_options.h"
 #include "sim/reader/reader.h"
 #include "sim/reading/reading_score.h"
@@ -35,6 +36,7 @@ struct ReadingSetup {
   const TextPage* page = nullptr;       ///< must outlive the run; the reader never sees it
   const TextureField* field = nullptr;  ///< of that page, or of another paper; must outlive the run
   std::string model_path;               ///< MJCF; empty = the shipped page
+  std::vector<LaidLabel> others;        ///< labels of the model beside the page
   SceneOptions scene;
   HandModel hand;
   Muscle muscle;

@@ -43,6 +43,7 @@ HandOnDevice::HandOnDevice(std::unique_ptr<Device> hand, const Setup& setup, con
       stylus_(std::move(hand)),
       limits_(rounded_ ? LimitsOf(*setup.profile, setup.tick) : stylus_->Limits()),
       X_WP_(X_WP),
+      on_page_(setup.on_page),
       press_(setup.press),
       tip_(limits_) {
   if (!rounded_) return;
@@ -76,10 +77,22 @@ DeviceState HandOnDevice::ReadRounded(double time) noexcept {
   return tip;
 }
 
+/// From the page's coordinates to the world; the plane that touches the page there is the page for
+/// what the device lacks.
+void HandOnDevice::GoAlong(const Scene& scene, DeviceState& tip) noexcept {
+  const PagePoint point = scene.PointOn(tip.p_D);
+  moves_ = point.moves;
+  const glm::dvec3 up = glm::normalize(moves_[2]), along = glm::normalize(moves_[0]);
+  X_WP_.R = glm::dmat3(along, glm::cross(up, along), up);
+  X_WP_.p = point.p_W - X_WP_.R * tip.p_D;
+  tip.p_D = point.p_W;
+}
+
 DeviceState HandOnDevice::Read(const Scene& scene, const TickResult* last,
                                const TextureField& field) noexcept {
   DeviceState tip;
   stylus_->Read(tip);
+  if (on_page_) GoAlong(scene, tip);
   p_W_ = tip.p_D;
   const glm::dvec3 from_W = way_W_;
   way_W_ = p_W_;
@@ -115,7 +128,8 @@ void HandOnDevice::Write(glm::dvec3 force_W, double stored) noexcept {
   late_[static_cast<std::size_t>(ticks_) % late_.size()] = taken_;
   felt_ = late_[static_cast<std::size_t>(ticks_ + 1) % late_.size()];
   const bool carried = rounded_ && !limits_.measures.z;
-  stylus_->Write(carried ? Given(felt_) + Support() : Given(felt_));
+  const glm::dvec3 acting_W = carried ? Given(felt_) + Support() : Given(felt_);
+  stylus_->Write(on_page_ ? acting_W * moves_ : acting_W);  // work is the same in both coordinates
   ++ticks_;
 }
 

@@ -25,12 +25,15 @@ class HandOnDevice {
  public:
   struct Setup {
     HandModel hand;
-    HandPath path;  ///< in the world's frame
+    HandPath path;  ///< in the world's frame, or the page's
     double tick = 0.001;
     std::uint64_t seed = 1;                  ///< of tremor and drift
     const DeviceProfile* profile = nullptr;  ///< copied; null: exact
     /// Of a device without height: what presses while the hand is down [N].
     double press = 1;
+    /// The path is in P, of a page that moves or is round: the hand goes along with the page under
+    /// it, as one does who holds on. Then its mass and springs act in coordinates of the page.
+    bool on_page = false;
   };
   /// The simulated stylus. Throws std::invalid_argument as MakeSimulatedStylus.
   HandOnDevice(const Setup& setup, const Pose& X_WP);
@@ -61,6 +64,7 @@ class HandOnDevice {
  private:
   DeviceState ReadRounded(double time) noexcept;
   glm::dvec3 Support() noexcept;
+  void GoAlong(const Scene& scene, DeviceState& tip) noexcept;
 
   double tick_;
   bool rounded_;                  ///< a profile was given
@@ -68,6 +72,8 @@ class HandOnDevice {
   std::unique_ptr<Device> stylus_;
   DeviceLimits limits_;
   Pose X_WP_;
+  bool on_page_;
+  glm::dmat3 moves_{1.0};  ///< PagePoint::moves, on the page
   double press_;
   double step_ = 0;  ///< [m]
   long period_ = 1;  ///< [ticks]

@@ -73,15 +73,16 @@ struct Record {
 Record ReadRecord(const std::string& folder, bool tolerant = false);
 
 /// Runs the recorded inputs through a scene again, with the push that was recorded within the
-/// forces (nullptr: none). `first_difference` is the first tick whose
-/// outputs are not equal to the bit, or rows.size(). Throws InputError: `field` is not the recorded
-/// one (hash), the model does not load, the state is another program's.
+/// forces (nullptr: none), and with the model's other labels. `first_difference` is the first tick
+/// whose outputs are not equal to the bit, or rows.size(). Throws InputError: `field` is not the
+/// recorded one (hash), the model does not load, the state is another program's.
 struct ReplayResult {
   std::size_t ticks = 0;
   std::size_t first_difference = 0;
   std::string column;  ///< first that differs, by its name in samples.f64
 };
 ReplayResult Replay(const Record& record, const TextureField& field,
-                    const GuidancePlan* push = nullptr, const TickWatch& watch = {});
+                    const GuidancePlan* push = nullptr, const TickWatch& watch = {},
+                    const std::vector<LaidLabel>& others = {});
 
 }  // namespace moontrace

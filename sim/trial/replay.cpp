@@ -24,13 +24,14 @@ std::size_t FirstDifference(const RecordColumns& a, const RecordColumns& b) noex
 }  // namespace
 
 ReplayResult Replay(const Record& record, const TextureField& field, const GuidancePlan* push,
-                    const TickWatch& watch) {
+                    const TickWatch& watch, const std::vector<LaidLabel>& others) {
   if (field.Hash() != record.head.field_hash) {
     throw InputError(fmt::format("record: page digest {} here, {} recorded: use the script of then",
                                  ToHex(field.Hash()), ToHex(record.head.field_hash)));
   }
   Scene scene = Scene::FromXml(record.model_xml, "the record's model.xml", record.options);
   scene.SetField(&field);
+  for (const LaidLabel& other : others) scene.SetLabel(other);
   const std::size_t state_size = scene.State().size();
   if (record.state.size() != state_size) {
     throw InputError(

@@ -190,14 +190,18 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   Scene scene = Scene::Load(setup.model_path, setup.scene);
   if (setup.device) scene.SetOptions(HeldOn(*setup.device, setup.scene, scene.proxy_mass()));
   scene.SetField(field.get());
+  for (const LaidLabel& other : setup.others) scene.SetLabel(other);
   const std::vector<IntendedStroke> strokes =
       IntendedStrokes(*setup.page, *setup.script, setup.style);
-  const Pose X_WP = scene.X_WP();
+  // a hand follows what hangs on a joint, not what falls
+  const bool on_page = !scene.page_is_flat() || (scene.page_goes() && !scene.page_falls());
+  const Pose X_WP = on_page ? Pose() : scene.X_WP();
   const auto links = LinksOf(*setup.page, *setup.script, setup.style);
   const Plan plan = MakePlan(strokes, WalksOf(strokes, *setup.page, *links), setup.plan, X_WP);
   HandOnDevice::Setup on_device{setup.hand, plan.path_W, setup.scene.tick, setup.seed};
   if (setup.device) on_device.profile = &*setup.device;
   on_device.press = setup.plan.press;
+  on_device.on_page = on_page;
   HandOnDevice hand(on_device, X_WP);
   if (!plan.path_W.points.empty()) {
     scene.Reset(FromWorld(X_WP, plan.path_W.points.front().p_D));

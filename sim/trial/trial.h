@@ -15,6 +15,7 @@
 #include "devices/hand/hand.h"
 #include "lessons/guide/guidance.h"
 #include "sim/console/console.h"
+#include "sim/physics/label_place.h"
 #include "sim/physics/page_field.h"
 #include "sim/physics/scene_options.h"
 #include "sim/physics/scene_push.h"
@@ -49,7 +50,8 @@ struct TrialSetup {
   bool blank = false;  ///< the same plan on paper without grooves
   /// The page's own (PageField), where somebody else looks at it too; none: the trial builds it.
   std::shared_ptr<const TextureField> field;
-  std::string model_path;  ///< MJCF; empty = the shipped page
+  std::string model_path;         ///< MJCF; empty = the shipped page
+  std::vector<LaidLabel> others;  ///< labels of the model beside the page
   SceneOptions scene;
   HandModel hand;
   /// On what device the hand is: its readings, delay, coupling and peak force (HandOnDevice); none:

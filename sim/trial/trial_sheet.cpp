@@ -120,16 +120,22 @@ class Member {
 
 OrderedJson FormatOptions(const SceneOptions& options) {
   const Surface& surface = options.surface;
-  return {{"rendering", options.rendering == Rendering::kProxy ? "proxy" : "direct"},
-          {"law", surface.law == ForceLaw::kPotential ? "potential" : "paper"},
-          {"page_stiffness_n_m", surface.stiffness},
-          {"force_cap_n", surface.force_cap},
-          {"coupling_stiffness_n_m", options.coupling_stiffness},
-          {"coupling_damping_n_s_m", options.coupling_damping},
-          {"friction", options.friction},
-          {"presliding_stiffness_n_m", options.presliding_stiffness},
-          {"tick_s", options.tick},
-          {"tilt_rad", options.tilt}};
+  OrderedJson json = {{"rendering", options.rendering == Rendering::kProxy ? "proxy" : "direct"},
+                      {"law", surface.law == ForceLaw::kPotential ? "potential" : "paper"},
+                      {"page_stiffness_n_m", surface.stiffness},
+                      {"force_cap_n", surface.force_cap},
+                      {"coupling_stiffness_n_m", options.coupling_stiffness},
+                      {"coupling_damping_n_s_m", options.coupling_damping},
+                      {"friction", options.friction},
+                      {"presliding_stiffness_n_m", options.presliding_stiffness},
+                      {"tick_s", options.tick},
+                      {"tilt_rad", options.tilt}};
+  const Box& text = options.text_P;
+  if (options.label > 0) json["label"] = options.label;
+  if (text.min.x <= text.max.x) {
+    json["text_m"] = {text.min.x, text.min.y, text.max.x, text.max.y};
+  }
+  return json;
 }
 
 bool IsFirst(const Member& member, std::string_view first, std::string_view second) {
@@ -152,6 +158,13 @@ SceneOptions ParseOptions(const Member& scene) {
   options.presliding_stiffness = scene["presliding_stiffness_n_m"].Number(0);
   options.tick = scene["tick_s"].Number(1e-6, 1);
   options.tilt = scene["tilt_rad"].Number(-4, 4);
+  if (scene.Has("label")) options.label = scene["label"].Unsigned(100000);
+  if (scene.Has("text_m")) {
+    const Member text = scene["text_m"];
+    if (text.Count() != 4) text.Fail("not four numbers");
+    options.text_P = {{text.At(0).Number(), text.At(1).Number()},
+                      {text.At(2).Number(), text.At(3).Number()}};
+  }
   return options;
 }
 
