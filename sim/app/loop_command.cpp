@@ -107,6 +107,7 @@ SessionRequest RequestOf(const LoopCommandOptions& options) {
   SessionRequest request;
   request.text = {options.text, options.style, options.layout,
                   options.feel, "loop",        say::help::kDefaultText};
+  ChooseLabel(request.text.feel);
   request.live = options.live;
   request.press = options.press;
   request.seed = options.seed;

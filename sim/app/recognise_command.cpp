@@ -156,7 +156,8 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   setup.page = &text.set.pages[page];
   setup.field = &field;
   setup.model_path = options.feel.model;
-  setup.scene = options.feel.scene;
+  setup.scene = OnLabel(text, page, options.feel.scene);
+  setup.others = text.others;
   setup.device = reading.device;
   setup.senses.unsure = options.unsure.value_or(0);
   setup.hand = ShippedHand();
@@ -306,7 +307,9 @@ void AddOptions(CLI::App& app, RecogniseOptions& options) {
   AddOptions(app, options.output);
 }
 
-int Run(const RecogniseOptions& options, Console& console) {
+namespace {
+
+int ReadLabel(const RecogniseOptions& options, Console& console) {
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   Reading reading;
   reading.text =
@@ -331,6 +334,14 @@ int Run(const RecogniseOptions& options, Console& console) {
     SayReading(reading, console);
   }
   return exit_code::kGood;
+}
+
+}  // namespace
+
+int Run(const RecogniseOptions& options, Console& console) {
+  RecogniseOptions chosen = options;
+  ChooseLabel(chosen.feel);
+  return ReadLabel(chosen, console);
 }
 
 }  // namespace moontrace

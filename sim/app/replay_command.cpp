@@ -13,6 +13,7 @@
 #include "sim/session/view_trial.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
+#include "sim/setup/text_setup.h"
 #include "sim/setup/trial_parameters.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/record.h"
@@ -161,7 +162,11 @@ int Run(const ReplayOptions& options, Console& console) {
       view->Look(time, felt, push);
     };
   }
-  const ReplayResult replay = Replay(record, *page.field, page.push ? &*page.push : nullptr, watch);
+  const std::string model = options.folder + "/model.xml";
+  const auto others =
+      OtherLabels(Scene::FromXml(record.model_xml, model, record.options), model, console);
+  const ReplayResult replay =
+      Replay(record, *page.field, page.push ? &*page.push : nullptr, watch, others);
   // An altered record is bad input, whatever the replay gives: bit-equal to what was altered is no
   // success, and not every column decides what is computed.
   if (!record.altered.empty()) throw InputError(say::Altered(record.altered, replay));

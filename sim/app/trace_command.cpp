@@ -19,6 +19,7 @@
 #include "sim/session/view_trial.h"
 #include "sim/setup/cli_app.h"
 #include "sim/setup/help.h"
+#include "sim/setup/model_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/text_setup.h"
 #include "sim/setup/text_trial.h"
@@ -185,27 +186,27 @@ void RefuseDeviceOptions(const TraceOptions& options) {
 
 }  // namespace
 
-int Run(const TraceOptions& options, Console& console) {
-  if (options.csv && options.record.empty()) {
-    throw UsageError(say::NeedsOther("--csv", "--record"));
-  }
-  if (!options.picture.empty()) CheckPicturePath(options.picture);
-  CheckTogether(options.view);
-  if (!IsSimulated(options.live.device)) return TraceWithDevice(options, console);
-  RefuseDeviceOptions(options);
-  const TrialGuidance guidance = GuidanceOf(options.guide);
+namespace {
+
+struct Traced {
   Trace trace;
+  TrialResult all;
+};
+
+/// A text on its pages, on one label where a model was named.
+Traced TraceText(const TraceOptions& options, ViewFeed* feed, Console& console) {
+  Traced traced;
+  Trace& trace = traced.trace;
   trace.text =
       SetUpText({options.text, options.style, options.layout, options.feel, "trace"}, console);
   trace.blank = options.blank;
-  trace.guidance = guidance;
+  trace.guidance = GuidanceOf(options.guide);
   if (!options.device_profile.empty()) trace.device = PushingProfile(options.device_profile);
   SayReplacements(trace.text.set, [&console](const std::string& line) { console.Remark(line); });
   CheckRecords(options, trace.text.set.pages.size());
   WarnOfDirect(options, trace, console);
-  const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
   std::optional<TrialView> view;
-  if (feed) view.emplace(*feed, console);
+  if (feed != nullptr) view.emplace(*feed, console);
   std::optional<PagePictures> pictures;
   if (!options.picture.empty()) pictures.emplace(options.picture, trace.text.set.pages.size());
   for (std::size_t page = 0; page < trace.text.set.pages.size(); ++page) {
@@ -217,25 +218,99 @@ int Run(const TraceOptions& options, Console& console) {
   const bool ridges =
       style.relief == Relief::kEmbossed || (trace.text.set.structure.headings > 0 &&
                                             style.structure.heading_relief == Relief::kEmbossed);
-  if (ridges && !options.blank) {
-    console.Remark(say::RidgesPushAside());
+  if (ridges && !options.blank) console.Remark(say::RidgesPushAside());
+  traced.all = Merged(trace.pages);
+  return traced;
+}
+
+Json JsonOf(const Traced& traced, const TraceOptions& options) {
+  Json json = TraceJson(traced.trace, options.feel.scene, traced.all);
+  json["seed"] = options.seed;
+  if (!options.feel.label.empty()) json["label"] = options.feel.label;
+  return json;
+}
+
+/// The same for one of several labels: pictures and records are told apart by its number.
+TraceOptions OnOneLabel(const TraceOptions& options, const std::string& name, std::size_t number) {
+  TraceOptions one = options;
+  one.feel.label = name;
+  ChooseLabel(one.feel);
+  const std::string mark = "-label" + std::to_string(number + 1);
+  if (!one.record.empty()) one.record += mark;
+  const std::size_t dot = one.picture.rfind('.');
+  if (!one.picture.empty()) one.picture.insert(std::min(dot, one.picture.size()), mark);
+  return one;
+}
+
+/// One label after another; each is told by itself.
+int TraceAllLabels(const TraceOptions& options, Console& console) {
+  if (options.feel.model.empty()) throw UsageError(say::LabelNeedsModel());
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
+  Json labels = Json::array();
+  std::vector<TrialResult> results;
+  for (const std::string& name : LabelNames(options.feel)) {
+    const TraceOptions one = OnOneLabel(options, name, results.size());
+    const Traced traced = TraceText(one, feed.get(), console);
+    results.push_back(traced.all);
+    if (options.output.json) {
+      labels.push_back(JsonOf(traced, one));
+    } else {
+      console.Result(say::OfLabel(name, traced.trace.text.text));
+      SayTrace(traced.trace, traced.all, say::Time(traced.all), console);
+    }
   }
+  if (results.empty()) throw InputError(say::NoLabelHasText(options.feel.model));
+  const TrialResult all = Merged(results);
+  if (options.output.json) {
+    Json json = {{"labels", labels}};
+    if (feed) json["view"] = ViewJson(*feed);
+    console.Json(Dump(json));
+  } else if (feed) {
+    SayView(*feed, options.view, console);
+  }
+  if (all.faults > 0) throw WorkFailed(say::Faults(all));
+  if (feed) RequireView(*feed, options.live.device);
+  return exit_code::kGood;
+}
+
+/// A text on one label, or on the shipped page.
+int TraceOneLabel(const TraceOptions& options, Console& console) {
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
+  const Traced traced = TraceText(options, feed.get(), console);
   if (options.feel.scene.friction > 0.1) {
     console.Remark(say::FrictionHampers(options.feel.scene.friction));
   }
-  const TrialResult all = Merged(trace.pages);
+  const TrialResult& all = traced.all;
   if (options.output.json) {
-    Json json = TraceJson(trace, options.feel.scene, all);
-    json["seed"] = options.seed;
+    Json json = JsonOf(traced, options);
     if (feed) json["view"] = ViewJson(*feed);
     console.Json(Dump(json));
   } else {
-    SayTrace(trace, all, say::Time(all), console);
+    SayTrace(traced.trace, all, say::Time(all), console);
     if (feed) SayView(*feed, options.view, console);
   }
   if (all.faults > 0) throw WorkFailed(say::Faults(all));
   if (feed) RequireView(*feed, options.live.device);
   return exit_code::kGood;
+}
+
+}  // namespace
+
+int Run(const TraceOptions& options, Console& console) {
+  if (options.csv && options.record.empty()) {
+    throw UsageError(say::NeedsOther("--csv", "--record"));
+  }
+  if (!options.picture.empty()) CheckPicturePath(options.picture);
+  CheckTogether(options.view);
+  const bool simulated = IsSimulated(options.live.device);
+  if (simulated) {
+    RefuseDeviceOptions(options);
+    GuidanceOf(options.guide);  // refuses what does not go together, before any work
+    if (options.feel.label == "all") return TraceAllLabels(options, console);
+  }
+  TraceOptions chosen = options;
+  ChooseLabel(chosen.feel);
+  return simulated ? TraceOneLabel(chosen, console) : TraceWithDevice(chosen, console);
 }
 
 }  // namespace moontrace

@@ -54,8 +54,10 @@ std::vector<ViewMoment> Traced(const ViewCommandOptions& options, const TextSetu
   return moments;
 }
 
-int DrawPicture(const ViewCommandOptions& options, Console& console) {
+int DrawPicture(const ViewCommandOptions& given, Console& console) {
+  ViewCommandOptions options = given;
   CheckPicture(options);
+  ChooseLabel(options.feel);
   const TextSetup text = SetUpText(
       {options.text, options.style, options.layout, options.feel, "view", say::help::kDefaultText},
       console);

@@ -5,6 +5,7 @@
 
 #include "sim/loop/device_feel.h"
 #include "sim/physics/coupling.h"
+#include "sim/setup/model_messages.h"
 #include "sim/tutor/page_messages.h"
 #include "textures/base/error.h"
 
@@ -62,10 +63,18 @@ Scene LoopSession::SetFirst(bool blank) {
   }
   const std::shared_ptr<const TextSetup> text = SetUp(request_);
   if (!scene) scene.emplace(Scene::Load(model, asked));
-  const SceneOptions held = HeldBy(device_.limits(), asked, scene->proxy_mass());
+  const SceneOptions held = HeldBy(device_.limits(), OnLabel(*text, 0, asked), scene->proxy_mass());
   scene->SetOptions(held);
   felt_ = FeltPageOf(text, 0, blank, 0);
   scene->SetField(felt_.field.get());
+  others_ = text->others;
+  for (const LaidLabel& other : others_) scene->SetLabel(other);
+  if (!scene->page_is_flat()) {
+    // a simulated hand and a mouse move in the page's plane
+    if (device_.simulated() || !device_.limits().measures.z) throw InputError(say::RoundNeedsArm());
+    const Box& text_P = scene->options().text_P;
+    scene->Reset({0.5 * (text_P.min + text_P.max), 0.02});
+  }
   const std::optional<PaperTexture>& paper = text->set.style.texture.paper;
   if (paper) form_.paper = paper->kind;
   tilt_ = asked.tilt;

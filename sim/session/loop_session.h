@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "sim/console/console.h"
 #include "sim/loop/loop.h"
@@ -80,6 +81,7 @@ class LoopSession {
   PageForm form_;
   double tilt_ = 0;  ///< [rad]
   Pose X_WP_;
+  std::vector<LaidLabel> others_;  ///< of the model, felt beside the page
   double force_bound_ = 0, carried_press_ = 0, coupling_stiffness_ = 0;
   double round_ = 0;
   std::unique_ptr<Loop> loop_;  ///< last: its threads use the rest

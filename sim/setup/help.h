@@ -96,6 +96,9 @@ inline constexpr const char* kLaw = "potential (conserves energy) or paper. Defa
 inline constexpr const char* kModel =
     "an MJCF model whose first moontrace label carries the text; keys of the label count unless "
     "given here.";
+inline constexpr const char* kLabel =
+    "which label of the model carries the text: GEOM, GEOM:2 ..., by trace also all, one after "
+    "another. Default: the first.";
 inline constexpr const char* kFriction =
     "Coulomb friction, from 0 to less than 0.9 over the steepest slope. Default 0.";
 inline constexpr const char* kPress = "press of the hand in N. Default 1, embossed 0.2.";

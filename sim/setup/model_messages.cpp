@@ -27,6 +27,47 @@ std::string LabelLacksText(std::string_view model, std::string_view geom) {
                      OneLine(geom));
 }
 
+std::string NoSuchLabel(std::string_view model, std::string_view label, std::string_view labels,
+                        std::string_view nearest) {
+  const std::string mend = nearest.empty() ? fmt::format("it has {}", OneLine(labels))
+                                           : fmt::format("did you mean '{}'?", OneLine(nearest));
+  return fmt::format("{}: no label '{}': {}", model, OneLine(label), mend);
+}
+
+std::string LabelNeedsModel() { return "--label needs --model: name the model whose label it is."; }
+
+std::string OneLabelOnly() { return "--label all is for trace: name one label here."; }
+
+std::string NoLabelHasText(std::string_view model) {
+  return fmt::format("{}: no label has a text: write text='...' in one", model);
+}
+
+std::string LabelHasNoRoom(std::string_view model, std::string_view label, glm::dvec2 text) {
+  return fmt::format(
+      "{}: label on '{}': its text of {} by {} mm has no room there: make size_mm smaller or move "
+      "it",
+      model, OneLine(label), Short(kMillimetres * text.x, 0), Short(kMillimetres * text.y, 0));
+}
+
+std::string LabelsLieTogether(std::string_view model, std::string_view a, std::string_view b) {
+  return fmt::format("{}: labels '{}' and '{}' lie on one place: move one of them", model,
+                     OneLine(a), OneLine(b));
+}
+
+std::string LengthsErr(std::string_view label, double error) {
+  return fmt::format("Lengths on '{}' err by up to {} percent: the geom is round.", OneLine(label),
+                     Short(100 * error, 1));
+}
+
+std::string RoundNeedsArm() {
+  return "a label on a round geom is felt here with a device of three axes only: take one, or "
+         "trace";
+}
+
+std::string OfLabel(std::string_view label, std::string_view text) {
+  return fmt::format("Label {}: {}", OneLine(label), OneLine(text));
+}
+
 std::string InLabel(std::string_view model, std::string_view geom, std::string_view error) {
   return fmt::format("{}: label on '{}': {}", model, OneLine(geom), error);
 }

@@ -14,6 +14,19 @@ std::string PagesOnGeom(std::size_t pages, std::string_view geom);
 /// `sheet`: what is left of the one asked for.
 std::string GeomIsSmaller(std::string_view geom, const PageSpec& sheet);
 std::string LabelLacksText(std::string_view model, std::string_view geom);
+std::string NoSuchLabel(std::string_view model, std::string_view label, std::string_view labels,
+                        std::string_view nearest);
+std::string LabelNeedsModel();
+std::string OneLabelOnly();
+std::string NoLabelHasText(std::string_view model);
+/// Text that is larger than what is left of its geom. `text`: its size [m].
+std::string LabelHasNoRoom(std::string_view model, std::string_view label, glm::dvec2 text);
+std::string LabelsLieTogether(std::string_view model, std::string_view a, std::string_view b);
+/// `error`: a share.
+std::string LengthsErr(std::string_view label, double error);
+std::string RoundNeedsArm();
+/// Before what is said of one of several labels.
+std::string OfLabel(std::string_view label, std::string_view text);
 /// An error in what a label asks for.
 std::string InLabel(std::string_view model, std::string_view geom, std::string_view error);
 

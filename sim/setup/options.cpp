@@ -199,6 +199,7 @@ void AddOptions(CLI::App& app, FeelOptions& options) {
   add("--friction", options.scene.friction, 0, 2, 1, help::kFriction);
   add("--tilt-deg", options.scene.tilt, -60, 60, kDegree, help::kTilt);
   AddPath(app, "--model", "FILE", options.model, help::kModel);
+  AddPath(app, "--label", "NAME", options.label, help::kLabel);
 }
 
 std::string ReadText(const TextOptions& options, const std::string& command, Console& console) {

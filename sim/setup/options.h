@@ -68,6 +68,7 @@ struct LayoutOptions {
 struct FeelOptions {
   SceneOptions scene;
   std::string model;  ///< MJCF file; empty = the shipped page
+  std::string label;  ///< which of its labels, as NameOf gives it; empty: the first
 };
 
 void AddOptions(CLI::App& app, OutputOptions& options);
@@ -76,7 +77,7 @@ void AddOptions(CLI::App& app, StyleOptions& options);
 void AddOptions(CLI::App& app, LayoutOptions& options);
 /// `--law` only.
 void AddOptions(CLI::App& app, Surface& surface);
-/// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`.
+/// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`, `--label`.
 void AddOptions(CLI::App& app, FeelOptions& options);
 /// `--seed`. `given_at_all`, unless null, becomes true if it was.
 void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all = nullptr);

@@ -1,15 +1,19 @@
 #include "sim/setup/text_setup.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "lessons/measure/intended_strokes.h"
+#include "sim/physics/page_field.h"
 #include "sim/setup/fitted_sheet.h"
 #include "sim/setup/link_options.h"
 #include "sim/setup/model_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
 #include "textures/typeset/typeset.h"
 
@@ -42,11 +46,12 @@ PageSpec CutTo(glm::dvec2 extent, PageSpec sheet, double margin, bool margin_giv
 PageSpec OnGeom(const ModelPage& model, const PageSpec& asked, bool margin_given,
                 Console& console) {
   constexpr double kMargin = 0.001;  // [m]
-  PageSpec sheet = CutTo(model.extent, asked, kMargin, margin_given);
+  const glm::dvec2 extent = ExtentOf(model.label(), model.solids[model.number]);
+  PageSpec sheet = CutTo(extent, asked, kMargin, margin_given);
   if (sheet.width == asked.width && sheet.height == asked.height) return sheet;
   sheet.name = "model";
   if (asked.name != LayoutOptions().page.name) {
-    console.Remark(say::GeomIsSmaller(model.label.geom, sheet));
+    console.Remark(say::GeomIsSmaller(model.label().geom, sheet));
   }
   return sheet;
 }
@@ -76,14 +81,70 @@ Script ScriptFor(const TextRequest& request, const Label* label) {
 }  // namespace
 
 ModelPage ModelPageOf(const Scene& scene) {
-  return {scene.labels().front(), scene.page_extent(), scene.page_moves()};
+  return {scene.options().label, scene.labels(), scene.solids(), scene.page_goes()};
 }
 
-TextSetup SetUpText(const TextRequest& request, Console& console) {
+namespace {
+
+/// A label whose text may be no larger than what it lies on: all but a page's corner on a flat
+/// face, from which a text goes on over pages.
+bool IsOnePage(const ModelPage& model, std::size_t number) {
+  const Label& label = model.labels[number];
+  const Face face = label.face.value_or(UsualFace(model.solids[number]));
+  return label.middle || face == Face::kRound || number != model.number;
+}
+
+void CheckRoom(const std::string& file, const ModelPage& model, std::size_t number,
+               const Typeset& set, const Box& text_P) {
+  constexpr double kEdge = 0.0015;  // [m]: nearer a tip that is pressed slips off
+  const Label& label = model.labels[number];
+  if (!IsOnePage(model, number) || !(text_P.min.x <= text_P.max.x)) return;
+  if (set.pages.size() > 1 || !HasRoom(label, model.solids[number], Grown(text_P, kEdge))) {
+    throw InputError(say::LabelHasNoRoom(file, NameOf(label), text_P.max - text_P.min));
+  }
+}
+
+/// A text on a sheet of its own, without what a command asks for.
+TextSetup SetOn(const TextRequest& request, const ModelPage* model, Console& console);
+
+/// The other labels of a model, set as they ask for; none may lie on another.
+std::vector<LaidLabel> OthersOf(const FeelOptions& feel, const ModelPage& model, const Box& page_P,
+                                Console& console) {
+  std::vector<LaidLabel> laid;
+  for (std::size_t i = 0; i < model.labels.size(); ++i) {
+    if (i == model.number || model.labels[i].text.empty()) continue;
+    ModelPage other = model;
+    other.number = i;
+    other.moves = false;
+    TextRequest request;
+    request.feel = feel;
+    request.command = "label";
+    const TextSetup text = SetOn(request, &other, console);
+    const TextPage& page = text.set.pages.front();
+    const Box text_P = TextBox(page, text.script, text.set.style);
+    CheckRoom(feel.model, model, i, text.set, text_P);
+    laid.push_back(
+        {i,
+         std::make_shared<const TextureField>(PageField(page, text.script, text.set.style, false)),
+         text_P});
+  }
+  std::vector<LaidLabel> all = laid;
+  all.push_back({model.number, nullptr, page_P});
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const Label &one = model.labels[all[a].label], &two = model.labels[all[b].label];
+      if (!LieTogether(one, all[a].text_P, two, all[b].text_P, model.solids[all[a].label]))
+        continue;
+      throw InputError(say::LabelsLieTogether(feel.model, NameOf(two), NameOf(one)));
+    }
+  }
+  return laid;
+}
+
+TextSetup SetOn(const TextRequest& request, const ModelPage* model, Console& console) {
   constexpr double kDeviceMargin = 0.005;  // [m], from where the device strikes its own stops
-  const std::optional<ModelPage> model = ModelPageFor(request);
-  const Label* from = model ? &model->label : nullptr;
-  if (model && model->moves) console.Remark(say::PageMoves(model->label.geom));
+  const Label* from = model != nullptr ? &model->label() : nullptr;
+  if (model != nullptr && model->moves) console.Remark(say::PageMoves(model->label().geom));
   TextSetup setup;
   setup.text = TextFor(request, from, console);
   setup.script = ScriptFor(request, from);
@@ -96,7 +157,7 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   const TypeStyle style = StyleOf(letters, layout, setup.script, from);
   PageSpec sheet = PageOf(request.layout);
   const bool margin_given = request.layout.margin.has_value();
-  if (model) sheet = OnGeom(*model, sheet, margin_given, console);
+  if (model != nullptr) sheet = OnGeom(*model, sheet, margin_given, console);
   if (request.room.x < sheet.width || request.room.y < sheet.height) sheet.name = "custom";
   sheet = CutTo(request.room, sheet, kDeviceMargin, margin_given);
   setup.set = SetText(setup.text, setup.script, style, sheet);
@@ -108,10 +169,99 @@ TextSetup SetUpText(const TextRequest& request, Console& console) {
   const std::size_t signs = CountSigns(setup.set);
   if (signs > kMostSigns) throw InputError(say::TooLong(signs, kMostSigns));
   KeepLinks(setup.set, setup.script, console);
-  if (model && setup.set.pages.size() > 1) {
-    console.Remark(say::PagesOnGeom(setup.set.pages.size(), from->geom));
+  return setup;
+}
+
+/// As SetOn; what a label cannot carry is the model's mistake.
+TextSetup SetOnLabel(const TextRequest& request, const ModelPage& model, Console& console) {
+  TextSetup setup;
+  const Label& label = model.label();
+  try {
+    setup = SetOn(request, &model, console);
+  } catch (const InputError& error) {
+    const std::string_view what = error.what();
+    if (!IsOnePage(model, model.number) || what.starts_with(request.feel.model)) throw;
+    throw InputError(say::InLabel(request.feel.model, NameOf(label), what));
+  }
+  setup.label = model.number;
+  const Box text_P = TextBox(setup.set.pages.front(), setup.script, setup.set.style);
+  CheckRoom(request.feel.model, model, model.number, setup.set, text_P);
+  setup.others = OthersOf(request.feel, model, text_P, console);
+  if (setup.set.pages.size() > 1) {
+    console.Remark(say::PagesOnGeom(setup.set.pages.size(), label.geom));
+  }
+  constexpr double kTold = 0.005;  // a length that is off by less is as it was set
+  const double error = LengthErrorOf(label, model.solids[model.number], text_P);
+  if (IsOnePage(model, model.number) && error > kTold) {
+    console.Remark(say::LengthsErr(NameOf(label), error));
   }
   return setup;
+}
+
+}  // namespace
+
+void ChooseLabel(FeelOptions& feel) {
+  if (feel.label.empty()) return;
+  if (feel.model.empty()) throw UsageError(say::LabelNeedsModel());
+  if (feel.label == "all") throw UsageError(say::OneLabelOnly());
+  FeelOptions first = feel;
+  first.scene.label = 0;
+  first.scene.tilt = 0;
+  const std::vector<Label> labels = Scene::Load(first.model, first.scene).labels();
+  std::vector<std::string> names;
+  std::string all;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    names.push_back(NameOf(labels[i]));
+    if (names.back() == feel.label) {
+      feel.scene.label = i;
+      return;
+    }
+    all += (i > 0 ? ", " : "") + names.back();
+  }
+  throw InputError(say::NoSuchLabel(feel.model, feel.label, all, NearestWord(feel.label, names)));
+}
+
+std::vector<std::string> LabelNames(const FeelOptions& feel) {
+  FeelOptions first = feel;
+  first.scene.label = 0;
+  first.scene.tilt = 0;
+  std::vector<std::string> names;
+  const Scene scene = Scene::Load(first.model, first.scene);
+  for (const Label& label : scene.labels()) {
+    if (!label.text.empty()) names.push_back(NameOf(label));
+  }
+  return names;
+}
+
+std::vector<LaidLabel> OtherLabels(const Scene& scene, const std::string& model, Console& console) {
+  if (scene.labels().size() == 1) return {};
+  FeelOptions feel;
+  feel.model = model;
+  return OthersOf(feel, ModelPageOf(scene), scene.options().text_P, console);
+}
+
+Box TextBox(const TextPage& page, const Script& script, const TypeStyle& style) {
+  Box box;
+  for (const IntendedStroke& stroke : IntendedStrokes(page, script, style)) {
+    const double half = std::max(0.5 * stroke.width, stroke.dot_radius);
+    for (const std::vector<Piece>* pieces : {&stroke.spine_P, &stroke.outline_P}) {
+      for (const Piece& piece : *pieces) Include(box, Grown(BoundsOf(piece), half));
+    }
+  }
+  return box;
+}
+
+SceneOptions OnLabel(const TextSetup& text, std::size_t page, const SceneOptions& options) {
+  SceneOptions on_label = options;
+  if (!text.label) return on_label;
+  on_label.label = *text.label;
+  on_label.text_P = TextBox(text.set.pages[page], text.script, text.set.style);
+  return on_label;
+}
+
+TextSetup SetUpText(const TextRequest& request, Console& console) {
+  const std::optional<ModelPage> model = ModelPageFor(request);
+  return model ? SetOnLabel(request, *model, console) : SetOn(request, nullptr, console);
 }
 
 std::string TextOf(const TextSetup& setup, std::size_t page) {

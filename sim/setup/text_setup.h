@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/console/console.h"
 #include "sim/physics/label.h"
@@ -23,15 +24,36 @@ struct TextSetup {
   std::string script_name;  ///< as FindScript takes it
   Script script;
   Typeset set;
+  /// Which label of a model carries it; none: no model was named.
+  std::optional<std::size_t> label = {};
+  std::vector<LaidLabel> others = {};  ///< of the model, with their own texts
 };
 
-/// What a model gives for the text: its first label, and the room on that label's geom.
+/// What a model gives for the text: its labels, and what they lie on.
 struct ModelPage {
-  Label label;
-  glm::dvec2 extent{0, 0};  ///< as Scene::page_extent [m]
-  bool moves = false;       ///< the geom can be pushed
+  std::size_t number = 0;  ///< of the label that is the page
+  std::vector<Label> labels;
+  std::vector<Solid> solids;  ///< one for each label
+  bool moves = false;         ///< the page's geom can move
+  const Label& label() const { return labels[number]; }
 };
 ModelPage ModelPageOf(const Scene& scene);
+
+/// Finds the label that `--label` names, for the scene's options. Throws UsageError without a
+/// model, InputError: the model does not load or has no such label.
+void ChooseLabel(FeelOptions& feel);
+/// All labels of a model that bring a text, as NameOf gives them. Throws as Scene::Load.
+std::vector<std::string> LabelNames(const FeelOptions& feel);
+
+/// The labels of a scene beside its page that bring a text, set as they ask for. Throws InputError
+/// that begins with `model`: one without room, two on one place.
+std::vector<LaidLabel> OtherLabels(const Scene& scene, const std::string& model, Console& console);
+
+/// What the page's text covers: its strokes with their width [m]; empty without any.
+Box TextBox(const TextPage& page, const Script& script, const TypeStyle& style);
+
+/// The scene's options for that page of the text: on its label, where the label wants it.
+SceneOptions OnLabel(const TextSetup& text, std::size_t page, const SceneOptions& options);
 
 /// What a text is made of.
 struct TextRequest {
@@ -47,9 +69,9 @@ struct TextRequest {
   std::optional<ModelPage> model_page = {};
 };
 
-/// Text, script and pages; what the command line leaves open comes from the model's first label.
-/// Throws InputError (as SetText; too long; a label without text or with an unknown script) and
-/// UsageError (no text).
+/// Text, script and pages; what the command line leaves open comes from the model's label. Throws
+/// InputError (as SetText; too long; a label without text or with an unknown script, or that has no
+/// room, or lies on another) and UsageError (no text).
 TextSetup SetUpText(const TextRequest& request, Console& console);
 
 /// The text that one page carries, on one line.

@@ -15,7 +15,8 @@ TrialSetup TrialOf(const TextSetup& text, std::size_t page, const FeelOptions& f
   setup.page = &text.set.pages[page];
   setup.style = text.set.style;
   setup.model_path = feel.model;
-  setup.scene = feel.scene;
+  setup.scene = OnLabel(text, page, feel.scene);
+  setup.others = text.others;
   setup.hand = ShippedHand();
   SetPress(setup.hand, setup.style.relief, press, setup.plan);
   setup.seed = seed;
