@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "lessons/measure/intended_strokes.h"
 #include "sim/physics/scene.h"
 #include "sim/setup/text_setup.h"
 #include "tests/sim/cli_fixture.h"
