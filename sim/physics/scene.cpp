@@ -121,6 +121,10 @@ Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
     loaded.remarks.push_back(fmt::format("time step: {:g} ms instead of the model's {:g} ms",
                                          1000 * options.tick, 1000 * m.opt.timestep));
   }
+  if ((m.opt.disableflags & mjDSBL_GRAVITY) == 0) {
+    lift_W = -loaded.proxy.weight_mass *
+             glm::dvec3(m.opt.gravity[0], m.opt.gravity[1], m.opt.gravity[2]);
+  }
   SetOptions(scene_options);
 }
 

@@ -73,6 +73,7 @@ struct Scene::Impl {
   SceneOptions options;
   Coupling coupling;
   DataPtr d;
+  glm::dvec3 lift_W{0, 0, 0};       ///< carries the proxy's weight where it is alone [N]
   std::vector<FeltObject> objects;  ///< all that carry labels
   std::size_t page_object = 0;      ///< that carries the page ...
   std::size_t page_number = 0;      ///< ... as this one of its labels

@@ -215,10 +215,15 @@ void Scene::Impl::Integrate(const StepForces& step) noexcept {
   std::copy_n(d->qfrc_applied, caller_qfrc.size(), caller_qfrc.begin());
   const glm::dvec3 on_proxy = direct() ? glm::dvec3(0) : step.page_W + step.pull_W;
   const bool alone = m.nv == 3;
+  const glm::dvec3 lifted = direct() ? lift_W : lift_W + step.page_W + step.pull_W;
   for (int i = 0; i < 3; ++i) {
     const int dof = loaded.proxy.dof + i;
-    d->qfrc_applied[dof] += on_proxy[i] + (d->qfrc_bias[dof] - d->qfrc_passive[dof]);
-    if (!alone) d->qacc_warmstart[dof] = on_proxy[i] / loaded.proxy.axis_mass[i];
+    if (alone) {
+      d->qfrc_applied[dof] += lifted[i] - d->qfrc_passive[dof];
+    } else {
+      d->qfrc_applied[dof] += on_proxy[i] + (d->qfrc_bias[dof] - d->qfrc_passive[dof]);
+      d->qacc_warmstart[dof] = on_proxy[i] / loaded.proxy.axis_mass[i];
+    }
   }
   PushBack(step);
   FinishStep();
