@@ -22,7 +22,8 @@ inline constexpr const char* kStretch =
     "letters so many times as wide, 0.5 to 2. Default 1; not Braille.";
 inline constexpr const char* kStructure =
     "read marks: a line that begins with # is a heading (## and ### too), with > a quotation, "
-    "[words](address) a link. Default: marks are characters.";
+    "[words](address) a link; behind a backslash they are characters. Default: marks are "
+    "characters.";
 inline constexpr const char* kHeadingScale =
     "with --structure: headings so many times as large as the text, 1 to 5. Default 1.5.";
 inline constexpr const char* kHeadingRelief =

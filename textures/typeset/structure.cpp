@@ -39,9 +39,17 @@ class Characters {
   std::vector<std::size_t> first_;  // of each character, in the line
 };
 
+// Whether backslashes begin the line and a mark follows that they make a character.
+bool BeginsEscaped(const Characters& characters) {
+  std::size_t at = 0;
+  while (at < characters.count() && characters.Is(at, '\\')) ++at;
+  return at > 0 && at < characters.count() && (characters.Is(at, '#') || characters.Is(at, '>'));
+}
+
 // Characters of the mark that begins the line, the blanks behind it with it.
 std::size_t TakeBeginning(const Characters& characters, LineKind& kind) {
   const std::size_t count = characters.count();
+  if (BeginsEscaped(characters)) return 1;
   std::size_t at = 0;
   if (count > 0 && characters.Is(0, '>')) {
     at = 1;
@@ -78,7 +86,10 @@ void TakeLinks(const Characters& characters, std::size_t from, std::vector<bool>
   std::size_t open = kNone;
   bool has_words = false;
   for (std::size_t i = from; i < characters.count(); ++i) {
-    if (characters.Is(i, '[')) {
+    if (characters.Is(i, '[') && i > from && characters.Is(i - 1, '\\')) {
+      mark[i - 1] = true;
+      open = kNone;
+    } else if (characters.Is(i, '[')) {
       open = i;
       has_words = false;
     } else if (!characters.Is(i, ']')) {

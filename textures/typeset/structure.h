@@ -47,7 +47,9 @@ struct LineMarks {
 /// keeps its bytes. "# ", "## " or "### " begin a heading, which needs a sign behind it; "> " (or
 /// ">" alone) a line of a quotation; "[words](address)" is a link: words are anything but brackets
 /// and not blank, parentheses in the address are in pairs. What is not whole stays as it is. Time
-/// linear in the line. Of a later part of a line (Folder::begins_line) only links are read.
+/// linear in the line. A backslash before "[", or before "#" or ">" at the line's beginning, makes
+/// that a character like others and goes (of several there the first). Of a later part of a line
+/// (Folder::begins_line) only links are read.
 LineMarks TakeMarks(std::string_view text, std::vector<FoldedChar>& line, bool begins_line = true);
 
 }  // namespace moontrace

@@ -73,6 +73,17 @@ TEST(TakeMarks, WhatIsNotWholeStaysAsItIs) {
 }
 
 // A bracket with an accent is another character; one that is written as several goes as a whole.
+TEST(TakeMarks, ABackslashMakesAMarkACharacter) {
+  for (const char* text : {"\\# one", "\\> one", "\\[one](two)", "\\\\# one", "\\\\[one](two)"}) {
+    const Read read = ReadLine(text);
+    EXPECT_EQ(read.marks.kind, LineKind::kPlain) << text;
+    EXPECT_TRUE(read.links.empty()) << text;
+    EXPECT_EQ(read.left, std::string(text).substr(1)) << text;
+  }
+  EXPECT_EQ(ReadLine("> \\[one](two)").left, "[one](two)");
+  EXPECT_EQ(ReadLine("a\\ b \\one").left, "a\\ b \\one") << "elsewhere it is one itself";
+}
+
 TEST(TakeMarks, CountCharactersOfTheTextNotOfTheirForms) {
   EXPECT_TRUE(ReadLine("[\u0301a](b)").marks.links.empty());
   Script script = SmallScript();
