@@ -1,0 +1,546 @@
+#include "lessons/documents/markup_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
+
+namespace moontrace {
+namespace {
+
+using Role = ElementRole;
+
+constexpr std::size_t kDeepest = 5000;  // frames; deeper elements are read as their parent
+constexpr std::int16_t kMostLevels = 100;
+
+bool IsBlock(Role role) {
+  switch (role) {
+    case Role::kInline:
+    case Role::kSilent:
+    case Role::kTitle:
+    case Role::kMeta:
+    case Role::kBreak:
+    case Role::kQuote:
+    case Role::kLink:
+    case Role::kImage:
+    case Role::kDrawing:
+    case Role::kMath:
+    case Role::kMedia:
+    case Role::kReading:
+    case Role::kRaised:
+    case Role::kLowered:
+    case Role::kInput:
+      return false;
+    case Role::kBlock:
+    case Role::kHead:
+    case Role::kHeading:
+    case Role::kParagraph:
+    case Role::kRule:
+    case Role::kPreformatted:
+    case Role::kQuotation:
+    case Role::kList:
+    case Role::kOrderedList:
+    case Role::kItem:
+    case Role::kTerm:
+    case Role::kDefinition:
+    case Role::kTable:
+    case Role::kCaption:
+    case Role::kTableHead:
+    case Role::kRow:
+    case Role::kCell:
+    case Role::kHeaderCell:
+      return true;
+  }
+  return false;
+}
+
+std::uint32_t& ValueOf(WritingState& state, MarkKind kind) {
+  return state.marks[static_cast<std::size_t>(kind)];
+}
+
+bool IsBlank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n\f") == std::string_view::npos;
+}
+
+/// What it is by `epub:type` or `role`, in which "doc-" begins the same words.
+bool HasType(const MarkupAttributes& attributes, const std::string& type) {
+  return HasWord(attributes["epub:type"], type) || HasWord(attributes["role"], "doc-" + type);
+}
+
+bool IsVerse(const MarkupAttributes& attributes) {
+  static constexpr std::array<std::string_view, 5> kWords = {"verse", "poem", "poetry", "stanza",
+                                                             "line-block"};
+  return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
+    return HasWord(attributes["class"], word) || HasWord(attributes["epub:type"], word);
+  });
+}
+
+/// Digits and signs small and raised or lowered, as Unicode has them, so that 10 and 2 stay apart;
+/// other text as it is.
+std::string Shifted(std::string_view text, bool raised) {
+  static constexpr std::array<char32_t, 10> kRaised = {0x2070, 0xB9,   0xB2,   0xB3,   0x2074,
+                                                       0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
+  std::string shifted;
+  for (const char c : text) {
+    if (c >= '0' && c <= '9') {
+      const auto digit = static_cast<std::size_t>(c - '0');
+      shifted += ToUtf8(raised ? kRaised[digit] : static_cast<char32_t>(0x2080 + digit));
+    } else if (c == '-' || c == '+') {
+      shifted += ToUtf8((raised ? 0x207A : 0x208A) + (c == '-' ? 1U : 0U));
+    } else if (c == ' ' || c == '\n' || c == '\t' || c == '\r') {
+      shifted += c;
+    } else {
+      return std::string(text);
+    }
+  }
+  return shifted;
+}
+
+std::string NumberLabel(int number, char type) {
+  const bool letters = (type == 'a' || type == 'A') && number >= 1 && number <= 26;
+  return (letters ? std::string(1, static_cast<char>(type + number - 1)) : std::to_string(number)) +
+         ".";
+}
+
+/// "a/b/cover.jpg?x" is "cover.jpg".
+std::string_view FileName(std::string_view address) {
+  if (address.substr(0, 5) == "data:") return "";
+  address = address.substr(0, address.find_first_of("?#"));
+  const std::size_t slash = address.find_last_of('/');
+  return slash == std::string_view::npos ? address : address.substr(slash + 1);
+}
+
+}  // namespace
+
+void MarkupReader::BeginPart(std::string_view path) {
+  path_ = path;
+  frames_.clear();
+  deeper_ = 0;
+  lists_.clear();
+  title_.clear();
+  has_title_ = false;
+  writer_.document().parts.push_back({path_, writer_.place().block});
+  anchors_.push_back({path_ + "#", writer_.place()});
+}
+
+void MarkupReader::EndPart() {
+  while (!frames_.empty()) Close();
+  writer_.End();
+}
+
+void MarkupReader::NoteAnchor(const MarkupAttributes& attributes) {
+  for (const std::string_view name : {"id", "name"}) {
+    const std::string_view id = attributes[name];
+    if (!id.empty()) anchors_.push_back({path_ + "#" + std::string(id), writer_.place()});
+  }
+}
+
+const DocumentPlace* MarkupReader::Find(std::string_view path, std::string_view id) const {
+  if (found_.size() != anchors_.size()) {
+    found_.clear();
+    for (std::size_t i = 0; i < anchors_.size(); ++i) found_.emplace(anchors_[i].key, i);
+  }
+  const auto found = found_.find(std::string(path) + "#" + std::string(id));
+  return found == found_.end() ? nullptr : &anchors_[found->second].place;
+}
+
+void MarkupReader::SetLanguage(Frame& frame, const MarkupAttributes& attributes) {
+  const std::string_view own = attributes["xml:lang"];
+  const std::string_view tag = own.empty() ? attributes["lang"] : own;
+  if (tag.empty()) return;
+  if (language_.empty() && writer_.written() == 0) language_ = tag;
+  ValueOf(frame.state, MarkKind::kLanguage) = tag == language_ ? 0 : writer_.Value(tag);
+}
+
+/// True where nothing in the element is read.
+bool MarkupReader::OpenSilent(Frame& frame, std::string_view name,
+                              const MarkupAttributes& attributes) {
+  if (IsHiddenElement(name, attributes) && frame.role != Role::kHead) {
+    frame.hidden = true;
+    hidden_noted_ = false;
+    if (frame.role == Role::kImage) NoteLeftOut(writer_.document(), LeftOut::kHiddenPart, "");
+  }
+  if (frame.role == Role::kHead) frame.in_head = true;
+  frame.silent = frame.hidden || frame.in_head || frame.role == Role::kSilent ||
+                 frame.role == Role::kReading || (frame.role == Role::kTitle && !frame.drawing);
+  return frame.silent;
+}
+
+void MarkupReader::Open(std::string_view name, const MarkupAttributes& attributes) {
+  if (frames_.size() >= kDeepest) {
+    ++deeper_;
+    NoteLeftOut(writer_.document(), LeftOut::kDeepElement, name);
+    return;
+  }
+  Frame frame;
+  if (!frames_.empty()) {
+    frame = frames_.back();
+    frame.label = 0;
+  }
+  frame.role = RoleOf(name, attributes);
+  frame.written = writer_.written();
+  if (frame.silent || frame.page) {
+    if (frame.role == Role::kMeta && frame.in_head && LowerCase(attributes["name"]) == "author") {
+      writer_.document().authors.emplace_back(attributes["content"]);
+    }
+    frames_.push_back(frame);
+    return;
+  }
+  if (math_) {
+    math_->Open(name);
+    ++math_depth_;
+    frame.silent = frame.role == Role::kSilent;
+    frames_.push_back(frame);
+    return;
+  }
+  if (OpenSilent(frame, name, attributes)) {
+    NoteAnchor(attributes);
+    frames_.push_back(frame);
+    return;
+  }
+  if (IsBlock(frame.role)) writer_.End();
+  SetLanguage(frame, attributes);
+  if (HasType(attributes, "footnote") || HasType(attributes, "endnote") ||
+      HasType(attributes, "rearnote")) {
+    frame.state.note = true;
+  }
+  if (IsVerse(attributes)) frame.state.kind = BlockKind::kVerse;
+  OpenGroup(frame, name, attributes);
+  OpenText(frame, name, attributes);
+  NoteAnchor(attributes);
+  if (HasType(attributes, "pagebreak")) OpenPrintPage(frame, attributes);
+  frames_.push_back(frame);
+}
+
+void MarkupReader::OpenPrintPage(Frame& frame, const MarkupAttributes& attributes) {
+  std::string_view name = attributes["title"];
+  if (name.empty()) name = attributes["aria-label"];
+  if (name.empty()) {
+    frame.page = true;
+    page_name_.clear();
+  } else {
+    writer_.Point(MarkKind::kPrintPage, name);
+    frame.silent = true;
+  }
+}
+
+/// What holds blocks.
+void MarkupReader::OpenGroup(Frame& frame, std::string_view name,
+                             const MarkupAttributes& attributes) {
+  switch (frame.role) {
+    case Role::kHeading:
+      frame.state.kind = BlockKind::kHeading;
+      frame.state.level = static_cast<std::int16_t>(
+          std::clamp(WholeNumber(attributes["aria-level"],
+                                 name.size() == 2 && name[0] == 'h' ? name[1] - '0' : 2),
+                     1, 6));
+      return;
+    case Role::kPreformatted:
+      if (frame.state.kind != BlockKind::kVerse) frame.state.kind = BlockKind::kCode;
+      frame.state.verbatim = true;
+      return;
+    case Role::kQuotation:
+      frame.state.quotation = std::min<std::int16_t>(frame.state.quotation + 1, kMostLevels);
+      return;
+    case Role::kList:
+    case Role::kOrderedList:
+      BeginList(frame, attributes);
+      return;
+    case Role::kItem:
+    case Role::kTerm:
+    case Role::kDefinition:
+      OpenItem(frame, attributes);
+      return;
+    case Role::kTable:
+      if (!tables_.empty()) tables_.back().SetLayout();
+      tables_.emplace_back(writer_.place().block,
+                           attributes["role"] == "presentation" || attributes["role"] == "none");
+      table_anchors_.push_back(anchors_.size());
+      return;
+    case Role::kCaption:
+      if (!tables_.empty()) tables_.back().BeginCaption(writer_.place().block);
+      return;
+    case Role::kRow:
+      if (!tables_.empty()) tables_.back().BeginRow();
+      return;
+    case Role::kCell:
+    case Role::kHeaderCell:
+      if (!tables_.empty()) OpenCell(frame, attributes);
+      return;
+    default:
+      return;
+  }
+}
+
+/// What stands within a line, or alone.
+void MarkupReader::OpenText(Frame& frame, std::string_view name,
+                            const MarkupAttributes& attributes) {
+  switch (frame.role) {
+    case Role::kBreak:
+      writer_.Break();
+      return;
+    case Role::kRule: {
+      Block rule;
+      rule.kind = BlockKind::kRule;
+      rule.quotation = frame.state.quotation;
+      writer_.Add(rule);
+      return;
+    }
+    case Role::kQuote:
+      Say("\xE2\x80\x9C", frame.state);
+      return;
+    case Role::kLink:
+      OpenLink(frame, attributes);
+      return;
+    case Role::kImage:
+      OpenImage(frame, attributes);
+      return;
+    case Role::kDrawing:
+      OpenDrawing(frame, attributes);
+      return;
+    case Role::kMath:
+      OpenMath(frame, attributes);
+      return;
+    case Role::kMedia:
+      NoteLeftOut(writer_.document(), LeftOut::kMedia, name);
+      return;
+    case Role::kInput:
+      OpenInput(frame, attributes);
+      return;
+    default:
+      if (name == "button" && attributes.Has("aria-label")) {
+        labels_.emplace_back(attributes["aria-label"]);
+        frame.label = static_cast<std::uint32_t>(labels_.size() - 1);
+      }
+      return;
+  }
+}
+
+void MarkupReader::BeginList(Frame& frame, const MarkupAttributes& attributes) {
+  frame.state.level = 0;
+  OpenList list;
+  list.ordered = frame.role == Role::kOrderedList;
+  list.step = attributes.Has("reversed") ? -1 : 1;
+  list.next = WholeNumber(attributes["start"], 1);
+  const std::string_view type = attributes["type"];
+  if (type == "a" || type == "A") list.type = type[0];
+  Block block;
+  block.kind = BlockKind::kList;
+  block.level = static_cast<int>(std::min<std::size_t>(lists_.size() + 1, kMostLevels));
+  block.quotation = frame.state.quotation;
+  list.block = writer_.Add(std::move(block));
+  lists_.push_back(list);
+}
+
+void MarkupReader::OpenItem(Frame& frame, const MarkupAttributes& attributes) {
+  frame.state.kind = BlockKind::kListItem;
+  frame.state.level =
+      static_cast<std::int16_t>(std::clamp<std::size_t>(lists_.size(), 1, kMostLevels));
+  if (lists_.empty()) {
+    writer_.SetLabel("-");
+    return;
+  }
+  OpenList& list = lists_.back();
+  if (frame.role != Role::kDefinition) ++list.items;
+  if (frame.role == Role::kTerm) return;
+  if (!list.ordered) {
+    writer_.SetLabel("-");
+    return;
+  }
+  const int number = WholeNumber(attributes["value"], list.next);
+  writer_.SetLabel(NumberLabel(number, list.type));
+  list.next = number + list.step;
+}
+
+void MarkupReader::OpenCell(Frame& frame, const MarkupAttributes& attributes) {
+  TableCell cell;
+  cell.header = frame.role == Role::kHeaderCell;
+  const std::string scope = LowerCase(attributes["scope"]);
+  cell.names_row = scope == "row" || scope == "rowgroup";
+  cell.names_column = scope == "col" || scope == "colgroup";
+  cell.columns = static_cast<std::uint32_t>(std::max(WholeNumber(attributes["colspan"], 1), 1));
+  cell.first_block = cell.end_block = writer_.place().block;
+  const int rows = std::clamp(WholeNumber(attributes["rowspan"], 1), 1, 65534);
+  tables_.back().BeginCell(cell, static_cast<std::uint32_t>(rows));
+  frame.state.kind = BlockKind::kParagraph;
+  frame.state.level = 0;
+}
+
+void MarkupReader::OpenLink(Frame& frame, const MarkupAttributes& attributes) {
+  if (!attributes.Has("href")) return;
+  const bool note = HasType(attributes, "noteref");
+  ValueOf(frame.state, note ? MarkKind::kNoteCall : MarkKind::kLink) =
+      writer_.Value(attributes["href"]);
+  std::string_view label = attributes["aria-label"];
+  if (label.empty()) label = attributes["title"];
+  if (label.empty()) return;
+  labels_.emplace_back(label);
+  frame.label = static_cast<std::uint32_t>(labels_.size() - 1);
+}
+
+void MarkupReader::OpenImage(const Frame& frame, const MarkupAttributes& attributes) {
+  const std::string_view role = attributes["role"];
+  if (role == "presentation" || role == "none") return;
+  std::string_view words = attributes["aria-label"];
+  if (words.empty()) words = attributes["alt"];
+  if (words.empty()) words = attributes["title"];
+  const std::string_view file = FileName(attributes["src"]);
+  if (!IsBlank(words)) {
+    WritingState state = frame.state;
+    ValueOf(state, MarkKind::kPicture) = writer_.Value(file);
+    state.verbatim = false;
+    Say(words, state);
+  } else if (!attributes.Has("alt")) {  // an empty one says that it only decorates
+    writer_.Point(MarkKind::kPicture, file);
+    NoteLeftOut(writer_.document(), LeftOut::kPicture, file);
+  }
+}
+
+void MarkupReader::OpenDrawing(Frame& frame, const MarkupAttributes& attributes) {
+  frame.drawing = true;
+  ValueOf(frame.state, MarkKind::kPicture) = writer_.Value("");
+  Say(attributes["aria-label"], frame.state);
+}
+
+void MarkupReader::OpenMath(Frame& frame, const MarkupAttributes& attributes) {
+  ValueOf(frame.state, MarkKind::kMath) = writer_.Value("");
+  const std::string_view words = attributes["alttext"];
+  if (!IsBlank(words)) {
+    Say(words, frame.state);
+    frame.silent = true;
+    return;
+  }
+  math_.emplace();
+  math_depth_ = 0;
+}
+
+void MarkupReader::OpenInput(const Frame& frame, const MarkupAttributes& attributes) {
+  const std::string type = LowerCase(attributes["type"]);
+  if (type == "checkbox" || type == "radio" || type == "password") return;
+  for (const char* name : {"value", "alt", "placeholder", "aria-label"}) {
+    if (IsBlank(attributes[name])) continue;
+    Say(" ", frame.state);
+    Say(attributes[name], frame.state);
+    Say(" ", frame.state);
+    return;
+  }
+}
+
+void MarkupReader::Text(std::string_view utf8) {
+  if (frames_.empty()) {
+    Say(utf8, {});
+    return;
+  }
+  const Frame& frame = frames_.back();
+  if (frame.page) {
+    page_name_ += utf8;
+  } else if (frame.hidden) {
+    if (!hidden_noted_ && !IsBlank(utf8)) {
+      NoteLeftOut(writer_.document(), LeftOut::kHiddenPart, utf8);
+      hidden_noted_ = true;
+    }
+  } else if (frame.in_head && frame.role == Role::kTitle && !has_title_) {
+    title_ += utf8;
+  } else if (frame.role == Role::kReading) {
+    if (!IsBlank(utf8) && utf8 != "(" && utf8 != ")") {
+      NoteLeftOut(writer_.document(), LeftOut::kReading, utf8);
+    }
+  } else if (frame.silent) {
+    return;
+  } else if (math_) {
+    math_->Text(utf8);
+  } else if (frame.role == Role::kLowered) {
+    Say(Shifted(utf8, false), frame.state);
+  } else if (frame.role == Role::kRaised ||
+             frame.state.marks[static_cast<std::size_t>(MarkKind::kNoteCall)] != 0) {
+    Say(Shifted(utf8, true), frame.state);
+  } else {
+    Say(utf8, frame.state);
+  }
+}
+
+void MarkupReader::UnknownEntity(std::string_view name) {
+  NoteLeftOut(writer_.document(), LeftOut::kUnknownEntity, name);
+}
+
+void MarkupReader::CloseTable() {
+  const TableReader table = std::move(tables_.back());
+  tables_.pop_back();
+  const std::size_t first = table.first_block();
+  const std::vector<std::size_t> now = table.Finish(writer_.document());
+  for (std::size_t i = table_anchors_.back(); i < anchors_.size(); ++i) {
+    DocumentPlace& place = anchors_[i].place;
+    const std::size_t moved = place.block - first < now.size() ? now[place.block - first] : 0;
+    if (moved == place.block || moved == 0) continue;
+    place = {moved, 0};
+  }
+  table_anchors_.pop_back();
+}
+
+void MarkupReader::CloseList() {
+  const OpenList list = lists_.back();
+  lists_.pop_back();
+  std::vector<Block>& blocks = writer_.document().blocks;
+  if (list.block + 1 == blocks.size()) {
+    blocks.pop_back();  // a list of nothing
+  } else {
+    blocks[list.block].row = list.items;
+  }
+}
+
+void MarkupReader::CloseLink(const Frame& frame) {
+  if (frame.label != 0 && writer_.written() == frame.written) {
+    Say(labels_[frame.label], frame.state);
+  }
+}
+
+void MarkupReader::CloseDrawing(const Frame& frame) {
+  if (writer_.written() != frame.written) return;
+  writer_.Point(MarkKind::kPicture, "");
+  NoteLeftOut(writer_.document(), LeftOut::kPicture, "svg");
+}
+
+void MarkupReader::Close() {
+  if (deeper_ > 0) {
+    --deeper_;
+    return;
+  }
+  if (frames_.empty()) return;
+  const Frame frame = frames_.back();
+  frames_.pop_back();
+  if (math_ && math_depth_ > 0) {
+    --math_depth_;
+    math_->Close();
+    return;
+  }
+  if (math_) {
+    const std::string words = math_->text();
+    math_.reset();
+    Say(words, frame.state);
+    return;
+  }
+  const bool outer_page = !frames_.empty() && frames_.back().page;
+  if (frame.page && !outer_page) {
+    if (!IsBlank(page_name_)) writer_.Point(MarkKind::kPrintPage, page_name_);
+    return;
+  }
+  if (frame.role == Role::kTitle && frame.in_head) has_title_ = true;
+  if (frame.silent || frame.page) return;
+  if (IsBlock(frame.role)) writer_.End();
+  if (frame.role == Role::kItem || frame.role == Role::kDefinition) writer_.SetLabel("");
+  if (frame.role == Role::kList || frame.role == Role::kOrderedList) CloseList();
+  if (frame.role == Role::kTable) CloseTable();
+  if (frame.role == Role::kCaption && !tables_.empty()) {
+    tables_.back().EndCaption(writer_.place().block);
+  }
+  if ((frame.role == Role::kCell || frame.role == Role::kHeaderCell) && !tables_.empty()) {
+    tables_.back().EndCell(writer_.place().block);
+  }
+  if (frame.role == Role::kQuote) Say("\xE2\x80\x9D", frame.state);
+  if (frame.role == Role::kDrawing) CloseDrawing(frame);
+  CloseLink(frame);
+}
+
+}  // namespace moontrace

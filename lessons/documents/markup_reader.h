@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "lessons/documents/block_writer.h"
+#include "lessons/documents/markup_elements.h"
+#include "lessons/documents/math_text.h"
+#include "lessons/documents/table_reader.h"
+
+namespace moontrace {
+
+/// Makes blocks of HTML's elements, whichever parser found them, part after part of a document.
+/// Read as a screen reader does: hidden parts are passed over, pictures are their alternative text
+/// (none: an empty mark), lists and tables tell their size. Throws InputError as BlockWriter does.
+class MarkupReader : public MarkupSink {
+ public:
+  explicit MarkupReader(BlockWriter& writer) : writer_(writer) {}
+
+  /// `path` of the part within the book, for places that are named in it.
+  void BeginPart(std::string_view path);
+  void EndPart();
+
+  void Open(std::string_view name, const MarkupAttributes& attributes) override;
+  void Text(std::string_view utf8) override;
+  void Close() override;
+  void UnknownEntity(std::string_view name) override;
+
+  /// The title of the part's head.
+  const std::string& title() const { return title_; }
+  const std::string& language() const { return language_; }
+  /// A place of a part by the id of its element, or the part's beginning for an empty one.
+  const DocumentPlace* Find(std::string_view path, std::string_view id) const;
+
+ private:
+  struct Frame {
+    ElementRole role = ElementRole::kInline;
+    WritingState state;
+    bool silent = false, hidden = false, drawing = false, in_head = false;
+    bool page = false;  // its text is the name of a print page
+
+    std::uint32_t label = 0;  // of a link, in labels_
+    std::size_t written = 0;  // when it began
+  };
+  struct OpenList {
+    std::size_t block = 0;
+    bool ordered = false;
+    char type = '1';
+    int next = 1, step = 1;
+    std::uint32_t items = 0;
+  };
+  struct Anchor {
+    std::string key;
+    DocumentPlace place;
+  };
+
+  bool OpenSilent(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
+  void OpenPrintPage(Frame& frame, const MarkupAttributes& attributes);
+  void OpenText(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
+  void OpenGroup(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
+  void BeginList(Frame& frame, const MarkupAttributes& attributes);
+  void OpenItem(Frame& frame, const MarkupAttributes& attributes);
+  void OpenCell(Frame& frame, const MarkupAttributes& attributes);
+  void OpenImage(const Frame& frame, const MarkupAttributes& attributes);
+  void OpenDrawing(Frame& frame, const MarkupAttributes& attributes);
+  void OpenMath(Frame& frame, const MarkupAttributes& attributes);
+  void OpenInput(const Frame& frame, const MarkupAttributes& attributes);
+  void OpenLink(Frame& frame, const MarkupAttributes& attributes);
+  void CloseTable();
+  void CloseList();
+  void CloseLink(const Frame& frame);
+  void CloseDrawing(const Frame& frame);
+  void SetLanguage(Frame& frame, const MarkupAttributes& attributes);
+  void NoteAnchor(const MarkupAttributes& attributes);
+  void Say(std::string_view text, const WritingState& state) { writer_.Append(text, state); }
+
+  BlockWriter& writer_;
+  std::string path_;
+  std::vector<Frame> frames_;
+  std::size_t deeper_ = 0;  // elements below the deepest frame
+  std::vector<OpenList> lists_;
+  std::vector<TableReader> tables_;
+  std::optional<MathText> math_;
+  std::size_t math_depth_ = 0;
+  std::string title_, language_, page_name_;
+  bool has_title_ = false;
+  bool hidden_noted_ = false;
+  std::vector<std::string> labels_{""};
+  std::vector<Anchor> anchors_;
+  std::vector<std::size_t> table_anchors_;  // how many there were when each table began
+  mutable std::unordered_map<std::string, std::size_t> found_;  // by key, in anchors_
+};
+
+}  // namespace moontrace

@@ -1,0 +1,147 @@
+#include "lessons/documents/zip_archive.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "textures/base/error.h"
+#include "textures/base/text_file.h"
+
+#ifdef MOONTRACE_HAVE_LIBZIP
+#include <zip.h>
+#endif
+
+namespace moontrace {
+
+#ifdef MOONTRACE_HAVE_LIBZIP
+
+namespace {
+
+constexpr zip_int64_t kMostEntries = 100'000;
+
+class ErrorOf {
+ public:
+  ErrorOf() { zip_error_init(&error_); }
+  ErrorOf(const ErrorOf&) = delete;
+  ErrorOf& operator=(const ErrorOf&) = delete;
+  ~ErrorOf() { zip_error_fini(&error_); }
+  zip_error_t* get() { return &error_; }
+  std::string words() { return OneLine(zip_error_strerror(&error_), 100); }
+
+ private:
+  zip_error_t error_{};
+};
+
+}  // namespace
+
+struct ZipArchive::Handle {
+  zip_t* zip = nullptr;
+  ~Handle() {
+    if (zip != nullptr) zip_discard(zip);
+  }
+};
+
+namespace {
+
+zip_t* Opened(zip_source_t* source, const std::string& name, ErrorOf& error) {
+  zip_t* zip = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, error.get());
+  if (zip == nullptr) {
+    const std::string words = error.words();
+    if (source != nullptr) zip_source_free(source);
+    throw InputError(name + ": is a damaged zip archive (" + words + "); get it again");
+  }
+  if (zip_get_num_entries(zip, 0) > kMostEntries) {
+    zip_discard(zip);
+    throw InputError(name + ": holds more than " + std::to_string(kMostEntries) +
+                     " files; no book does");
+  }
+  return zip;
+}
+
+}  // namespace
+
+ZipArchive::ZipArchive(const std::string& path, std::size_t most_bytes)
+    : name_(path), left_(most_bytes), handle_(std::make_unique<Handle>()) {
+  RequireRegularFile(path);
+  ErrorOf error;
+  handle_->zip = Opened(zip_source_file_create(path.c_str(), 0, -1, error.get()), name_, error);
+}
+
+ZipArchive::ZipArchive(std::string bytes, const std::string& name, std::size_t most_bytes)
+    : name_(name),
+      bytes_(std::move(bytes)),
+      left_(most_bytes),
+      handle_(std::make_unique<Handle>()) {
+  ErrorOf error;
+  handle_->zip =
+      Opened(zip_source_buffer_create(bytes_.data(), bytes_.size(), 0, error.get()), name_, error);
+}
+
+ZipArchive::~ZipArchive() = default;
+
+bool ZipArchive::Has(std::string_view entry) const {
+  return zip_name_locate(handle_->zip, std::string(entry).c_str(), 0) >= 0;
+}
+
+std::optional<std::string> ZipArchive::Read(std::string_view entry) {
+  const zip_int64_t index = zip_name_locate(handle_->zip, std::string(entry).c_str(), 0);
+  if (index < 0) return std::nullopt;
+  zip_stat_t stat;
+  zip_stat_init(&stat);
+  const auto at = static_cast<zip_uint64_t>(index);
+  if (zip_stat_index(handle_->zip, at, 0, &stat) == 0 &&
+      (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && stat.encryption_method != ZIP_EM_NONE) {
+    return std::nullopt;
+  }
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen_index(handle_->zip, at, 0),
+                                                               zip_fclose);
+  const auto damaged = [&](const char* words) {
+    return InputError(name_ + ": " + OneLine(entry) + " in it cannot be unpacked (" +
+                      OneLine(words, 100) + "); get it again");
+  };
+  if (file == nullptr) throw damaged(zip_strerror(handle_->zip));
+  // What the archive says of sizes may be wrong: bytes are counted as they come.
+  std::string text;
+  char block[65536];
+  for (;;) {
+    const zip_int64_t count = zip_fread(file.get(), block, sizeof block);
+    if (count < 0) throw damaged(zip_file_strerror(file.get()));
+    if (count == 0) return text;
+    const auto taken = static_cast<std::size_t>(count);
+    if (taken > left_) {
+      throw InputError(name_ + ": unpacks to more than is taken, with " + OneLine(entry) +
+                       "; raise --most-mb if you trust it");
+    }
+    left_ -= taken;
+    text.append(block, taken);
+  }
+}
+
+bool CanReadZip() { return true; }
+
+#else
+
+struct ZipArchive::Handle {};
+
+namespace {
+[[noreturn]] void ThrowLack() {
+  throw LackError(
+      "EPUB books cannot be read: the program was built without libzip; install "
+      "libzip-dev and build it again");
+}
+}  // namespace
+
+ZipArchive::ZipArchive(const std::string& /*path*/, std::size_t most_bytes) : left_(most_bytes) {
+  ThrowLack();
+}
+ZipArchive::ZipArchive(std::string /*bytes*/, const std::string& /*name*/, std::size_t most_bytes)
+    : left_(most_bytes) {
+  ThrowLack();
+}
+ZipArchive::~ZipArchive() = default;
+bool ZipArchive::Has(std::string_view /*entry*/) const { return false; }
+std::optional<std::string> ZipArchive::Read(std::string_view /*entry*/) { return std::nullopt; }
+bool CanReadZip() { return false; }
+
+#endif
+
+}  // namespace moontrace

@@ -1,0 +1,224 @@
+#include "lessons/documents/epub_document.h"
+
+#include <gtest/gtest.h>
+
+#include "lessons/documents/html_tree.h"
+#include "lessons/documents/open_document.h"
+#include "lessons/documents/transcribe.h"
+#include "tests/lessons/documents/document_file.h"
+#include "tests/lessons/documents/stored_book.h"
+#include "tests/source_path.h"
+
+namespace moontrace {
+namespace {
+
+class EpubDocument : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!CanReadZip()) GTEST_SKIP() << "built without libzip";
+  }
+  static Document Read(const ZipEntries& entries) {
+    return ReadDocument(StoredZip(entries), "book.epub", {});
+  }
+  static std::string TextOf(const ZipEntries& entries) { return Transcribe(Read(entries)).text; }
+  static std::string Refused(const ZipEntries& entries) {
+    return RefusalOf([&] { Read(entries); });
+  }
+};
+
+ZipEntries Replaced(ZipEntries entries, const std::string& name, const std::string& bytes) {
+  std::erase_if(entries, [&](const auto& entry) { return entry.first == name; });
+  if (!bytes.empty()) entries.emplace_back(name, bytes);
+  return entries;
+}
+
+// Both by pandoc 2.17 from one text: a heading, a note, lists, a table, pictures, verse, code.
+TEST_F(EpubDocument, BooksOfBothVersionsHoldTheSame) {
+  for (const char* name : {"lighthouse-2.epub", "lighthouse-3.epub"}) {
+    const Document book = OpenDocument(SourcePath("tests/data/documents/" + std::string(name)), {});
+    EXPECT_EQ(book.title, "The Lighthouse");
+    EXPECT_EQ(book.authors, (std::vector<std::string>{"Ann Keeper", "Bo Rock"}));
+    EXPECT_EQ(book.language, "en-GB");
+    const std::string text = Transcribe(book).text;
+    for (const char* line :
+         {"# First light\n", "> A quoted line.\n", "list of 3 items\n- lamp\n- oil\n",
+          "table of 2 rows and 3 columns: People of the light; columns Name, Age, City\n",
+          "row 2, Age: 41\n", "(picture without description)\n", "10\xC2\xB2 H\xE2\x82\x82O.",
+          "The sea is calm to-night.\nThe tide is full,\n", "code # not a heading\n\\> x\n",
+          "\n\\# not a heading \\[x](y is not a link\n", "1. The number is from 1882."}) {
+      EXPECT_NE(text.find(line), std::string::npos) << name << "\n" << line << text;
+    }
+    const std::vector<ContentsEntry> contents = ContentsOf(book);
+    ASSERT_GE(contents.size(), 2U);
+    EXPECT_EQ(contents.back().title, "Tools");
+    EXPECT_EQ(contents.back().level, 2);
+    EXPECT_EQ(book.blocks[contents.back().block].text, "Tools");
+  }
+}
+
+TEST_F(EpubDocument, EmptyTitlesEntitiesAndCharactersAreRead) {
+  EXPECT_EQ(TextOf(Book({Chapter("<p>a&#x41;&amp;nbsp;<![CDATA[<b>]]></p>")})), "aA&nbsp;<b>\n");
+  const Document declared =
+      Read(Book({Chapter("<p>&a; &b; &x;</p>",
+                         "<!DOCTYPE html [<!ENTITY a 'lo&#108;'><!ENTITY b '&a;&a;'><!ENTITY x "
+                         "SYSTEM 'file:///etc/passwd'>]>")}));
+  EXPECT_EQ(Transcribe(declared).text, "lol &b; &x;\n");
+  EXPECT_EQ(CountOf(declared, LeftOut::kUnknownEntity), 2U);
+  if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
+  EXPECT_EQ(TextOf(Book({Chapter("<p>a&nbsp;b&mdash;c &nosuch;</p>")})),
+            "a\xC2\xA0"
+            "b\xE2\x80\x94"
+            "c &nosuch;\n");
+}
+
+TEST_F(EpubDocument, ChaptersComeInTheOrderOfTheSpine) {
+  ZipEntries book = Book({Chapter("<p>one</p>"), Chapter("<p>two</p>"), Chapter("<p>three</p>")});
+  const std::string manifest =
+      "<item id='a' href='c0.xhtml' media-type='application/xhtml+xml'/>"
+      "<item id='b' href='./c1.xhtml' media-type='application/xhtml+xml'/>"
+      "<item id='c' href='x/../c%32.xhtml' media-type='application/xhtml+xml'/>";
+  book = Replaced(book, "OPS/book.opf",
+                  Package(manifest,
+                          "<itemref idref='c' linear='no'/><itemref idref='b'/>"
+                          "<itemref idref='a'/>"));
+  const Document read = Read(book);
+  EXPECT_EQ(Transcribe(read).text, "two\n\none\n\nthree\n");
+  EXPECT_EQ(read.title, "Sea & Land");
+  EXPECT_EQ(CountOf(read, LeftOut::kLaterPart), 1U);
+}
+
+TEST_F(EpubDocument, OddChaptersAreFoundOrToldOf) {
+  const std::string manifest =
+      "<item id='typed' href='c0.xhtml' media-type='application/octet-stream'/>"
+      "<item id='data' href='d.json' media-type='application/json' fallback='c1'/>"
+      "<item id='c1' href='c1.xhtml' media-type='application/xhtml+xml'/>"
+      "<item id='picture' href='p.jpg' media-type='image/jpeg'/>"
+      "<item id='gone' href='gone.xhtml' media-type='application/xhtml+xml'/>"
+      "<item id='out' href='../../etc/passwd' media-type='application/xhtml+xml'/>"
+      "<item id='web' href='http://example.org/x' media-type='application/xhtml+xml'/>";
+  std::string spine;
+  for (const char* id : {"typed", "data", "picture", "gone", "out", "web", "unknown"}) {
+    spine += "<itemref idref='" + std::string(id) + "'/>";
+  }
+  ZipEntries book = Book({Chapter("<p>wrong type</p>"), Chapter("<p>stands in</p>")});
+  book = Replaced(book, "OPS/book.opf", Package(manifest, spine));
+  book.emplace_back("OPS/p.jpg", "\xFF\xD8 no text");
+  book.emplace_back("OPS/d.json", "{}");
+  book.emplace_back("../../etc/passwd", Chapter("<p>outside</p>"));
+  const Document read = Read(book);
+  EXPECT_EQ(Transcribe(read).text, "wrong type\n\nstands in\n");
+  EXPECT_EQ(CountOf(read, LeftOut::kUnreadablePart), 1U);
+  EXPECT_EQ(CountOf(read, LeftOut::kMissingPart), 2U);
+  EXPECT_EQ(CountOf(read, LeftOut::kOutsidePart), 2U);
+}
+
+TEST_F(EpubDocument, BothTablesOfContentsAndPagesLead) {
+  ZipEntries book = Book({Chapter("<h1 id='h'>One</h1><p>a<i id='p2'/>b</p>")});
+  const std::string chapter = "<item id='c0' href='c0.xhtml' media-type='application/xhtml+xml'/>";
+  book.emplace_back(
+      "OPS/nav.xhtml",
+      Chapter("<nav epub:type='toc'><ol><li><a href='c0.xhtml#h'>Part <img alt='I'/></a>"
+              "<ol><li><a href='gone.xhtml'>Gone</a></li></ol></li></ol></nav>"
+              "<nav epub:type='page-list'><ol><li><a href='c0.xhtml#p2'>2</a></li></ol>"
+              "</nav>"));
+  book.emplace_back(
+      "OPS/toc.ncx",
+      "<ncx><navMap><navPoint><navLabel><text>Older</text></navLabel><content src='c0.xhtml'/>"
+      "</navPoint></navMap></ncx>");
+  const std::string ncx = "<item id='n' href='toc.ncx' media-type='application/x-dtbncx+xml'/>";
+  const std::string nav =
+      "<item id='v' href='nav.xhtml' properties='nav' media-type='application/xhtml+xml'/>";
+  const auto with = [&](const std::string& items) {
+    return Replaced(book, "OPS/book.opf",
+                    Package(chapter + items, "<itemref idref='c0'/>", " toc='n'"));
+  };
+  const Document newer = Read(with(ncx + nav));
+  ASSERT_EQ(newer.contents.size(), 2U);
+  EXPECT_EQ(newer.contents[0].title, "Part I");
+  EXPECT_EQ(newer.contents[0].block, 0U);
+  EXPECT_EQ(newer.contents[1].level, 2);
+  EXPECT_EQ(newer.contents[1].block, kNoBlock);
+  EXPECT_EQ(newer.blocks[1].marks, (std::vector<DocumentMark>{{MarkKind::kPrintPage, 1, 1, "2"}}));
+  EXPECT_EQ(Read(with(ncx)).contents.at(0).title, "Older");
+  // A navigation document that is not well-formed must not be shown (EPUB 3.3 reading systems).
+  const Document broken = Read(Replaced(with(nav), "OPS/nav.xhtml", "<html><nav>"));
+  EXPECT_EQ(CountOf(broken, LeftOut::kBrokenContents), 1U);
+  EXPECT_EQ(ContentsOf(broken).at(0).title, "One") << "its headings";
+}
+
+TEST_F(EpubDocument, DamagedChaptersAreReadAsWebPages) {
+  if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
+  const Document read = Read(Book({Chapter("<p>un<b>closed</p><p>next")}));
+  EXPECT_EQ(Transcribe(read).text, "unclosed\n\nnext\n");
+  EXPECT_EQ(CountOf(read, LeftOut::kBrokenPart), 1U);
+}
+
+TEST_F(EpubDocument, EncryptedBooksAreRefusedInWordsFontsAreNot) {
+  const auto encrypted = [](const std::string& method, const std::string& path) {
+    ZipEntries book = Book({Chapter("<p>x</p>")});
+    book.emplace_back(
+        "META-INF/encryption.xml",
+        "<encryption xmlns:enc='http://www.w3.org/2001/04/xmlenc#'><enc:EncryptedData>"
+        "<enc:EncryptionMethod Algorithm='" +
+            method +
+            "'/><enc:CipherData>"
+            "<enc:CipherReference URI='" +
+            path +
+            "'/></enc:CipherData>"
+            "</enc:EncryptedData></encryption>");
+    return book;
+  };
+  const std::string aes = "http://www.w3.org/2001/04/xmlenc#aes256-cbc";
+  EXPECT_NE(Refused(encrypted(aes, "OPS/c0.xhtml")).find("is encrypted"), std::string::npos);
+  EXPECT_EQ(CountOf(Read(encrypted(aes, "OPS/p.jpg")), LeftOut::kEncryptedPart), 1U);
+  EXPECT_TRUE(Read(encrypted("http://www.idpf.org/2008/embedding", "OPS/f.otf")).left_out.empty());
+}
+
+TEST_F(EpubDocument, DamagedBooksAreRefusedInOneLine) {
+  const ZipEntries book = Book({Chapter("<p>x</p>")});
+  EXPECT_NE(Refused(Replaced(book, "META-INF/container.xml", "")).find("no EPUB book"),
+            std::string::npos);
+  EXPECT_NE(
+      Refused(Replaced(book, "META-INF/container.xml", "<container/>")).find("names no package"),
+      std::string::npos);
+  EXPECT_NE(Refused(Replaced(book, "OPS/book.opf", "")).find("its package, is missing"),
+            std::string::npos);
+  EXPECT_NE(Refused(Replaced(book, "OPS/book.opf", "<package>")).find("no package of EPUB"),
+            std::string::npos);
+  EXPECT_NE(Refused(Replaced(book, "OPS/book.opf", Package("", ""))).find("without chapters"),
+            std::string::npos);
+  EXPECT_NE(Refused(Replaced(book, "OPS/c0.xhtml", "")).find("holds no text"), std::string::npos);
+  const std::string zip = StoredZip(book);
+  for (const std::size_t size : {zip.size() / 2, zip.size() - 1, std::size_t{30}}) {
+    EXPECT_NE(RefusalOf([&] { ReadDocument(zip.substr(0, size), "b", {}); }).find("damaged zip"),
+              std::string::npos);
+  }
+}
+
+TEST_F(EpubDocument, WhatUnpacksToTooMuchIsRefused) {
+  const ZipEntries book = Book({Chapter("<p>" + std::string(3 << 20, 'a') + "</p>")});
+  OpenOptions small;
+  small.limits.most_bytes = std::size_t{4} << 20U;
+  EXPECT_EQ(ReadDocument(StoredZip(book), "b", small).blocks.size(), 1U);
+  // The same chapter over and over is a bomb too.
+  const std::string manifest = "<item id='c' href='c0.xhtml' media-type='application/xhtml+xml'/>";
+  std::string spine;
+  for (int i = 0; i < 100; ++i) spine += "<itemref idref='c'/>";
+  const std::string again = StoredZip(Replaced(book, "OPS/book.opf", Package(manifest, spine)));
+  EXPECT_EQ(RefusalOf([&] { ReadDocument(again, "b", small); }),
+            "b: unpacks to more than is taken, with OPS/c0.xhtml; raise --most-mb if you trust it");
+}
+
+TEST_F(EpubDocument, DeepChaptersKeepTheirText) {
+  std::string open, close;
+  for (int i = 0; i < 100'000; ++i) {
+    open += "<div>";
+    close += "</div>";
+  }
+  const Document read = Read(Book({Chapter(open + "deep" + close)}));
+  EXPECT_EQ(Transcribe(read).text, "deep\n");
+  EXPECT_GT(CountOf(read, LeftOut::kDeepElement), 90'000U);
+}
+
+}  // namespace
+}  // namespace moontrace

@@ -1,0 +1,154 @@
+#include "lessons/documents/html_document.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lessons/documents/html_tree.h"
+#include "lessons/documents/open_document.h"
+#include "lessons/documents/transcribe.h"
+#include "tests/lessons/documents/document_file.h"
+#include "tests/source_path.h"
+
+namespace moontrace {
+namespace {
+
+class HtmlDocument : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
+  }
+  static std::string TextOf(const std::string& html) {
+    return Transcribe(ReadHtml(html, "page.html")).text;
+  }
+};
+
+std::string Times(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+// Written by hand from the page as a screen reader gives it.
+constexpr const char* kPage =
+    "[To the text](#main)\n\n"
+    "# Tides\n\n"
+    "High water comes twice a\xC2\xA0"
+    "day & is told in m.\n\n"
+    "See the notes [1], [the board](https://example.org/a_%28b%29) and [the map](map.html).\n\n"
+    "> Time and tide wait for no man.\n\n"
+    "list of 2 items\n3. Look\n4. Wait\nlist of 1 item, level 2\n-- for the ebb\n\n"
+    "list of 1 item\nNeap\n- the small tide\n\n"
+    "table of 2 rows and 3 columns: Today; columns Port, High, Low\n"
+    "North, High: 6:10\nNorth, Low: 12:20\nSouth, High: 6:40\n\n"
+    "left side\n\nright side\n\n"
+    "(picture: The harbour at ebb)(picture without description)\n\n"
+    "  line one\n    line two # kept\n\n"
+    "\\# not a heading\n\\> not a quotation\n\n"
+    "E = m c\xC2\xB2, H\xE2\x82\x82O, 4th\n\n"
+    "---\n\n"
+    "Bonjour\n\n"
+    "\xE6\x9D\xB1\n\n"
+    "no video\n";
+
+TEST_F(HtmlDocument, IsReadAsAScreenReaderGivesIt) {
+  const Document page = OpenDocument(SourcePath("tests/data/documents/page.html"), {});
+  EXPECT_EQ(Transcribe(page).text, kPage);
+  EXPECT_EQ(page.title, "Tide tables of the harbour");
+  EXPECT_EQ(page.authors, std::vector<std::string>{"Harbour Office"});
+  EXPECT_EQ(page.language, "en");
+}
+
+TEST_F(HtmlDocument, TellsWhatWasLeftOut) {
+  const Document page = OpenDocument(SourcePath("tests/data/documents/page.html"), {});
+  EXPECT_EQ(CountOf(page, LeftOut::kHiddenPart), 3U);
+  EXPECT_EQ(CountOf(page, LeftOut::kPicture), 1U);
+  EXPECT_EQ(CountOf(page, LeftOut::kMedia), 1U);
+  EXPECT_EQ(CountOf(page, LeftOut::kReading), 1U);
+  EXPECT_EQ(page.left_out.size(), 4U);
+}
+
+TEST_F(HtmlDocument, KeepsLanguagesPicturesAndLinksAsMarks) {
+  const Document page = OpenDocument(SourcePath("tests/data/documents/page.html"), {});
+  std::vector<DocumentMark> marks;
+  for (const Block& block : page.blocks) {
+    marks.insert(marks.end(), block.marks.begin(), block.marks.end());
+  }
+  const auto has = [&marks](const DocumentMark& mark) {
+    return std::find(marks.begin(), marks.end(), mark) != marks.end();
+  };
+  EXPECT_TRUE(has({MarkKind::kLanguage, 0, 7, "fr"}));
+  EXPECT_TRUE(has({MarkKind::kPicture, 0, 18, "harbour.jpg"}));
+  EXPECT_TRUE(has({MarkKind::kPicture, 18, 18, "boat.jpg"}));
+  EXPECT_TRUE(has({MarkKind::kLink, 4, 17, "notes.html"}));
+}
+
+TEST_F(HtmlDocument, IsBuiltAsBrowsersBuildIt) {
+  EXPECT_EQ(TextOf("<p>one<p>two<b>bold</p>&copy 2 &#x80;"),
+            "one\n\ntwobold\n\n\xC2\xA9 2 \xE2\x82\xAC\n");
+  EXPECT_EQ(TextOf("<p>a<br><br>b<br>c"), "a\n\nb\nc\n");
+  EXPECT_EQ(TextOf("plain text &lt;b&gt;"), "plain text <b>\n");
+}
+
+TEST_F(HtmlDocument, TablesAreToldCellByCell) {
+  EXPECT_EQ(TextOf("<table><tr><td>a<td>b<tr><td>c<td>d</table>"),
+            "table of 2 rows and 2 columns\nrow 1, column 1: a\nrow 1, column 2: b\n"
+            "row 2, column 1: c\nrow 2, column 2: d\n");
+  // A cell over two rows pushes the next row's to the right (HTML, forming a table).
+  EXPECT_EQ(TextOf("<table><tr><th>x<th>y<tr><td rowspan=2>a<td>b<tr><td>c</table>"),
+            "table of 2 rows and 2 columns; columns x, y\nrow 1, x: a\nrow 1, y: b\nrow 2, y: c\n");
+  EXPECT_EQ(TextOf("<table><tr><td><h1>T</h1><td><p>x<table><tr><td>1<td>2</table></table>"),
+            "# T\n\nx\n\ntable of 1 row and 2 columns\nrow 1, column 1: 1\nrow 1, column 2: 2\n");
+  EXPECT_EQ(TextOf("<table><tr><th>only<th>heads</table>"),
+            "table of 1 row and 2 columns\nrow 1, column 1: only\nrow 1, column 2: heads\n");
+}
+
+TEST_F(HtmlDocument, MathematicsIsItsText) {
+  EXPECT_EQ(TextOf("<p><math><mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mn>2</mn></mfrac>"
+                   "<mo>=</mo><msup><mi>x</mi><mn>2</mn></msup></math>"),
+            "(a+b)/2=x^2\n");
+  EXPECT_EQ(TextOf("<p><math alttext='a over b'><mfrac><mi>a</mi><mi>b</mi></mfrac></math>"),
+            "a over b\n");
+  EXPECT_EQ(TextOf("<p><math><semantics><msqrt><mi>x</mi></msqrt><annotation>\\sqrt x"
+                   "</annotation></semantics></math>"),
+            "\xE2\x88\x9A(x)\n");
+}
+
+TEST_F(HtmlDocument, PrintPagesAreMarks) {
+  const Document page = ReadHtml("<p>end<span role=doc-pagebreak aria-label=12></span>begin", "p");
+  ASSERT_EQ(page.blocks.size(), 1U);
+  EXPECT_EQ(page.blocks[0].text, "endbegin");
+  EXPECT_EQ(page.blocks[0].marks, (std::vector<DocumentMark>{{MarkKind::kPrintPage, 3, 3, "12"}}));
+}
+
+TEST_F(HtmlDocument, DeepElementsKeepTheirText) {
+  for (const char* open : {"<div>", "<b>", "<x>", "<svg><div>", "<table><tr><td>", "<ul><li>",
+                           "<select><option>", "<blockquote>", "<a href=x>", "<x/>"}) {
+    const Document page = ReadHtml(Times(open, 100'000) + "deep", "p");
+    EXPECT_NE(Transcribe(page).text.find("deep"), std::string::npos) << open;
+    EXPECT_GT(CountOf(page, LeftOut::kDeepElement), 90'000U) << open;
+  }
+}
+
+TEST_F(HtmlDocument, FormattingDoesNotMultiply) {
+  std::string html;
+  for (int i = 0; i < 300; ++i) html += "<b id=" + std::to_string(i) + ">";
+  const Document page = ReadHtml(html + Times("<p>x", 50'000), "p");
+  EXPECT_EQ(page.blocks.size(), 50'000U);
+}
+
+TEST_F(HtmlDocument, TooManyElementsAreRefused) {
+  const std::string line = RefusalOf([] { ReadHtml(Times("<i>", 2'000'001), "big.html"); });
+  EXPECT_EQ(line, "big.html: holds more than 2000000 elements; split it");
+}
+
+TEST_F(HtmlDocument, ScriptsStayUnreadWhereverTheyEnd) {
+  EXPECT_EQ(TextOf("<p>a<script>'<p>no</p>'</script>b<!-- <p>no --><style>p</style>c"), "abc\n");
+  EXPECT_EQ(TextOf(Times("<div>", 1000) + "<script>no</script>yes"), "yes\n");
+  EXPECT_EQ(TextOf("<?xml version='1.0'?><html><head><title/></head><body><p>x<b>y</p>z"),
+            "xy\n\nz\n")
+      << "not well-formed: an empty title is empty";
+}
+
+}  // namespace
+}  // namespace moontrace
