@@ -14,6 +14,7 @@
 #include "sim/app/course_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/program_help.h"
+#include "sim/app/read_messages.h"
 #include "sim/app/recognise_messages.h"
 #include "sim/app/script_messages.h"
 #include "sim/app/study_messages.h"
@@ -154,6 +155,9 @@ constexpr Command kCommands[] = {
     Of<PageOptions>({"page", help::kPage, Audience::kWriter,
                      "TEXT --file --size-mm --script --embossed --page --picture --letters",
                      "pages print write text braille translate emboss label draw"}),
+    Of<ReadOptions>({"read", help::kRead, Audience::kWriter,
+                     "FILE --text --print --size-mm --script --page --json",
+                     "book books epub html document open library"}),
     Of<ScriptOptions>({"script", help::kScriptCommand, Audience::kWriter, "",
                        "scripts font fonts alphabet list check convert"}),
     Of<GalleryOptions>({"gallery", help::kGallery, Audience::kWriter, "", "pictures examples"}),
@@ -164,7 +168,7 @@ constexpr Command kCommands[] = {
     Of<RecogniseOptions>(
         {"recognise", help::kRecognise, Audience::kResearcher,
          "TEXT --file --size-mm --script --press-n --blank --picture --seed --json",
-         "recognize reader read feel"}),
+         "recognize reader feel"}),
     Of<ReplayOptions>({"replay", help::kReplay, Audience::kResearcher, "", "play repeat"}),
     Of<StudyOptions>(
         {"study", help::kStudyCommand, Audience::kResearcher, "", "studies experiment merge"}),

@@ -54,6 +54,19 @@ struct GuideOptions {
   std::optional<double> help;  ///< 0-10
 };
 
+/// `read`: what a document holds; its text, or its pages for swell paper.
+struct ReadOptions {
+  OutputOptions output;
+  std::string file;  ///< "-": standard input
+  StyleOptions style;
+  LayoutOptions layout;
+  bool text = false;
+  std::string print;                 ///< empty: none
+  std::optional<double> most_bytes;  ///< of the document, see DocumentLimits
+};
+void AddOptions(CLI::App& app, ReadOptions& options);
+int Run(const ReadOptions& options, Console& console);
+
 /// `trace`: the simulated stylus traces a text, page after page, and is scored; with `--device` a
 /// person does, in real time.
 struct TraceOptions {

@@ -67,4 +67,15 @@ Drawing PagePicture(const TextPage& text_page, PageNumber number, const Typeset&
   return drawing;
 }
 
+Drawing SwellPage(const TextPage& page, const Typeset& set, const Script& script,
+                  const std::string& title) {
+  Drawing drawing;
+  drawing.width = kMillimetres * set.page.width;
+  drawing.height = kMillimetres * set.page.height;
+  drawing.title = title;
+  drawing.description = say::PagePictureWords(page.glyphs.size(), page.lines, set.style);
+  drawing.marks = MoonMarks(page, script, set.style, {0, 0}, Color{0, 0, 0});
+  return drawing;
+}
+
 }  // namespace moontrace

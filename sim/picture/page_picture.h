@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "sim/picture/drawing.h"
@@ -19,5 +20,9 @@ struct PageNumber {
 /// set.
 Drawing PagePicture(const TextPage& page, PageNumber number, const Typeset& set,
                     const Script& script, std::string_view source, bool print_letters);
+
+/// A sheet for swell paper, which rises where it is black: strokes are, and nothing else is drawn.
+Drawing SwellPage(const TextPage& page, const Typeset& set, const Script& script,
+                  const std::string& title);
 
 }  // namespace moontrace

@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <istream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lessons/documents/open_document.h"
+#include "lessons/documents/transcribe.h"
+#include "sim/app/commands.h"
+#include "sim/app/read_messages.h"
+#include "sim/picture/page_picture.h"
+#include "sim/picture/picture_file.h"
+#include "sim/picture/picture_messages.h"
+#include "sim/setup/help.h"
+#include "sim/setup/setup_messages.h"
+#include "sim/setup/structure_messages.h"
+#include "sim/setup/typeset_report.h"
+#include "textures/base/error.h"
+#include "textures/relief/groove_links.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+namespace {
+
+constexpr std::size_t kMostContentsSaid = 20;
+
+std::string ReadInput(std::size_t most_bytes, Console& console) {
+  std::string bytes;
+  char block[65536];
+  while (console.in().read(block, sizeof block) || console.in().gcount() > 0) {
+    bytes.append(block, static_cast<std::size_t>(console.in().gcount()));
+    if (bytes.size() > most_bytes) break;  // refused with its size
+    console.CheckStop();
+  }
+  if (console.in().bad()) throw InputError(say::CannotReadInput());
+  return bytes;
+}
+
+Document Open(const ReadOptions& options, Console& console) {
+  if (options.file.empty()) throw UsageError(say::NoDocument());
+  OpenOptions open;
+  open.marks = options.style.structure;
+  if (options.most_bytes) open.limits.most_bytes = static_cast<std::size_t>(*options.most_bytes);
+  if (options.file != "-") return OpenDocument(options.file, open);
+  return ReadDocument(ReadInput(open.limits.most_bytes, console), "standard input", open);
+}
+
+/// A document as it was set; its pages are made again when they are drawn.
+struct Reading {
+  Script script;
+  Typeset set;
+  PageCounts counts;
+};
+
+Reading SetDocument(const ReadOptions& options, const std::string& text, Console& console) {
+  StyleOptions marked = options.style;
+  marked.structure = true;
+  Reading reading{ScriptOf(marked, nullptr, text), {}, {}};
+  for (const std::string& remark : reading.script.remarks) console.Remark(remark);
+  const TypeStyle style = StyleOf(marked, options.layout, reading.script, nullptr);
+  PageLinker linker(reading.script, style);
+  reading.set = SetPages(text, reading.script, style, PageOf(options.layout), [&](TextPage&& page) {
+    console.CheckStop();
+    linker.Keep(page);
+    AddCounts(page, reading.script, style, reading.counts);
+  });
+  return reading;
+}
+
+std::vector<std::string> Print(const ReadOptions& options, const std::string& text,
+                               const std::string& title, const Reading& reading, Console& console) {
+  PagePictures pictures(options.print, reading.counts.pages);
+  std::size_t page = 0;
+  SetPages(text, reading.script, reading.set.style, reading.set.page, [&](TextPage&& sheet) {
+    console.CheckStop();
+    console.Alive(static_cast<double>(page++) / static_cast<double>(reading.counts.pages));
+    pictures.Add(SwellPage(sheet, reading.set, reading.script, title));
+  });
+  return pictures.Finish();
+}
+
+Json BlockJson(const Block& block) {
+  Json json = {{"kind", NameOf(block.kind)}, {"text", block.text}};
+  if (block.level != 0) json["level"] = block.level;
+  if (block.quotation != 0) json["quotation"] = block.quotation;
+  if (block.note) json["note"] = true;
+  if (!block.label.empty()) json["label"] = block.label;
+  if (!block.column_name.empty()) json["column_name"] = block.column_name;
+  if (block.row != 0) json["row"] = block.row;
+  if (block.column != 0) json["column"] = block.column;
+  for (const DocumentMark& mark : block.marks) {
+    json["marks"].push_back(
+        {{"kind", NameOf(mark.kind)}, {"bytes", {mark.begin, mark.end}}, {"value", mark.value}});
+  }
+  return json;
+}
+
+Json DocumentJson(const Document& document) {
+  Json json = {{"format", NameOf(document.format)},
+               {"title", document.title},
+               {"authors", document.authors},
+               {"language", document.language},
+               {"encoding", document.encoding},
+               {"parts", Json::array()},
+               {"contents", Json::array()},
+               {"left_out", Json::array()},
+               {"blocks", Json::array()}};
+  for (const DocumentPart& part : document.parts) {
+    json["parts"].push_back({{"path", part.path}, {"block", part.first_block}});
+  }
+  for (const ContentsEntry& entry : ContentsOf(document)) {
+    json["contents"].push_back(
+        {{"title", entry.title},
+         {"level", entry.level},
+         {"block", entry.block == kNoBlock ? Json(nullptr) : Json(entry.block)}});
+  }
+  for (const LeftOutCount& one : document.left_out) {
+    json["left_out"].push_back(
+        {{"what", NameOf(one.what)}, {"count", one.count}, {"example", one.example}});
+  }
+  for (const Block& block : document.blocks) json["blocks"].push_back(BlockJson(block));
+  return json;
+}
+
+void SayContents(const Document& document, Console& console) {
+  const std::vector<ContentsEntry> contents = ContentsOf(document);
+  if (contents.empty()) return;
+  console.Result(say::ContentsOutcome(contents.size()));
+  const std::size_t said = std::min(contents.size(), kMostContentsSaid);
+  for (std::size_t i = 0; i < said; ++i) console.Result(say::ContentsLine(contents[i]));
+  if (said < contents.size()) console.Result(say::MoreContents(contents.size() - said));
+}
+
+/// A document's text could hold what a terminal obeys; line ends and tabs are no such thing.
+std::string Harmless(std::string text) {
+  for (char& c : text) {
+    if ((c >= 0 && c < ' ' && c != '\n' && c != '\t') || c == '\x7f') c = '?';
+  }
+  return text;
+}
+
+int WriteText(const ReadOptions& options, const Document& document, const std::string& text,
+              Console& console) {
+  console.Remark(say::DocumentSummary(document, options.file, nullptr));
+  for (const LeftOutCount& one : document.left_out) console.Remark(say::LeftOutOf(one));
+  console.out() << Harmless(text);
+  return exit_code::kGood;
+}
+
+void CheckTogether(const ReadOptions& options) {
+  if (options.text && (options.output.json || !options.print.empty())) {
+    throw UsageError(say::TextAlone());
+  }
+  if (options.print.empty()) return;
+  if (!HasPictureEnding(options.print)) {
+    throw UsageError(say::NotAPicture("--print", options.print));
+  }
+  CheckPicturePath(options.print);
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, ReadOptions& options) {
+  AddPath(app, "FILE", "FILE", options.file, say::help::kReadFile);
+  constexpr double kMegabyte = 1 << 20;
+  BeginGroup(app, help_group::kText);
+  AddNumber(app, "--most-mb", options.most_bytes, 1, 1024, kMegabyte, say::help::kReadMost);
+  BeginGroup(app, help_group::kResults);
+  AddFlag(app, "--text", options.text, say::help::kReadText);
+  AddPath(app, "--print", "FILE", options.print, say::help::kReadPrint);
+  AddOptions(app, options.style);
+  AddOptions(app, options.layout);
+  AddOptions(app, options.output);
+}
+
+int Run(const ReadOptions& options, Console& console) {
+  CheckTogether(options);
+  const Document document = Open(options, console);
+  const std::string text = Transcribe(document).text;
+  if (options.text) return WriteText(options, document, text, console);
+  const Reading reading = SetDocument(options, text, console);
+  std::vector<std::string> printed;
+  if (!options.print.empty()) {
+    printed = Print(options, text, say::DocumentName(document, options.file), reading, console);
+  }
+  if (options.output.json) {
+    Json json = TypesetJson(reading.set, reading.script, reading.counts);
+    json["document"] = DocumentJson(document);
+    json["pages"] = reading.counts.pages;
+    json["lines"] = reading.counts.lines;
+    json["signs"] = reading.counts.signs;
+    json["printed"] = printed;
+    console.Json(Dump(json));
+    return exit_code::kGood;
+  }
+  console.Result(say::DocumentSummary(document, options.file, &reading.counts.pages));
+  for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
+  SayReplacements(reading.set, [&console](const std::string& line) { console.Result(line); });
+  if (reading.set.structure.links + reading.set.structure.quotations > 0) {
+    console.Result(say::Structure(reading.set));
+  }
+  SayContents(document, console);
+  if (!printed.empty()) {
+    console.Result(say::PrintedDocument(reading.counts.pages, reading.set.style.size));
+  }
+  for (const std::string& file : printed) console.Path(file);
+  return exit_code::kGood;
+}
+
+}  // namespace moontrace

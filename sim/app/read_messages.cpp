@@ -1,0 +1,127 @@
+#include "sim/app/read_messages.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "sim/console/wording.h"
+#include "textures/base/text_file.h"
+
+namespace moontrace::say {
+namespace {
+
+/// "3 pictures have" or "1 picture has".
+std::string Has(std::size_t count, const char* one, const char* many) {
+  return Counted(count, one, many) + (count == 1 ? " has" : " have");
+}
+
+std::string Is(std::size_t count, const char* one, const char* many) {
+  return Counted(count, one, many) + (count == 1 ? " is" : " are");
+}
+
+std::string Begins(const std::string& example, const char* before = ", the first ") {
+  return example.empty() ? "." : before + Quoted(example) + ".";
+}
+
+}  // namespace
+
+std::string NoDocument() { return "read needs a file: moontrace read FILE"; }
+
+std::string TextAlone() {
+  return "--text writes the text alone; give it without --json and --print";
+}
+
+std::string DocumentName(const Document& document, const std::string& file) {
+  if (!document.title.empty()) return document.title;
+  return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+}
+
+std::string DocumentSummary(const Document& document, const std::string& file,
+                            const std::size_t* pages) {
+  const auto headings = static_cast<std::size_t>(
+      std::count_if(document.blocks.begin(), document.blocks.end(),
+                    [](const Block& block) { return block.kind == BlockKind::kHeading; }));
+  std::string line = Quoted(OneLine(DocumentName(document, file), 100));
+  std::vector<std::string> authors;
+  for (const std::string& author : document.authors) authors.push_back(OneLine(author));
+  if (authors.size() > 3) authors.resize(3);
+  if (!authors.empty()) line += " by " + Joined(authors, " and ");
+  line += fmt::format(
+      ", {}, {}: ", document.language.empty() ? "language not told" : OneLine(document.language),
+      NameOf(document.format));
+  if (document.format == DocumentFormat::kEpub) {
+    line += Counted(document.parts.size(), "part, ", "parts, ");
+  }
+  line += Counted(headings, "heading", "headings");
+  if (pages != nullptr) line += ", " + Counted(*pages, "page", "pages");
+  return line + ".";
+}
+
+std::string LeftOutOf(const LeftOutCount& left_out) {
+  const std::size_t n = left_out.count;
+  const std::string& example = left_out.example;
+  switch (left_out.what) {
+    case LeftOut::kHiddenPart:
+      return "Not read: " + Counted(n, "hidden part", "hidden parts") + Begins(example);
+    case LeftOut::kPicture:
+      return Has(n, "picture", "pictures") + " no description" + Begins(example);
+    case LeftOut::kMedia:
+      return "Left out: " +
+             Counted(n, "sound, video or embedded page", "sounds, videos or embedded pages") +
+             Begins(example);
+    case LeftOut::kReading:
+      return "Left out: " + Counted(n, "reading beside a character", "readings beside characters") +
+             Begins(example);
+    case LeftOut::kBadByte:
+      return Has(n, "place", "places") +
+             " bytes of no character; a replacement character stands there" +
+             Begins(example, ", first in ");
+    case LeftOut::kUnknownEntity:
+      return Is(n, "entity", "entities") + " unknown and left as written" + Begins(example);
+    case LeftOut::kDeepElement:
+      return Is(n, "element", "elements") + " nested too deep: the text is kept, the kind is not" +
+             Begins(example);
+    case LeftOut::kBrokenPart:
+      return Is(n, "chapter", "chapters") + " damaged, read as web pages are" + Begins(example);
+    case LeftOut::kMissingPart:
+      return Is(n, "part", "parts") + " missing in the book" + Begins(example);
+    case LeftOut::kUnreadablePart:
+      return "Left out: " + Counted(n, "chapter that is no text", "chapters that are no text") +
+             Begins(example);
+    case LeftOut::kOutsidePart:
+      return "Refused: " +
+             Counted(n, "chapter whose address leaves", "chapters whose addresses leave") +
+             " the book" + Begins(example);
+    case LeftOut::kEncryptedPart:
+      return Is(n, "file", "files") + " encrypted, none of them a chapter" + Begins(example);
+    case LeftOut::kBrokenContents:
+      return Is(n, "table of contents", "tables of contents") + " damaged and not used" +
+             Begins(example);
+    case LeftOut::kLaterPart:
+      return Counted(n, "part stands", "parts stand") + " outside the reading order, at the end" +
+             Begins(example);
+  }
+  return {};
+}
+
+std::string ContentsOutcome(std::size_t lines) {
+  return "Contents: " + Counted(lines, "line", "lines") + ".";
+}
+
+std::string ContentsLine(const ContentsEntry& entry) {
+  return fmt::format("Level {}: {}{}", entry.level, OneLine(entry.title, 200),
+                     entry.block == kNoBlock ? " (leads nowhere)" : "");
+}
+
+std::string MoreContents(std::size_t count) {
+  return fmt::format("And {} more of the contents; --json has all.", count);
+}
+
+std::string PrintedDocument(std::size_t pages, double size) {
+  return fmt::format("Printed: {} for swell paper, letters {} mm high.",
+                     Counted(pages, "page", "pages"), Short(kMillimetres * size, 2));
+}
+
+}  // namespace moontrace::say

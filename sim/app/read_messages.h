@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "lessons/documents/document.h"
+
+/// Sentences about documents that are read.
+namespace moontrace::say {
+
+std::string NoDocument();
+std::string TextAlone();
+/// Its title, otherwise its file's name.
+std::string DocumentName(const Document& document, const std::string& file);
+/// "\"Title\" by A. Author, en, EPUB: 3 parts, 12 headings, 40 pages." Without `pages` none are
+/// told. A document without a title has its file's name.
+std::string DocumentSummary(const Document& document, const std::string& file,
+                            const std::size_t* pages);
+std::string LeftOutOf(const LeftOutCount& left_out);
+/// "Contents: 12 lines." and such a line.
+std::string ContentsOutcome(std::size_t lines);
+std::string ContentsLine(const ContentsEntry& entry);
+std::string MoreContents(std::size_t count);
+std::string PrintedDocument(std::size_t pages, double size);  ///< [m]
+
+namespace help {
+inline constexpr const char* kRead =
+    "reads a book, a web page or a text: plain text, HTML, EPUB; says what it holds, prints it";
+inline constexpr const char* kReadFile = "the document; - is standard input.";
+inline constexpr const char* kReadText =
+    "write the document as text, with the marks that page --structure reads.";
+inline constexpr const char* kReadPrint =
+    "write the pages in their true size for swell paper: .pdf, .svg or .png.";
+inline constexpr const char* kReadMost =
+    "largest file, or all parts of a book unpacked, in MB, 1 to 1024. Default 64.";
+}  // namespace help
+
+}  // namespace moontrace::say
