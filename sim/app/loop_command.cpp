@@ -134,12 +134,12 @@ void AddLoopOptions(CLI::App& app, LoopCommandOptions& options) {
   AddOptions(app, options.output);
 }
 
-int Run(const LoopCommandOptions& given, Console& console) {
-  LoopCommandOptions options = given;
-  options.layout.centred = options.view.asked();  // as view has it
-  const auto aims = AimsFor(options.live.device, options.view);
-  const std::unique_ptr<ViewFeed> view = ViewFeed::Open(options.view, aims, console);
-  return RunLoop(options, view.get(), aims, console);
+int Run(const LoopCommandOptions& options, Console& console) {
+  LoopCommandOptions shown = options;
+  shown.layout.centred = options.view.asked();  // as view has it
+  const auto aims = AimsFor(shown.live.device, shown.view);
+  const std::unique_ptr<ViewFeed> view = ViewFeed::Open(shown.view, aims, console);
+  return RunLoop(shown, view.get(), aims, console);
 }
 
 int RunLoop(const LoopCommandOptions& options, ViewFeed* view,

@@ -128,16 +128,14 @@ bool Empty(const WordFound& found) {
   return found.word == nullptr && found.begun.empty() && found.elsewhere == nullptr;
 }
 
-/// The longest word that stands whole at a line's begin with something behind it that it wants.
+/// The longest word that stands whole at a line's begin with something behind it.
 const TypedWord* WholeBefore(std::string_view line, WordPlace place) {
   const TypedWord* longest = nullptr;
   for (const TypedWord& word : kWords) {
     const bool fits = word.HoldsIn(place) && Begins(line, word.word) &&
                       line.size() > word.word.size() && line[word.word.size()] == ' ';
     if (!fits) continue;
-    const bool better = longest == nullptr || (longest->behind.empty() != word.behind.empty()
-                                                   ? longest->behind.empty()
-                                                   : word.word.size() > longest->word.size());
+    const bool better = longest == nullptr || word.word.size() > longest->word.size();
     if (better) longest = &word;
   }
   return longest;

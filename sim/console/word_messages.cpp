@@ -63,7 +63,7 @@ std::string WordOutOfRange(std::string_view word, std::string_view given, std::s
 std::string NoTerminal() { return "single keys need a terminal: standard input is none"; }
 
 std::string WordStandsAlone(std::string_view word, std::string_view given) {
-  return fmt::format("{} stands alone: leave out {}.", word, OneLine(given, 40));
+  return fmt::format("{} stands alone: leave out {}.", word, OneLine(given, 36));
 }
 
 }  // namespace moontrace::say

@@ -83,20 +83,19 @@ std::vector<std::string> LearnHelp() {
     std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(i)) ? later : words;
     list.push_back(fmt::format("{} {}", WordNamed(word)->number, word));
   }
-  return {
-      fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
-      fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
-      "While something is asked, signs, numbers and names are answers.",
-      "A line that begins with / is a word: /7 is bigger, /a is again.",
-      "Stop and quit always are words.",
-      "lesson and a number goes to that lesson: lesson 5.",
-      "practise and a sign you know traces it once more: practise b.",
-      "my text and a text of your own lays it under your hand: my text the cat sat.",
-      "find and a word says the way to it on the page: find cat. So do find next, next line and "
-      "next heading; return leads back.",
-      kTraceEnds,
-      kButton,
-      "An empty line tells what is waited for."};
+  return {fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
+          fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
+          "While something is asked, signs, numbers and names are answers.",
+          "A line that begins with / is a word: /7 is bigger, /a is again.",
+          "Stop and quit always are words.",
+          "lesson and a number goes to that lesson: lesson 5.",
+          "practise and a sign you know traces it once more: practise b.",
+          "my text and a text of your own lays it under your hand: my text the cat sat.",
+          "find and a word says the way to it on the page: find cat.",
+          "So do find next, next line and next heading; return leads back.",
+          kTraceEnds,
+          kButton,
+          "An empty line tells what is waited for."};
 }
 
 std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }

@@ -193,7 +193,7 @@ TEST_F(SlowViewByHand, NothingIsFeltOfAMouse) {
       std::vector<std::string>{"learn", "--course", In("course"), "--records", In("records.sqlite"),
                                "--learner", "ann", "--device", "mouse", "--view"});
   EXPECT_TRUE(session_->WaitFor("Nothing is felt")) << session_->all();
-  session_->Send("quit\n");
+  session_->Send("quit\n\n");
   EXPECT_EQ(session_->Wait(), 0);
 }
 
