@@ -33,9 +33,17 @@ class ErrorOf {
 
 }  // namespace
 
-struct ZipArchive::Handle {
+struct ZipArchive::State {
+  std::string name;      // in messages
+  std::string bytes;     // of an archive that is in memory
+  std::size_t left = 0;  // bytes that may still be unpacked
   zip_t* zip = nullptr;
-  ~Handle() {
+
+  State(std::string its_name, std::string its_bytes, std::size_t most_bytes)
+      : name(std::move(its_name)), bytes(std::move(its_bytes)), left(most_bytes) {}
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
     if (zip != nullptr) zip_discard(zip);
   }
 };
@@ -60,45 +68,43 @@ zip_t* Opened(zip_source_t* source, const std::string& name, ErrorOf& error) {
 }  // namespace
 
 ZipArchive::ZipArchive(const std::string& path, std::size_t most_bytes)
-    : name_(path), left_(most_bytes), handle_(std::make_unique<Handle>()) {
+    : state_(std::make_unique<State>(path, std::string(), most_bytes)) {
   RequireRegularFile(path);
   ErrorOf error;
-  handle_->zip = Opened(zip_source_file_create(path.c_str(), 0, -1, error.get()), name_, error);
+  state_->zip = Opened(zip_source_file_create(path.c_str(), 0, -1, error.get()), path, error);
 }
 
 ZipArchive::ZipArchive(std::string bytes, const std::string& name, std::size_t most_bytes)
-    : name_(name),
-      bytes_(std::move(bytes)),
-      left_(most_bytes),
-      handle_(std::make_unique<Handle>()) {
+    : state_(std::make_unique<State>(name, std::move(bytes), most_bytes)) {
   ErrorOf error;
-  handle_->zip =
-      Opened(zip_source_buffer_create(bytes_.data(), bytes_.size(), 0, error.get()), name_, error);
+  const std::string& held = state_->bytes;
+  state_->zip =
+      Opened(zip_source_buffer_create(held.data(), held.size(), 0, error.get()), name, error);
 }
 
 ZipArchive::~ZipArchive() = default;
 
 bool ZipArchive::Has(std::string_view entry) const {
-  return zip_name_locate(handle_->zip, std::string(entry).c_str(), 0) >= 0;
+  return zip_name_locate(state_->zip, std::string(entry).c_str(), 0) >= 0;
 }
 
 std::optional<std::string> ZipArchive::Read(std::string_view entry) {
-  const zip_int64_t index = zip_name_locate(handle_->zip, std::string(entry).c_str(), 0);
+  const zip_int64_t index = zip_name_locate(state_->zip, std::string(entry).c_str(), 0);
   if (index < 0) return std::nullopt;
   zip_stat_t stat;
   zip_stat_init(&stat);
   const auto at = static_cast<zip_uint64_t>(index);
-  if (zip_stat_index(handle_->zip, at, 0, &stat) == 0 &&
+  if (zip_stat_index(state_->zip, at, 0, &stat) == 0 &&
       (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && stat.encryption_method != ZIP_EM_NONE) {
     return std::nullopt;
   }
-  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen_index(handle_->zip, at, 0),
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(zip_fopen_index(state_->zip, at, 0),
                                                                zip_fclose);
   const auto damaged = [&](const char* words) {
-    return InputError(name_ + ": " + OneLine(entry) + " in it cannot be unpacked (" +
+    return InputError(state_->name + ": " + OneLine(entry) + " in it cannot be unpacked (" +
                       OneLine(words, 100) + "); get it again");
   };
-  if (file == nullptr) throw damaged(zip_strerror(handle_->zip));
+  if (file == nullptr) throw damaged(zip_strerror(state_->zip));
   // What the archive says of sizes may be wrong: bytes are counted as they come.
   std::string text;
   char block[65536];
@@ -107,11 +113,11 @@ std::optional<std::string> ZipArchive::Read(std::string_view entry) {
     if (count < 0) throw damaged(zip_file_strerror(file.get()));
     if (count == 0) return text;
     const auto taken = static_cast<std::size_t>(count);
-    if (taken > left_) {
-      throw InputError(name_ + ": unpacks to more than is taken, with " + OneLine(entry) +
+    if (taken > state_->left) {
+      throw InputError(state_->name + ": unpacks to more than is taken, with " + OneLine(entry) +
                        "; raise --most-mb if you trust it");
     }
-    left_ -= taken;
+    state_->left -= taken;
     text.append(block, taken);
   }
 }
@@ -120,21 +126,20 @@ bool CanReadZip() { return true; }
 
 #else
 
-struct ZipArchive::Handle {};
+struct ZipArchive::State {};
 
 namespace {
 [[noreturn]] void ThrowLack() {
   throw LackError(
-      "EPUB books cannot be read: the program was built without libzip; install "
-      "libzip-dev and build it again");
+      "EPUB books cannot be read: the program was built without libzip; install libzip-dev and "
+      "build "
+      "it again");
 }
 }  // namespace
 
-ZipArchive::ZipArchive(const std::string& /*path*/, std::size_t most_bytes) : left_(most_bytes) {
-  ThrowLack();
-}
-ZipArchive::ZipArchive(std::string /*bytes*/, const std::string& /*name*/, std::size_t most_bytes)
-    : left_(most_bytes) {
+ZipArchive::ZipArchive(const std::string& /*path*/, std::size_t /*most_bytes*/) { ThrowLack(); }
+ZipArchive::ZipArchive(std::string /*bytes*/, const std::string& /*name*/,
+                       std::size_t /*most_bytes*/) {
   ThrowLack();
 }
 ZipArchive::~ZipArchive() = default;

@@ -26,11 +26,8 @@ class ZipArchive {
   std::optional<std::string> Read(std::string_view entry);
 
  private:
-  struct Handle;
-  std::string name_;
-  std::string bytes_;
-  std::size_t left_;
-  std::unique_ptr<Handle> handle_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 /// Whether this build can open them (libzip).
