@@ -120,8 +120,10 @@ class Reader {
   PlacePrior PriorNow() const;
   void LearnFrame();
   void LearnSize(double size);
+  void LearnTurn(glm::dvec2 way);
   SignPlace Expected() const;
   std::vector<glm::dvec2> Weave(double from, double to) const;
+  std::vector<glm::dvec2> WeaveFrom(const SignPlace& place, double from, double to) const;
 
   ReaderKnowledge knowledge_;
   Random random_{0};

@@ -14,7 +14,7 @@ constexpr double kBandLow = 0.14, kBandHigh = 0.62;  ///< of the weave over a li
 constexpr double kWeave = 0.145;                     ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
 constexpr double kBeyond = 1.15;     ///< a sign begins at its left edge plus this at most
-constexpr double kLookBack = 2.4;    ///< left of a line's first sign another may lie so far off
+constexpr double kLookBack = 3.2;    ///< left of a line's first sign another may lie so far off
 constexpr double kDotWithin = 0.35;  ///< dots at a sign's left edge are met by then
 constexpr double kGapFrom = -0.15;   ///< a dot may stick out at a sign's left edge
 constexpr double kGapStep = 0.12;
@@ -109,6 +109,15 @@ void Reader::LearnSize(double size) {
   }
 }
 
+/// From one sign of a line to another [m].
+void Reader::LearnTurn(glm::dvec2 way) {
+  across_ += way.x * way.y;
+  along_ += way.x * way.x;
+  // as sure of it before as a few signs would make it
+  const double spread = 0.03 * size_ / kTurnSpread;
+  turn_ = across_ / (along_ + spread * spread);
+}
+
 /// What the newest sign says of size, turn and gaps.
 void Reader::LearnFrame() {
   const SignGuess& read = line_.back().guess;
@@ -118,12 +127,7 @@ void Reader::LearnFrame() {
   if (std::max(extent.x, extent.y) > kTellsSize) LearnSize(read.place.size);
   if (line_.size() < 2) return;
   const SignGuess& before = line_[line_.size() - 2].guess;
-  const glm::dvec2 way = read.place.origin - before.place.origin;
-  across_ += way.x * way.y;
-  along_ += way.x * way.x;
-  // as sure of it before as a few signs would make it
-  const double spread = 0.03 * size_ / kTurnSpread;
-  turn_ = across_ / (along_ + spread * spread);
+  LearnTurn(read.place.origin - before.place.origin);
   if (before.sign == SignGuess::kUnknown) return;
   const double gap =
       ToEm(before.place, read.place.origin).x - knowledge_.shapes->Advance(before.sign);
@@ -133,9 +137,13 @@ void Reader::LearnFrame() {
   gap_bias_ += (bias - gap_bias_) / std::min(gaps_ + 2, 12);
 }
 
-/// A way that crosses every sign of a line, between two distances from `place` [em].
+/// A way that crosses every sign of a line, between two distances from where the next one is
+/// expected [em].
 std::vector<glm::dvec2> Reader::Weave(double from, double to) const {
-  const SignPlace place = Expected();
+  return WeaveFrom(Expected(), from, to);
+}
+
+std::vector<glm::dvec2> Reader::WeaveFrom(const SignPlace& place, double from, double to) const {
   std::vector<glm::dvec2> way;
   bool high = random_phase_;
   for (double x = from; x < to + kWeave; x += kWeave, high = !high) {
@@ -150,7 +158,12 @@ void Reader::Accept() {
   read.guess.probability = Sureness();
   if (read.guess.sign == SignGuess::kUnknown) {
     read.guess.place = {FeltBox().min, size_, turn_};
-    if (!line_.empty()) read.guess.place = Expected();
+    if (errand_ == Errand::kLineStart) {  // on the base line, where it was felt
+      const SignPlace& first = line_.front().guess.place;
+      read.guess.place.origin = FromEm(first, {ToEm(first, FeltBox().min).x, 0});
+    } else if (!line_.empty()) {
+      read.guess.place = Expected();
+    }
   }
   read.time = news_ = now_;
   if (errand_ == Errand::kNextLine && IsInLastLine(read.guess.place)) return SearchNextLine();
@@ -158,7 +171,10 @@ void Reader::Accept() {
   if (errand_ == Errand::kLineStart) {
     const SignPlace& first = line_.front().guess.place;
     again = ToEm(first, read.guess.place.origin).x > -kSameSign;
-    if (!again) line_.insert(line_.begin(), read);
+    if (!again) {
+      if (read.guess.sign != SignGuess::kUnknown) LearnTurn(first.origin - read.guess.place.origin);
+      line_.insert(line_.begin(), read);
+    }
   } else {
     const bool known = read.guess.sign != SignGuess::kUnknown;
     if (known && unknowns_ > 0 && !line_.empty() && ShareOf(read.guess, unknown_) > 0.5) {
@@ -269,9 +285,10 @@ void Reader::SearchBeyond(const std::vector<FeltPoint>& grooves) {
 
 /// The weave passes above bars on the base line and beside dots: where it met nothing for so long
 /// that a sign has room, it looks along both edges of the line, between two distances from where
-/// the next sign is expected [em].
+/// the next sign is expected, or from the first one, where it looks for what stands before it [em].
 void Reader::LookThroughGap(double from, double to, AfterGap after) {
-  const SignPlace place = Expected();
+  SignPlace place = Expected();
+  if (after == AfterGap::kLineBegin) place.origin = line_.front().guess.place.origin;
   std::vector<glm::dvec2> way;
   bool high = false;
   for (double x = from; x < to; x += kGapStep, high = !high) {
@@ -332,9 +349,8 @@ void Reader::LeaveGap() {
 
 /// Whether signs stand left of the line's first.
 void Reader::SearchLineStart() {
-  const SignPlace first = line_.front().guess.place;
-  const double to_first = ToEm(Expected(), first.origin).x;
-  SweepAlong(Weave(to_first - kLookBack, to_first - kBefore - kWeave), Errand::kLineStart);
+  const SignPlace first{line_.front().guess.place.origin, size_, turn_};
+  SweepAlong(WeaveFrom(first, -kLookBack, -kBefore - kWeave), Errand::kLineStart);
 }
 
 void Reader::SearchNextLine() {
@@ -367,8 +383,7 @@ void Reader::Missed() {
       phase_ = Phase::kDone;
       return;
     case Errand::kLineStart: {
-      const double to_first = ToEm(Expected(), line_.front().guess.place.origin).x;
-      LookThroughGap(to_first - kLookBack, to_first - kBefore, AfterGap::kLineBegin);
+      LookThroughGap(-kLookBack, -kBefore, AfterGap::kLineBegin);
       return;
     }
     case Errand::kNextSign:
