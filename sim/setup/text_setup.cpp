@@ -45,9 +45,11 @@ PageSpec CutTo(glm::dvec2 extent, PageSpec sheet, double margin, bool margin_giv
 /// The sheet that a model's geom carries; a remark says where the one asked for is larger.
 PageSpec OnGeom(const ModelPage& model, const PageSpec& asked, bool margin_given,
                 Console& console) {
-  constexpr double kMargin = 0.001;  // [m]
-  const glm::dvec2 extent = ExtentOf(model.label(), model.solids[model.number]);
-  PageSpec sheet = CutTo(extent, asked, kMargin, margin_given);
+  // A plane goes on beyond its edge; elsewhere a pressed tip slips off near it.
+  constexpr double kOnPlane = 0.001, kByAnEdge = 0.003;  // [m]
+  const Solid& solid = model.solids[model.number];
+  const double margin = solid.kind == SolidKind::kPlane ? kOnPlane : kByAnEdge;
+  PageSpec sheet = CutTo(ExtentOf(model.label(), solid), asked, margin, margin_given);
   if (sheet.width == asked.width && sheet.height == asked.height) return sheet;
   sheet.name = "model";
   if (asked.name != LayoutOptions().page.name) {
