@@ -171,8 +171,8 @@ TEST_F(BadInput, Models) {
          "m.xml");
   Expect(3,
          {"trace", "A", "--model",
-          model(plane + "<custom><text name='moontrace:b' data='{}'/></custom>")},
-         "m.xml");
+          model(plane + "<custom><text name='moontrace:b' data=\"{face='top'}\"/></custom>")},
+         "m.xml");  // a ball has no top
   Expect(3,
          {"trace", "A", "--model",
           model(plane + "<custom><text name='moontrace:p' data='{sise_mm=3}'/></custom>")},
