@@ -156,10 +156,14 @@ void Scene::Impl::FindPage() {
   reactions.assign(objects.size(), {0, 0, 0});
   sides.assign(objects.size(), {});
   touched = page_object;
+  page_geom = page().geom;
+  pushes = std::any_of(objects.begin(), objects.end(),
+                       [](const FeltObject& object) { return object.pushed; });
   page_only = objects.size() == 1 && page().IsPage();
   const LabelChart& chart = page_label().chart;
   flat = chart.place().face != Face::kRound;
   X_GP = {};
+  turned = false;
   if (!flat) return;
   const glm::dvec3 origin = chart.ToObject({0, 0, 0});
   const LabelChart::Point at = chart.At(origin);

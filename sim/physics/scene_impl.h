@@ -65,8 +65,14 @@ struct Scene::Impl {
   const FeltObject& page() const noexcept { return objects[page_object]; }
   const LabelOnSolid& page_label() const noexcept { return page().labels[page_number]; }
   /// The page's pose; of a round one, of the plane that touches it below `p_W`.
-  Pose PoseOfPage(glm::dvec3 p_W) const noexcept;
-  glm::dvec3 ToPage(const Pose& X_WP, glm::dvec3 p_W) const noexcept;
+  Pose PoseOfPage(glm::dvec3 p_W) const noexcept {
+    const Pose X_WG = PoseOfGeom(*d, page_geom);
+    if (flat && !turned) return {X_WG.R, ToWorld(X_WG, X_GP.p)};
+    return PoseOfLabel(X_WG, p_W);
+  }
+  glm::dvec3 ToPage(const Pose& X_WP, glm::dvec3 p_W) const noexcept {
+    return flat ? FromWorld(X_WP, p_W) : ToRoundPage(p_W);
+  }
   PagePoint PointOn(glm::dvec3 p_P) const noexcept;
 
   LoadedModel loaded;
@@ -77,6 +83,8 @@ struct Scene::Impl {
   std::vector<FeltObject> objects;  ///< all that carry labels
   std::size_t page_object = 0;      ///< that carries the page ...
   std::size_t page_number = 0;      ///< ... as this one of its labels
+  int page_geom = -1;               ///< that object's geom
+  bool pushes = false;              ///< a force can move one of the objects
   bool page_only = true;            ///< there is nothing but a page on a plane
   bool flat = true;                 ///< the page
   bool turned = false;              ///< a flat page, on its geom
@@ -95,14 +103,17 @@ struct Scene::Impl {
  private:
   std::string name_;  ///< of the model, in messages
   void FindPage();
+  Pose PoseOfLabel(const Pose& X_WG, glm::dvec3 p_W) const noexcept;
+  glm::dvec3 ToRoundPage(glm::dvec3 p_W) const noexcept;
   void TakeSteps(int steps);
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
-  void TouchPage(StepForces& step) noexcept;
+  StepForces TouchPage(glm::dvec3 point_W, glm::dvec3 velocity_W, glm::dvec3 pull_W) noexcept;
   void TouchObjects(StepForces& step) noexcept;
   Pose FrameOf(std::size_t object, const Pose& X_WP) const noexcept;
   double Observe(glm::dvec3 tip_W, const StepForces& step, std::size_t before) noexcept;
   void Integrate(const StepForces& step) noexcept;
   void PushBack(const StepForces& step) noexcept;
+  void KeepMomentum() noexcept;
   void FinishStep() noexcept;
   int StepsNow(glm::dvec3 tip_W) const noexcept;
   bool IsHeld(const StepForces& step) const noexcept;

@@ -13,6 +13,7 @@ constexpr double kFadeTime = 0.03;  ///< of the page's force when it is pressed 
 /// A force on the proxy that is neither the coupling's nor the page's: above what MuJoCo's solvers
 /// leave of their own error [N].
 constexpr double kForeign = 0.02;
+const TextureField kBlank;
 
 bool IsSane(glm::dvec3 v, double greatest) noexcept {
   // comparisons with NaN are false
@@ -57,17 +58,14 @@ Pose TouchingPose(const LabelChart& chart, const Pose& X_WO, glm::dvec3 p_W) noe
 
 }  // namespace
 
-Pose Scene::Impl::PoseOfPage(glm::dvec3 p_W) const noexcept {
-  const Pose X_WG = PoseOfGeom(*d, page().geom);
+Pose Scene::Impl::PoseOfLabel(const Pose& X_WG, glm::dvec3 p_W) const noexcept {
   if (!flat) return TouchingPose(page_label().chart, X_WG, p_W);
-  if (!turned) return {X_WG.R, ToWorld(X_WG, X_GP.p)};
   return {X_WG.R * X_GP.R, ToWorld(X_WG, X_GP.p)};
 }
 
-glm::dvec3 Scene::Impl::ToPage(const Pose& X_WP, glm::dvec3 p_W) const noexcept {
-  if (flat) return FromWorld(X_WP, p_W);
+glm::dvec3 Scene::Impl::ToRoundPage(glm::dvec3 p_W) const noexcept {
   const LabelChart& chart = page_label().chart;
-  const glm::dvec3 p_O = FromWorld(PoseOfGeom(*d, page().geom), p_W);
+  const glm::dvec3 p_O = FromWorld(PoseOfGeom(*d, page_geom), p_W);
   return {chart.At(p_O).p_P, chart.Above(p_O).height};
 }
 
@@ -92,7 +90,8 @@ void Scene::Impl::PlaceProxy(glm::dvec3 p_W, glm::dvec3 v_W) noexcept {
 /// Runs MuJoCo up to its forces and computes ours from the same moment: positions and velocities at
 /// the start of the step. The semi-implicit integrator that follows turns the springs' forces into
 /// velocity before it moves, which keeps their energy (it is symplectic); the device feels the
-/// pull of that same moment, so that what it is given is what the proxy gets.
+/// pull of that same moment, so that what it is given is what the proxy gets. Of a page each value
+/// is written once: clearing the struct first would cost a twentieth of the tick.
 StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   const mjModel& m = *loaded.m;
   if (direct()) PlaceProxy(tip_W, v_W);
@@ -102,37 +101,46 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   }
   mj_step1(&m, d.get());
 
+  const glm::dvec3 point_W = direct() ? tip_W : ProxyPosition();
+  const glm::dvec3 velocity_W = ProxyVelocity();
+  const glm::dvec3 pull_W =
+      direct() ? glm::dvec3(0) : coupling.Pull(tip_W - point_W, v_W - velocity_W);
+  if (page_only) return TouchPage(point_W, velocity_W, pull_W);
   StepForces step;
-  step.point_W = direct() ? tip_W : ProxyPosition();
-  step.velocity_W = ProxyVelocity();
-  step.X_WP = PoseOfPage(step.point_W);
-  if (!direct()) step.pull_W = coupling.Pull(tip_W - step.point_W, v_W - step.velocity_W);
-  if (page_only) {
-    TouchPage(step);
-  } else {
-    TouchObjects(step);
-  }
+  step.X_WP = PoseOfPage(point_W);
+  step.point_W = point_W;
+  step.velocity_W = velocity_W;
+  step.pull_W = pull_W;
+  TouchObjects(step);
   return step;
 }
 
 /// One page on a plane, in its own frame: the quick way.
-void Scene::Impl::TouchPage(StepForces& step) noexcept {
-  const glm::dvec3 point_P = FromWorld(step.X_WP, step.point_W);
-  static const TextureField blank;
-  const TextureField* field = page_label().field;
+StepForces Scene::Impl::TouchPage(glm::dvec3 point_W, glm::dvec3 velocity_W,
+                                  glm::dvec3 pull_W) noexcept {
+  const Pose X_WP = PoseOfPage(point_W);
+  const glm::dvec3 point_P = FromWorld(X_WP, point_W);
   const SurfaceLaw& law = page().law;
-  const Contact contact = Touch(law, field != nullptr ? *field : blank, point_P);
-  step.page_P = memory.page_share * contact.force_P;
+  const TextureField* field = page_label().field;
+  const Contact contact = Touch(law, field != nullptr ? *field : kBlank, point_P);
+  glm::dvec3 page_P = memory.page_share * contact.force_P;
   if (options.friction > 0) {
     const glm::dvec3 normal_P = NormalOf(contact.sample.gradient);
-    step.page_P += memory.friction.Advance(options.friction, options.presliding_stiffness, point_P,
-                                           normal_P, glm::dot(step.page_P, normal_P));
+    page_P += memory.friction.Advance(options.friction, options.presliding_stiffness, point_P,
+                                      normal_P, glm::dot(page_P, normal_P));
   }
-  step.touch_T = point_P;
-  step.depth = contact.depth;
-  step.sunk = -point_P.z;
-  step.energy = Potential(law, contact.sample.displacement, point_P.z);
-  step.page_W = reactions[0] = TurnToWorld(step.X_WP, step.page_P);
+  const glm::dvec3 page_W = TurnToWorld(X_WP, page_P);
+  reactions[0] = page_W;
+  return {.X_WP = X_WP,
+          .point_W = point_W,
+          .velocity_W = velocity_W,
+          .touch_T = point_P,
+          .depth = contact.depth,
+          .sunk = -point_P.z,
+          .energy = Potential(law, contact.sample.displacement, point_P.z),
+          .page_P = page_P,
+          .page_W = page_W,
+          .pull_W = pull_W};
 }
 
 /// All objects that carry labels. The one that is touched deepest has the friction.
@@ -213,29 +221,34 @@ double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step, std::size_
 void Scene::Impl::Integrate(const StepForces& step) noexcept {
   const mjModel& m = *loaded.m;
   std::copy_n(d->qfrc_applied, caller_qfrc.size(), caller_qfrc.begin());
-  const glm::dvec3 on_proxy = direct() ? glm::dvec3(0) : step.page_W + step.pull_W;
   const bool alone = m.nv == 3;
-  const glm::dvec3 lifted = direct() ? lift_W : lift_W + step.page_W + step.pull_W;
+  glm::dvec3 on_proxy = alone ? lift_W : glm::dvec3(0);
+  if (!direct()) on_proxy = on_proxy + step.page_W + step.pull_W;
   for (int i = 0; i < 3; ++i) {
     const int dof = loaded.proxy.dof + i;
     if (alone) {
-      d->qfrc_applied[dof] += lifted[i] - d->qfrc_passive[dof];
+      d->qfrc_applied[dof] += on_proxy[i] - d->qfrc_passive[dof];
     } else {
       d->qfrc_applied[dof] += on_proxy[i] + (d->qfrc_bias[dof] - d->qfrc_passive[dof]);
       d->qacc_warmstart[dof] = on_proxy[i] / loaded.proxy.axis_mass[i];
     }
   }
-  PushBack(step);
+  if (pushes) PushBack(step);
   FinishStep();
+  if (pushes) KeepMomentum();
+  std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
+}
+
+/// Of bodies that float and were pushed, each once.
+void Scene::Impl::KeepMomentum() noexcept {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (reactions[i] == glm::dvec3(0) || !objects[i].floating.floats()) continue;
     bool done = false;  // two objects on one body
     for (std::size_t k = 0; k < i; ++k) {
       done |= reactions[k] != glm::dvec3(0) && objects[k].floating.Is(objects[i].floating);
     }
-    if (!done) objects[i].floating.End(m.opt.timestep, *d);
+    if (!done) objects[i].floating.End(loaded.m->opt.timestep, *d);
   }
-  std::copy_n(caller_qfrc.begin(), caller_qfrc.size(), d->qfrc_applied);
 }
 
 /// MuJoCo's step from where mj_step1 left it. Its mj_step2 knows no RK4, so a model that asks for
