@@ -118,8 +118,8 @@ bool Confirmed(const RecordsOptions& options, Console& console) {
   if (&console.in() != &std::cin || isatty(STDIN_FILENO) == 0) {
     throw UsageError(say::EraseNeedsYes(options.subject));
   }
+  LineReader lines(console.in());  // before the question: keys that answer it are its own
   console.Remark(say::AskErase(options.subject));
-  LineReader lines(console.in());
   for (;;) {
     console.CheckStop();
     if (const std::optional<std::string> line = lines.Next(50)) return *line == options.subject;

@@ -10,8 +10,10 @@ namespace moontrace {
 
 namespace {
 
+// what Ctrl-D becomes that was typed before the program had the terminal
+constexpr char kEarlyCtrlD = '\0';
 constexpr char kCtrlD = '\x04', kCtrlU = '\x15', kCtrlW = '\x17', kEscape = '\x1b';
-constexpr std::string_view kControls("\x04\x15\x17", 3);
+constexpr std::string_view kControls("\0\x04\x15\x17", 4);
 constexpr std::size_t kMostBefore = 100;
 
 /// Bytes at the end that may be the beginning of a key: an escape sequence or a character of UTF-8.
@@ -74,7 +76,7 @@ void LineEditor::Recall(bool earlier, Typed& typed) {
 }
 
 void LineEditor::TakeControl(char byte, Typed& typed) {
-  if (byte == kCtrlD && line_.empty()) typed.ended = true;
+  if ((byte == kCtrlD || byte == kEarlyCtrlD) && line_.empty()) typed.ended = true;
   if (byte == kCtrlU) Replace({}, typed);
   if (byte != kCtrlW) return;
   const std::size_t end = line_.find_last_not_of(' ') + 1;

@@ -83,6 +83,8 @@ TEST(LineEditor, EndsAtCtrlDOnAnEmptyLineOnly) {
   LineEditor editor(100);
   EXPECT_FALSE(editor.Take("a\x04").ended);
   EXPECT_TRUE(editor.Take("\x7f\x04").ended);
+  // typed before the terminal was the program's, the system gives it as a zero
+  EXPECT_TRUE(LineEditor(100).Take(std::string_view("\0", 1)).ended);
 }
 
 TEST(LineEditor, LeavesOutWhatIsBeyondTheLongestLine) {

@@ -42,8 +42,9 @@ class PlaceWalkTest : public ::testing::Test {
     request.live.device = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
     return request;
   }
-  /// The tip rests at the corner of a letter, or off it by `off_P` [m].
-  LoopSnapshot At(std::size_t page, std::size_t glyph, glm::dvec2 off_P = {0, 0}) const {
+  /// The tip rests just within a letter, or off its corner by `off_P` [m]. (At the corner itself it
+  /// is as near to the letter before.)
+  LoopSnapshot At(std::size_t page, std::size_t glyph, glm::dvec2 off_P = {0.001, 0.001}) const {
     LoopSnapshot now;
     now.tip_P = glm::dvec3(Set(page).glyphs.at(glyph).origin_P + off_P, 0);
     now.page = session_.felt().number;
