@@ -245,14 +245,14 @@ Cell MakeCell(const Group& group, const Block& block, const std::vector<Box>& bo
 
 /// Fills a block's grid: for each cell the elements that can matter there, in the group's order.
 void AddCells(const Group& group, double blend_reach, Block& block, CompiledLayer& layer) {
-  // cells of a fifth of the finest groove: nine of ten then hold one element or none
+  // cells of a third of the finest groove: most of them then hold one element or none
   const glm::dvec2 size = block.box.max - block.box.min;
   double finest = glm::length(size);
   for (const Element& element : group.elements) {
     finest = std::min(finest, element.profile.width);
   }
   // coarser for what is not a letter of the plain page: links are many and stand mostly alone
-  const double share = block.plain || block.blend > 0 ? 0.2 : 1.0;
+  const double share = block.plain || block.blend > 0 ? 0.33 : 1.0;
   const auto count = [finest, share](double length) {
     const double wanted = std::ceil(length / (share * finest));
     return static_cast<std::uint8_t>(std::clamp(wanted, 1.0, 40.0));
