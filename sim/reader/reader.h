@@ -23,18 +23,6 @@ struct ReadToken {
   SignPlace place;         ///< of a sign
 };
 
-/// What a reader's hand is at, as its time is told.
-enum class ReaderActivity {
-  kFlying,     ///< lifted, until it rests on the paper again
-  kSearching,  ///< for a groove
-  kCrossing,   ///< a place that tells signs apart
-  kSettling,   ///< back at a groove that it met
-  kFollowing,  ///< a groove
-  kTurning,    ///< looks where a groove that stopped goes on
-  kDone,
-};
-inline constexpr std::size_t kReaderActivities = 7;
-
 /// Reads a page by touch alone. A value: the same knowledge, seed and inputs give the same actions
 /// and the same text. It looks for the first line from where its hand is put, finds that line's
 /// first sign, follows the grooves of each sign, feels again where two signs are still likely, goes
@@ -54,7 +42,6 @@ class Reader {
   /// Whether it looks for a groove or follows one, for pictures.
   bool is_searching() const { return phase_ == Phase::kSweep; }
   bool is_following() const { return phase_ == Phase::kFollow; }
-  ReaderActivity activity() const;
 
  private:
   enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };
@@ -87,15 +74,6 @@ class Reader {
   bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
   double ShareOf(const SignGuess& guess, const std::vector<FeltPoint>& grooves) const;
   bool IsLastAgain() const;
-  /// The point of a sign that is farthest from all that was felt.
-  struct Unfelt {
-    double room = 0;  ///< [em]
-    SignPoint point;
-  };
-  Unfelt FarthestUnfelt(const SignGuess& guess) const;
-  bool KnowsTheRest();
-  bool TurnBack();
-  double ReachAcross() const;
   bool CrossUnfelt(const SignGuess& guess);
   Box FeltBox() const;
   bool FeltASpot(double widths) const;
@@ -111,8 +89,6 @@ class Reader {
   bool MetGapsEnd(glm::dvec2 entry);
   bool LeftAGap(glm::dvec2 entry);
   void SearchLineStart();
-  bool IsInLastLine(const SignPlace& place);
-  SignPlace StartOfLine() const;
   bool IsAtMargin(const SignPlace& place) const;
   void BeginLine();
   void SearchNextLine();
@@ -120,10 +96,8 @@ class Reader {
   PlacePrior PriorNow() const;
   void LearnFrame();
   void LearnSize(double size);
-  void LearnTurn(glm::dvec2 way);
   SignPlace Expected() const;
   std::vector<glm::dvec2> Weave(double from, double to) const;
-  std::vector<glm::dvec2> WeaveFrom(const SignPlace& place, double from, double to) const;
 
   ReaderKnowledge knowledge_;
   Random random_{0};
@@ -134,9 +108,7 @@ class Reader {
   ReaderAction action_;
   Phase phase_ = Phase::kStart;
   double now_ = 0, since_ = 0;
-  double starts_ = 0;      ///< to sweep: the landing has come to rest [s]
-  double feels_from_ = 0;  ///< what is felt before comes from before the last landing [s]
-  double news_ = 0;        ///< when it last found a sign or the end of a line [s]
+  double news_ = 0;  ///< when it last found a sign or the end of a line [s]
 
   // flying
   Phase then_ = Phase::kSweep;
@@ -160,7 +132,6 @@ class Reader {
   SignEvidence evidence_;
   std::vector<SignGuess> belief_;
   glm::dvec2 entry_{0, 0};
-  std::vector<FeltPoint> first_leg_;  ///< grooves of a leg that is felt again
   int legs_ = 0;                      ///< followed from `entry_`
   glm::dvec2 leg_end_{0, 0};          ///< of the newest leg
   glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
