@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/signal_child.h"
 #include "tests/sim/eventually.h"
 
 namespace moontrace {
@@ -53,7 +54,7 @@ class TestDisplay {
   bool runs() const { return child_ > 0 && !number_.empty(); }
   void Kill() {
     if (child_ <= 0) return;
-    kill(child_, SIGKILL);
+    SignalChild(child_, SIGKILL);
     waitpid(child_, nullptr, 0);
     child_ = -1;
     unlink(("/tmp/.X" + number_ + "-lock").c_str());

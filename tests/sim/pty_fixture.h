@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/app/cli.h"
+#include "tests/signal_child.h"
 
 namespace moontrace {
 
@@ -99,7 +100,7 @@ class PtySession {
   }
   /// Ends it by a signal, and reads what it still said.
   void Kill(int signal_number) {
-    kill(child_, signal_number);
+    SignalChild(child_, signal_number);
     int status = 0;
     waitpid(child_, &status, 0);
     child_ = -1;

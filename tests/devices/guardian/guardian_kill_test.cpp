@@ -28,6 +28,7 @@
 
 #include "tests/devices/fake_hid.h"
 #include "tests/devices/plugin_fixture.h"
+#include "tests/signal_child.h"
 #include "tests/source_path.h"
 
 namespace moontrace {
@@ -104,7 +105,7 @@ class Pusher {
     close(ends[1]);
   }
   ~Pusher() {
-    kill(pid_, SIGKILL);
+    SignalChild(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
     std::fclose(said_);
   }
@@ -126,7 +127,7 @@ class Pusher {
   /// Sends it a signal; when [s].
   double Send(int signal) const {
     const double now = Now();
-    EXPECT_EQ(kill(pid_, signal), 0);
+    EXPECT_EQ(SignalChild(pid_, signal), 0);
     return now;
   }
   double Bound() const {

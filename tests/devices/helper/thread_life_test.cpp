@@ -10,6 +10,8 @@
 #include <new>
 #include <thread>
 
+#include "tests/signal_child.h"
+
 namespace moontrace {
 namespace {
 
@@ -85,7 +87,7 @@ TEST(ThreadLifeKilled, IsDeathHoweverTheProcessEnds) {
       for (;;) pause();
     });
     EXPECT_EQ(LifeOf(*word), Life::kLives);
-    EXPECT_EQ(kill(child, signal), 0);
+    EXPECT_EQ(SignalChild(child, signal), 0);
     EXPECT_EQ(AwaitEnd(*word, Later(20)), Life::kDied) << signal;
     waitpid(child, nullptr, 0);
   }

@@ -17,6 +17,7 @@
 #include "devices/core/device_error.h"
 #include "devices/plugin/plugin_process.h"
 #include "tests/devices/plugin_fixture.h"
+#include "tests/signal_child.h"
 
 namespace moontrace {
 namespace {
@@ -155,7 +156,7 @@ TEST_F(PluginDeviceTest, EndsWithWhatItHasStarted) {
   for (const glm::dvec3& force : Forces()) {
     if (force.x > 1) started = static_cast<pid_t>(force.x);
   }
-  ASSERT_EQ(kill(started, 0), 0);
+  ASSERT_EQ(SignalChild(started, 0), 0);
   device.reset();
   const auto has_ended = [started] {  // whoever its parent is now may not have collected it yet
     std::ifstream file("/proc/" + std::to_string(started) + "/stat");
@@ -211,7 +212,7 @@ TEST_F(PluginDeviceTest, GetsZeroAndAnEndWhenTheProgramIsKilled) {
   EXPECT_TRUE(ForcesBecome([](const std::vector<glm::dvec3>& forces) {
     return !forces.empty() && forces.back() == glm::dvec3(1, 0, 0);
   }));
-  kill(program, SIGKILL);
+  SignalChild(program, SIGKILL);
   waitpid(program, nullptr, 0);
   EXPECT_TRUE(ForcesBecome(EndsWithZero));
 }

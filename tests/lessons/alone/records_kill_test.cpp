@@ -10,6 +10,7 @@
 
 #include "lessons/records/database.h"
 #include "tests/lessons/records_fixture.h"
+#include "tests/signal_child.h"
 
 namespace moontrace {
 namespace {
@@ -47,7 +48,7 @@ class RecordsKilled : public RecordsTest {
     // The instant is meant to be any: several of the work's turns.
     std::this_thread::sleep_for(
         std::chrono::microseconds(std::uniform_int_distribution<int>(0, 40'000)(random_)));
-    EXPECT_EQ(kill(child, SIGKILL), 0);
+    EXPECT_EQ(SignalChild(child, SIGKILL), 0);
     while (read(ends[0], &number, sizeof number) == sizeof number) last = number;
     close(ends[0]);
     int status = 0;
