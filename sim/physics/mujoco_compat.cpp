@@ -169,11 +169,6 @@ bool TiesSites([[maybe_unused]] const mjModel& m, [[maybe_unused]] int equality)
 #endif
 }
 
-int BadStateCount(const mjData& d) noexcept {
-  return d.warning[mjWARN_BADQPOS].number + d.warning[mjWARN_BADQVEL].number +
-         d.warning[mjWARN_BADQACC].number;
-}
-
 unsigned char* TextureBytes(mjModel& m, int texture) noexcept { return BytesOf(m, texture); }
 
 void Connect(mjvGeom& geom, int type, double width, const double from[3], const double to[3]) {

@@ -48,10 +48,6 @@ void SkipIdleStages(mjModel& m) noexcept;
 /// Whether a connect or weld ties sites, as MuJoCo 3.2 and later can, instead of bodies.
 bool TiesSites(const mjModel& m, int equality) noexcept;
 
-/// How often MuJoCo found a value in the state that is not finite or too great, and (by default)
-/// reset itself silently.
-int BadStateCount(const mjData& d) noexcept;
-
 /// The bytes of a model's texture, red, green, blue, rows from the top down, to be changed before
 /// mjr_uploadTexture; the texture has three channels.
 unsigned char* TextureBytes(mjModel& m, int texture) noexcept;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace moontrace {
 
 /// Watches the energy that rendering puts out (a passivity observer after Hannaford and Ryu 2002,
@@ -14,9 +16,14 @@ namespace moontrace {
 class PassivityObserver {
  public:
   /// Begins, or begins again after a jump (another page, a reset): the balance goes on from here.
-  void Rebase(double stored) noexcept;
+  void Rebase(double stored) noexcept { stored_ = stored; }
   /// One tick: `work` given out since the last one [J], `stored` now [J].
-  void Add(double work, double stored) noexcept;
+  void Add(double work, double stored) noexcept {
+    balance_ += work + (stored - stored_);
+    stored_ = stored;
+    least_ = std::min(least_, balance_);
+    energy_out_ = std::max(energy_out_, balance_ - least_);
+  }
   /// Greatest rise of G above its least value before [J]: zero for ever if passive, bounded if
   /// energy is only borrowed, growing if it is created.
   double energy_out() const noexcept { return energy_out_; }

@@ -164,11 +164,13 @@ void Scene::Impl::FindPage() {
   flat = chart.place().face != Face::kRound;
   X_GP = {};
   turned = false;
+  rests = flat && !page().moves;
   if (!flat) return;
   const glm::dvec3 origin = chart.ToObject({0, 0, 0});
   const LabelChart::Point at = chart.At(origin);
   X_GP = Pose{{at.dx_O, at.dy_O, glm::cross(at.dx_O, at.dy_O)}, origin};
   turned = X_GP.R != glm::dmat3(1.0);
+  X_WP = PoseOfPage({0, 0, 0});
 }
 
 int Scene::Impl::CheckField(const TextureField* new_field) const {
@@ -211,8 +213,8 @@ void Scene::Impl::TakeSteps(int steps) {
 PagePoint Scene::Impl::PointOn(glm::dvec3 p_P) const noexcept {
   const Pose X_WG = PoseOfGeom(*d, page().geom);
   if (flat) {
-    const Pose X_WP = PoseOfPage({0, 0, 0});
-    return {ToWorld(X_WP, p_P), X_WP.R};
+    const Pose lies = PoseOfPage({0, 0, 0});
+    return {ToWorld(lies, p_P), lies.R};
   }
   const LabelChart& chart = page_label().chart;
   const glm::dvec3 p_O = chart.ToObject(p_P);

@@ -33,7 +33,6 @@ static_assert(std::is_trivially_copyable_v<TickMemory> && sizeof(TickMemory) % s
 
 /// Forces of one integration step, and the state they were computed from.
 struct StepForces {
-  Pose X_WP;
   glm::dvec3 point_W{0, 0, 0};     ///< the proxy, or the tip when direct [m]
   glm::dvec3 velocity_W{0, 0, 0};  ///< of the proxy [m/s]
   glm::dvec3 touch_T{0, 0, 0};     ///< the point, in the frame of what is touched [m]
@@ -70,7 +69,7 @@ struct Scene::Impl {
     if (flat && !turned) return {X_WG.R, ToWorld(X_WG, X_GP.p)};
     return PoseOfLabel(X_WG, p_W);
   }
-  glm::dvec3 ToPage(const Pose& X_WP, glm::dvec3 p_W) const noexcept {
+  glm::dvec3 ToPage(glm::dvec3 p_W) const noexcept {
     return flat ? FromWorld(X_WP, p_W) : ToRoundPage(p_W);
   }
   PagePoint PointOn(glm::dvec3 p_P) const noexcept;
@@ -89,6 +88,8 @@ struct Scene::Impl {
   bool flat = true;                 ///< the page
   bool turned = false;              ///< a flat page, on its geom
   Pose X_GP;                        ///< of a flat page on its geom
+  bool rests = false;               ///< a flat page that nothing moves
+  Pose X_WP;                        ///< in this step; where it rests, for good
   int substeps = 1;                 ///< of a tick that touches
   int free_substeps = 1;            ///< of one far from everything
   int steps_taken = 0;              ///< that the time step of MuJoCo is set for; 0: for none
@@ -109,7 +110,7 @@ struct Scene::Impl {
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
   StepForces TouchPage(glm::dvec3 point_W, glm::dvec3 velocity_W, glm::dvec3 pull_W) noexcept;
   void TouchObjects(StepForces& step) noexcept;
-  Pose FrameOf(std::size_t object, const Pose& X_WP) const noexcept;
+  Pose FrameOf(std::size_t object) const noexcept;
   double Observe(glm::dvec3 tip_W, const StepForces& step, std::size_t before) noexcept;
   void Integrate(const StepForces& step) noexcept;
   void PushBack(const StepForces& step) noexcept;

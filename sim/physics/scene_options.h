@@ -37,9 +37,6 @@ struct TickResult {
   glm::dvec3 proxy_P{0, 0, 0};  ///< after the step [m]; the tip itself when direct
   glm::dvec3 force_P{0, 0, 0};  ///< to the device [N]
   glm::dvec3 force_W{0, 0, 0};  ///< the same in the world's frame, what Device::Write receives
-  /// Of that force about the world's origin [N m], mean over the tick, as it acts where the proxy
-  /// (tip when direct) is: proxy and touched bodies gain the opposite.
-  glm::dvec3 moment_W{0, 0, 0};
   glm::dvec3 page_force_P{0, 0,
                           0};  ///< the page's on the proxy (tip when direct), friction included [N]
   double depth = 0;  ///< of the proxy (tip) in the page [m], > 0 in contact; 0 while through

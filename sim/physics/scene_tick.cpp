@@ -25,6 +25,13 @@ bool IsSane(const DeviceState& input) noexcept {
   return IsSane(input.p_D, kFarthest) && (!input.velocity_known || IsSane(input.v_D, kFastest));
 }
 
+/// How often MuJoCo found a value in the state that is not finite or too great, and (by default)
+/// reset itself silently.
+int BadStateCount(const mjData& d) noexcept {
+  return d.warning[mjWARN_BADQPOS].number + d.warning[mjWARN_BADQVEL].number +
+         d.warning[mjWARN_BADQACC].number;
+}
+
 /// Notices that MuJoCo met a bad number and reset itself within a tick. A reset sets its counters
 /// back too, but never its time to what was expected.
 class ResetWatch {
@@ -105,9 +112,9 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   const glm::dvec3 velocity_W = ProxyVelocity();
   const glm::dvec3 pull_W =
       direct() ? glm::dvec3(0) : coupling.Pull(tip_W - point_W, v_W - velocity_W);
+  if (!rests) X_WP = PoseOfPage(point_W);
   if (page_only) return TouchPage(point_W, velocity_W, pull_W);
   StepForces step;
-  step.X_WP = PoseOfPage(point_W);
   step.point_W = point_W;
   step.velocity_W = velocity_W;
   step.pull_W = pull_W;
@@ -118,7 +125,6 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
 /// One page on a plane, in its own frame: the quick way.
 StepForces Scene::Impl::TouchPage(glm::dvec3 point_W, glm::dvec3 velocity_W,
                                   glm::dvec3 pull_W) noexcept {
-  const Pose X_WP = PoseOfPage(point_W);
   const glm::dvec3 point_P = FromWorld(X_WP, point_W);
   const SurfaceLaw& law = page().law;
   const TextureField* field = page_label().field;
@@ -131,8 +137,7 @@ StepForces Scene::Impl::TouchPage(glm::dvec3 point_W, glm::dvec3 velocity_W,
   }
   const glm::dvec3 page_W = TurnToWorld(X_WP, page_P);
   reactions[0] = page_W;
-  return {.X_WP = X_WP,
-          .point_W = point_W,
+  return {.point_W = point_W,
           .velocity_W = velocity_W,
           .touch_T = point_P,
           .depth = contact.depth,
@@ -182,11 +187,11 @@ void Scene::Impl::TouchObjects(StepForces& step) noexcept {
                                                   step.touch_T, normal_O, press));
   }
   for (const glm::dvec3& reaction : reactions) step.page_W += reaction;
-  step.page_P = TurnFromWorld(step.X_WP, step.page_W);
+  step.page_P = TurnFromWorld(X_WP, step.page_W);
 }
 
 /// The frame of StepForces::touch_T.
-Pose Scene::Impl::FrameOf(std::size_t object, const Pose& X_WP) const noexcept {
+Pose Scene::Impl::FrameOf(std::size_t object) const noexcept {
   return page_only ? X_WP : PoseOfGeom(*d, objects[object].geom);
 }
 
@@ -201,8 +206,7 @@ double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step, std::size_
   if (memory.started == 0 || memory.stored_jumped != 0) {
     memory.observer.Rebase(stored);
   } else {
-    const glm::dvec3 page_travel =
-        ToWorld(FrameOf(before, step.X_WP), memory.touch_P) - memory.touch_W;
+    const glm::dvec3 page_travel = ToWorld(FrameOf(before), memory.touch_P) - memory.touch_W;
     const double work = glm::dot(memory.device_force_W, tip_W - memory.tip_W) -
                         glm::dot(memory.page_force_W, page_travel);
     memory.observer.Add(work, stored);
@@ -354,13 +358,16 @@ TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
   Restart();
   TickResult result;
   result.fault = true;
-  const glm::dvec3 tip_P = ToPage(PoseOfPage(tip_W), tip_W);
+  if (!rests) X_WP = PoseOfPage(tip_W);
+  const glm::dvec3 tip_P = ToPage(tip_W);
   if (IsSane(tip_P, 1e300)) result.tip_P = result.proxy_P = tip_P;
   result.energy_out = memory.observer.energy_out();
   return result;
 }
 
-TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept {
+// Flat: its parts hand each other vectors, which as arguments would go through memory, written by
+// number and read by pair, and each such reading waits.
+[[gnu::flatten]] TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept {
   if (!IsSane(input)) {
     Idle();
     return Fail(memory.tip_W);
@@ -390,19 +397,16 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   bool held = IsHeld(step);
   glm::dvec3 pull_W = step.pull_W;
   glm::dvec3 page_W = step.page_W;
-  glm::dvec3 moment_W = glm::cross(step.point_W, direct() ? step.page_W : step.pull_W);
   for (int i = 2; i <= steps; ++i) {
     step = Compute(aim_W(i), v_W);
     Integrate(step);
     held |= IsHeld(step);
     pull_W += step.pull_W;
     page_W += step.page_W;
-    moment_W += glm::cross(step.point_W, direct() ? step.page_W : step.pull_W);
   }
   if (steps > 1) {
     pull_W *= 1.0 / steps;
     page_W *= 1.0 / steps;
-    moment_W *= 1.0 / steps;
   }
 
   // through the paper not even the proxy's own weight is dragged along
@@ -422,13 +426,12 @@ TickResult Scene::Impl::Tick(const DeviceState& input, bool delivered) noexcept 
   memory.device_force_W = force_W;
   memory.page_force_W = page_W;
   const bool through = memory.through != 0;
-  return {.tip_P = ToPage(step.X_WP, tip_W),
-          .v_P = input.velocity_known ? TurnFromWorld(step.X_WP, v_W) : glm::dvec3(0),
+  return {.tip_P = ToPage(tip_W),
+          .v_P = input.velocity_known ? TurnFromWorld(X_WP, v_W) : glm::dvec3(0),
           .velocity_known = input.velocity_known,
-          .proxy_P = ToPage(step.X_WP, ProxyPosition()),
-          .force_P = TurnFromWorld(step.X_WP, force_W),
+          .proxy_P = ToPage(ProxyPosition()),
+          .force_P = TurnFromWorld(X_WP, force_W),
           .force_W = force_W,
-          .moment_W = direct() ? moment_W : -memory.page_share * moment_W,
           .page_force_P = step.page_P,
           .depth = through ? 0 : step.depth,
           .energy_out = memory.observer.energy_out(),
