@@ -95,31 +95,31 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
   }
 }
 
-/// Adds a layer that stands in rows to the samples.
+/// Sets the samples to what a layer that stands in rows gives.
 class RowLayer {
  public:
   RowLayer(const CompiledLayer& layer, std::span<const glm::dvec2> points,
            std::span<Sample> samples) noexcept
       : layer_(layer), points_(points), samples_(samples) {}
 
-  void Add() noexcept {
+  void Set() noexcept {
     std::size_t i = 0;
-    while (i < points_.size()) i = AddRun(i);
+    while (i < points_.size()) i = SetRun(i);
   }
 
  private:
-  /// Adds what the layer gives at the i-th point and at those after it that meet the same cell, or
+  /// Sets what the layer gives at the i-th point and at those after it that meet the same cell, or
   /// the same gap; returns the next point's number.
-  std::size_t AddRun(std::size_t i) noexcept {
+  std::size_t SetRun(std::size_t i) noexcept {
     const glm::dvec2 p = points_[i];
     const std::uint32_t band = BandOf(layer_, p.y);
     if (band >= layer_.band_count) return Skip(i, {{-kFar, p.y}, {kFar, p.y}});
     const std::vector<std::uint32_t>& of_band = layer_.rows.of_band;
     const FoundLetter letter = FindLetter(layer_, of_band.empty() ? band : of_band[band], p.x);
-    if (letter.block == nullptr) return i + 1;
+    if (letter.block == nullptr) return Skip(i, {p, p});
     const double below = layer_.origin.y + band * band_height_;
     const Box in_band{{-kFar, below + kHair}, {kFar, below + band_height_ - kHair}};
-    if (IsIn(letter.block->box, p - letter.origin)) return AddLetter(letter, in_band, i);
+    if (IsIn(letter.block->box, p - letter.origin)) return SetLetter(letter, in_band, i);
     return Skip(i, GapBeside(letter, in_band, p));
   }
 
@@ -142,22 +142,22 @@ class RowLayer {
     return gap;
   }
 
-  /// The number of the next point outside the gap.
+  /// Nothing at the points up to the next outside the gap, whose number it returns.
   std::size_t Skip(std::size_t i, const Box& gap) const noexcept {
-    do ++i;
+    do samples_[i++] = {};
     while (i < points_.size() && IsIn(gap, points_[i]));
     return i;
   }
 
   /// The same for all cells of one letter that the points go through.
-  std::size_t AddLetter(const FoundLetter& letter, const Box& in_band, std::size_t i) noexcept {
+  std::size_t SetLetter(const FoundLetter& letter, const Box& in_band, std::size_t i) noexcept {
     const Block& block = *letter.block;
     // a hair within the letter's box and its band a point surely meets this letter
     Box sure{block.box.min + kHair, block.box.max - kHair};
     sure.min.y = std::max(sure.min.y, in_band.min.y - letter.origin.y);
     sure.max.y = std::min(sure.max.y, in_band.max.y - letter.origin.y);
     const glm::dvec2 size = 1.0 / block.cells_per_m;
-    do i = AddCells(letter, size, sure, i);
+    do i = SetCells(letter, size, sure, i);
     while (i < points_.size() && IsIn(sure, points_[i] - letter.origin));
     return i;
   }
@@ -179,7 +179,7 @@ class RowLayer {
 
   /// The same for the cells that hold the same as the i-th point's, as long as the points stay
   /// there.
-  std::size_t AddCells(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
+  std::size_t SetCells(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
                        std::size_t i) noexcept {
     const Block& block = *letter.block;
     glm::dvec2 local = points_[i] - letter.origin;
@@ -194,6 +194,7 @@ class RowLayer {
     const std::size_t first = i;
     if (cell.empty()) {
       do {
+        samples_[i] = {};
         if (++i == points_.size()) break;
         local = points_[i] - letter.origin;
       } while (stays());
@@ -207,12 +208,12 @@ class RowLayer {
       if (++i == points_.size() || count == kMost) break;
       local = points_[i] - letter.origin;
     } while (stays());
-    AddPoints(block, cell, first, count);
+    SetPoints(block, cell, first, count);
     return i;
   }
 
-  /// Adds the run's points, the first of which has the number `first`.
-  void AddPoints(const Block& block, Cell cell, std::size_t first, std::size_t count) noexcept {
+  /// Sets the run's points, the first of which has the number `first`.
+  void SetPoints(const Block& block, Cell cell, std::size_t first, std::size_t count) noexcept {
     run_.count = count;
     for (std::size_t k = count; k % kSide != 0; ++k) {
       run_.x[k] = run_.x[count - 1];
@@ -220,19 +221,18 @@ class RowLayer {
     }
     if (!block.plain || count == 1) {
       for (std::size_t k = 0; k < count; ++k) {
-        Add(first + k, SampleBlockAt(layer_, block, {run_.x[k], run_.y[k]}));
+        Set(first + k, SampleBlockAt(layer_, block, {run_.x[k], run_.y[k]}));
       }
       return;
     }
     RunPlain(CellElements(layer_, block, cell), layer_.profiles[block.profile], run_);
     for (std::size_t k = 0; k < count; ++k) {
-      Add(first + k, {run_.height[k], {run_.slope_x[k], run_.slope_y[k]}});
+      Set(first + k, {run_.height[k], {run_.slope_x[k], run_.slope_y[k]}});
     }
   }
 
-  void Add(std::size_t i, const Magnitude& magnitude) noexcept {
-    samples_[i].displacement += layer_.sign * magnitude.height;
-    samples_[i].gradient += layer_.sign * magnitude.gradient;
+  void Set(std::size_t i, const Magnitude& magnitude) noexcept {
+    samples_[i] = {layer_.sign * magnitude.height, layer_.sign * magnitude.gradient};
   }
 
   const CompiledLayer& layer_;
@@ -246,13 +246,14 @@ class RowLayer {
 
 void TextureField::SamplesAt(std::span<const glm::dvec2> points_P,
                              std::span<Sample> samples) const noexcept {
-  std::fill_n(samples.begin(), points_P.size(), Sample{});
-  for (std::size_t i = 0; i < layers_.size(); ++i) {
+  const bool in_rows = !layers_.empty() && layers_.front().rows.length > 0;
+  if (in_rows) {
+    RowLayer(layers_.front(), points_P, samples).Set();
+  } else {
+    std::fill_n(samples.begin(), points_P.size(), Sample{});
+  }
+  for (std::size_t i = in_rows ? 1 : 0; i < layers_.size(); ++i) {
     const CompiledLayer& layer = layers_[i];
-    if (layer.rows.length > 0 && i == 0) {
-      RowLayer(layer, points_P, samples).Add();
-      continue;
-    }
     for (std::size_t k = 0; k < points_P.size(); ++k) {
       if (i > 0 && IsBare(layer, points_P[k])) continue;
       const Magnitude magnitude = SampleLayerAt(layer, points_P[k]);
