@@ -23,7 +23,7 @@ std::string ProgramTraces() { return "The program's hand traces; next leaves the
 std::string Awaited(lesson_action::Await await, Question question) {
   switch (await) {
     case lesson_action::Await::kTrace:
-      return "Your turn: trace, then lift or say done.";
+      return "Your turn: trace, then lift or say done; next leaves it.";
     case lesson_action::Await::kAnswer:
       return question == Question::kSame ? "Asked: same or different?" : "Asked: what is it?";
     case lesson_action::Await::kNext:
@@ -38,7 +38,7 @@ namespace {
 
 constexpr const char* kTraceEnds =
     "A trace has ended when you have followed it all and lift for half a second, when you say "
-    "done, or press the button twice.";
+    "done, or press the button twice. The word next leaves a sign for later.";
 constexpr const char* kButton = "One press tells where you are; held, it stops.";
 
 }  // namespace
@@ -147,6 +147,8 @@ std::string Spelled(const std::vector<std::string>& names) {
   return fmt::format("Spelled: {}.", Joined(names, ", "));
 }
 std::string NothingTouched() { return "Nothing touched yet: the trace goes on."; }
+std::string NothingFollowed() { return "No line followed yet: the trace goes on."; }
+std::string NextLeavesIt() { return "Next once more leaves it for later."; }
 std::string StillAsked() { return "Still asked: an answer, or say next."; }
 
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,

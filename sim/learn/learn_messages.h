@@ -92,6 +92,8 @@ std::string NoLetterHere();
 std::string WordHere(std::string_view word);
 std::string Spelled(const std::vector<std::string>& names);
 std::string NothingTouched();
+std::string NothingFollowed();
+std::string NextLeavesIt();
 std::string StillAsked();
 
 // Where we are in the course; `of` 0: beside it.

@@ -85,6 +85,7 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
   if (!keep.trial.item.empty() && judged) {
     (keep.trial.right ? last_right_ : last_wrong_) = keep.trial;
   }
+  if (keep.trial.kind == StepKind::kTrace) missed_ = keep.trial.right ? "" : keep.trial.item;
   if (!why.empty()) {
     teller_.Say(Priority::kMessage, say::NotKept(why));
   } else if (before > 0) {

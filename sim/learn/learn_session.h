@@ -70,6 +70,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   void LookAtPlace();
   void Speak(LearnWord word);
   void Next();
+  bool JudgedAtNext() const;
   void Back();
   void EndTrace();
   void Where();
@@ -107,6 +108,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   double passed_ = 0;  ///< between the last two looks [s]
   Clock::time_point looked_, ordered_, ticked_;
   std::size_t kept_ = 0;
+  std::string missed_;             ///< the sign of the last trace, if that was not good
   Trial last_right_, last_wrong_;  ///< of this session; without an item: none yet
 };
 

@@ -247,11 +247,22 @@ void LearnSession::Speak(LearnWord word) {
   }
 }
 
-/// A long text's next page comes before the next step; a trace that was begun is done. A
-/// demonstration's hand is always on the page and makes nothing sure: there the sign is left.
+/// A trace that was begun is judged, but one that fails a second time is left: who says next goes
+/// on. A demonstration's hand is always on the page and makes nothing sure: there the sign is left.
+bool LearnSession::JudgedAtNext() const {
+  const LearnTrace& trace = stage_.trace();
+  if (await_ != Await::kTrace || stage_.simulated() || !trace.followed()) return false;
+  return missed_ != state_.item || GoodTrace(course_.mastery, trace.Measured());
+}
+
+/// A long text's next page comes before the next step.
 void LearnSession::Next() {
-  const bool begun = stage_.trace().touched() && !stage_.simulated();
-  if (await_ == Await::kTrace && begun) return EndTrace();
+  if (JudgedAtNext()) {
+    EndTrace();
+    const bool again = await_ == Await::kTrace && missed_ == state_.item && !leading_;
+    if (again) teller_.Say(Priority::kText, say::NextLeavesIt());
+    return;
+  }
   if (await_ == Await::kNext && stage_.Turn(true)) {
     const LoopSession& session = stage_.session();
     return teller_.Say(Priority::kText,
@@ -269,10 +280,10 @@ void LearnSession::Back() {
 void LearnSession::EndTrace() {
   if (await_ == Await::kAnswer) return teller_.Say(Priority::kText, say::StillAsked());
   if (await_ != Await::kTrace) return Next();
+  const LearnTrace& trace = stage_.trace();
   const bool told = leading_ && !stage_.pushes();  // the path has been heard in words
-  if (!stage_.trace().touched() && !told) {
-    return teller_.Say(Priority::kText, say::NothingTouched());
-  }
+  if (!trace.touched() && !told) return teller_.Say(Priority::kText, say::NothingTouched());
+  if (!trace.followed() && !leading_) return teller_.Say(Priority::kText, say::NothingFollowed());
   Take(lesson_event::Traced{Flags(stage_.trace().Measured())});
   if (!shown_) stage_.Restart();
 }

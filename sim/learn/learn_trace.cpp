@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kLifted = 0.5;        ///< long enough to be meant [s], ours
 constexpr double kLongestTrack = 300;  ///< [s]
+/// A tip at rest covers half a groove's width, of a line of one em some 6 percent; ours.
+constexpr double kAtRest = 0.1;
 constexpr std::size_t kColumns = 5;
 
 }  // namespace
@@ -42,6 +44,8 @@ void LearnTrace::Add(const LoopSample& sample) {
   track_.insert(track_.end(), {sample.time, sample.tip_P.x, sample.tip_P.y, sample.tip_P.z,
                                sample.in_contact ? 1.0 : 0.0});
 }
+
+bool LearnTrace::followed() const { return touched() && Coverage() > kAtRest; }
 
 bool LearnTrace::Ended(double coverage) const {
   return touched() && now_ - last_touch_ >= kLifted && Coverage() >= coverage;

@@ -28,6 +28,8 @@ class LearnTrace {
   /// The tip has touched the page.
   bool touched() const { return first_touch_.has_value(); }
   double Coverage() const { return meter_.Coverage(); }
+  /// More of the strokes than a tip covers that rests in one of them, or crosses it.
+  bool followed() const;
   /// All is followed, to `coverage` of the strokes' length, and the tip is lifted since half a
   /// second.
   bool Ended(double coverage) const;

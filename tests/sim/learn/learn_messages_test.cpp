@@ -45,6 +45,8 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
                                   say::NotWhileAsked(),
                                   say::NoLetterHere(),
                                   say::NothingTouched(),
+                                  say::NothingFollowed(),
+                                  say::NextLeavesIt(),
                                   say::StillAsked(),
                                   say::LedNow(),
                                   say::ProgramTraces(),

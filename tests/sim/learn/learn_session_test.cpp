@@ -247,6 +247,28 @@ TEST_F(LearnSessionTest, LeavesASignOfADemonstrationAtNext) {
   EXPECT_TRUE(session.WaitFor("Skipped, not sure yet: i.")) << session.all();
 }
 
+// This arm's hand taps the paper now and then, and follows nothing.
+TEST_F(LearnSessionTest, NextNeverKeepsOneAtATrace) {
+  SKIP_WITHOUT_TERMINALS();
+  const FakeHid fake("polhem");
+  PtySession session(Learn({"--device", "polhem"}));
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  session.Send("next\n");
+  ASSERT_TRUE(session.WaitFor("hand be led: i.")) << session.all();
+  session.Send("next\n");
+  ASSERT_TRUE(session.WaitFor("hand be led: l.")) << session.all();
+  session.Send("next\n");
+  ASSERT_TRUE(session.WaitFor("Trace i")) << session.all();
+  session.ReadFor(500);  // until a tap has been
+  for (const char* left : {"Skipped, not sure yet: i.", "Skipped, not sure yet: l."}) {
+    session.Send("next\n");
+    EXPECT_TRUE(session.WaitFor(left)) << session.all();
+  }
+  EXPECT_FALSE(Holds(session.all(), "Not yet")) << session.all();
+  session.Send("quit\n\n");
+  EXPECT_EQ(session.Wait(), 0);
+}
+
 TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session({"learn", "--course", In("course"), "--records", In("records.sqlite"),
