@@ -69,6 +69,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   void GoToPlace(const PlaceCommand& command);
   void LookAtPlace();
   void Speak(LearnWord word);
+  void Rest();
   void Next();
   bool JudgedAtNext() const;
   void Back();

@@ -32,6 +32,33 @@ std::vector<std::string> CharactersOf(std::string_view utf8) {
   return characters;
 }
 
+/// What the lesson machine answers to a word; none: the session does.
+std::optional<lesson_event::Word> SaidToMachine(LearnWord word) {
+  using Word = lesson_event::Word;
+  switch (word) {
+    case LearnWord::kAgain:
+      return Word::kAgain;
+    case LearnWord::kBigger:
+      return Word::kBigger;
+    case LearnWord::kSmaller:
+      return Word::kSmaller;
+    case LearnWord::kMoreHelp:
+      return Word::kMoreHelp;
+    case LearnWord::kLessHelp:
+      return Word::kLessHelp;
+    case LearnWord::kSlower:
+      return Word::kSlower;
+    case LearnWord::kFaster:
+      return Word::kFaster;
+    case LearnWord::kHint:
+      return Word::kHint;
+    case LearnWord::kSkip:
+      return Word::kNext;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 void LearnSession::Obey(const std::string& line) {
@@ -183,33 +210,15 @@ void LearnSession::Answer(const std::string& text) {
 }
 
 void LearnSession::Speak(LearnWord word) {
-  using Word = lesson_event::Word;
-  const auto pass = [this](Word said) { Take(lesson_event::Said{said, false}); };
+  if (const auto said = SaidToMachine(word)) {
+    in_full_ = word == LearnWord::kAgain || word == LearnWord::kHint;
+    return Take(lesson_event::Said{*said, false});
+  }
   switch (word) {
-    case LearnWord::kAgain:
-      in_full_ = true;
-      return pass(Word::kAgain);
     case LearnWord::kNext:
       return Next();
     case LearnWord::kBack:
       return Back();
-    case LearnWord::kBigger:
-      return pass(Word::kBigger);
-    case LearnWord::kSmaller:
-      return pass(Word::kSmaller);
-    case LearnWord::kMoreHelp:
-      return pass(Word::kMoreHelp);
-    case LearnWord::kLessHelp:
-      return pass(Word::kLessHelp);
-    case LearnWord::kSlower:
-      return pass(Word::kSlower);
-    case LearnWord::kFaster:
-      return pass(Word::kFaster);
-    case LearnWord::kHint:
-      in_full_ = true;
-      return pass(Word::kHint);
-    case LearnWord::kSkip:
-      return pass(Word::kNext);
     case LearnWord::kLessons:
       return TellLessons();
     case LearnWord::kHow:
@@ -232,9 +241,7 @@ void LearnSession::Speak(LearnWord word) {
     case LearnWord::kStop:
       return Stop(false);
     case LearnWord::kPause:
-      if (stopped_) return teller_.Say(Priority::kText, say::AlreadyStopped());
-      Pause(false);
-      return teller_.Say(Priority::kText, say::Pausing(stage_.pushes()));
+      return Rest();
     case LearnWord::kGo:
       if (!GoOn(false)) return teller_.Say(Priority::kText, say::NotStopped());
       return teller_.Say(Priority::kText, say::Event({LoopEventKind::kWentOn}, stage_.pushes()));
@@ -244,7 +251,15 @@ void LearnSession::Speak(LearnWord word) {
     case LearnWord::kHelp:
       for (const std::string& line : help_) teller_.Say(Priority::kText, line);
       return;
+    default:
+      return;  // the machine's
   }
+}
+
+void LearnSession::Rest() {
+  if (stopped_) return teller_.Say(Priority::kText, say::AlreadyStopped());
+  Pause(false);
+  teller_.Say(Priority::kText, say::Pausing(stage_.pushes()));
 }
 
 /// A trace that was begun is judged, but one that fails a second time is left: who says next goes
