@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
@@ -196,6 +197,9 @@ void PresentItem(Turn& turn, const std::string& item, StepKind task, bool review
     Say(turn, Sentence::kNewItem, item);
     const std::string hint = HintNow(turn);
     if (!hint.empty()) Say(turn, Sentence::kHint, hint);
+  }
+  if (std::exchange(state.another, false) && IsAsked(task)) {
+    SayCount(turn, Sentence::kAnother, {}, state.question == Question::kSame ? 2 : 1, 0);
   }
   Ask(turn);
   ShowPage(turn);

@@ -84,6 +84,7 @@ enum class Sentence {
   kNewItem,      ///< text: item
   kHint,         ///< text: memory aid
   kLedAlong,     ///< text: item; the hand is led along it now
+  kAnother,      ///< what is asked now is not what was asked before; number: signs, 1 or 2
   kAskName,      ///< what is it?
   kAskPick,      ///< is it text or other?
   kAskSame,      ///< two side by side: same or different?
@@ -168,7 +169,8 @@ struct LessonState {
   std::uint64_t random = 1;                             ///< seed; each choice advances it
   bool announced = false;                               ///< the present step has been begun aloud
   bool practising = false;                              ///< for a test that was not passed
-  bool offered = false;                ///< a lesson beside the course, in this session
+  bool offered = false;  ///< a lesson beside the course, in this session
+  bool another = false;  ///< the next question would sound like the last one asked once more
   std::string lesson_announced;        ///< id of the lesson whose title was said last
   std::vector<std::string> reviews;    ///< items due, still to be asked
   std::vector<std::string> queue;      ///< items to be asked again soon, after a failure

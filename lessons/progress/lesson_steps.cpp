@@ -37,6 +37,7 @@ void End(Turn& turn) {
 void Announce(Turn& turn, const Lesson& lesson, const Step& step) {
   LessonState& state = turn.state;
   state.announced = true;
+  state.another = false;
   if (state.lesson_announced != lesson.id) {
     state.lesson_announced = lesson.id;
     const auto index = LessonIndex(turn.course, lesson.id);

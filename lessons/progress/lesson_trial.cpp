@@ -160,6 +160,7 @@ void HandleAnswered(Turn& turn, const lesson_event::Answered& answered) {
     OfferLesson(turn, before);
     if (!reply->right) AskAgainLater(turn, before);
   }
+  state.another = state.task == StepKind::kTest || !reply->right;
   GoOn(turn);
 }
 
@@ -189,6 +190,7 @@ void Skip(Turn& turn) {
       Say(turn, Sentence::kSkipped, state.task == StepKind::kTest ? "" : state.item);
       if (!state.review) state.skipped.push_back(ItemOfStep(turn));
       Remove(state.queue, state.item);
+      state.another = state.task != StepKind::kTrace;
       break;
   }
   GoOn(turn);

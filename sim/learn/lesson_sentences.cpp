@@ -79,6 +79,8 @@ std::string OfTask(const Course& course, const lesson_action::Say& sentence) {
       return fmt::format("Hint: {}", OneLine(sentence.text, 500));
     case Sentence::kNoHint:
       return "No hint for this one.";
+    case Sentence::kAnother:
+      return sentence.number == 2 ? "Two new ones." : "A new one.";
     case Sentence::kAskName:
       return "What is it? Type its name and Enter.";
     case Sentence::kAskPick:

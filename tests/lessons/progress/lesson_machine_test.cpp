@@ -158,8 +158,12 @@ TEST(LessonMachine, AWrongAnswerIsToldCountedAndAskedAgainAfterOneOther) {
   EXPECT_EQ(run.kept.back().answer, wrong);
   EXPECT_EQ(run.state.progress.confusions[item][wrong], 1);
   EXPECT_NE(run.state.item, item);
+  EXPECT_TRUE(run.Said(Sentence::kAnother)) << "or it would sound like a second try";
   run.Work();
   EXPECT_EQ(run.state.item, item);
+  EXPECT_FALSE(run.Said(Sentence::kAnother)) << "right has been said";
+  run.Say(Word::kAgain);
+  EXPECT_FALSE(run.Said(Sentence::kAnother)) << "it is the same";
   const std::size_t kept = run.kept.size();
   run.Answer("marmalade");
   EXPECT_EQ(run.Find(Sentence::kNotAnAnswer)->text, "marmalade");
@@ -251,6 +255,7 @@ TEST(LessonMachine, ATestTellsNothingUntilItsEndAndComesAgainAfterPractice) {
   for (int i = 0; i < 2; ++i) {
     run.Work(false);
     EXPECT_FALSE(run.Said(Sentence::kWrong));
+    EXPECT_TRUE(run.Said(Sentence::kAnother)) << "that the answer was taken";
     EXPECT_FALSE(run.Said(Sentence::kTestResult));
   }
   run.Work(true);

@@ -160,6 +160,7 @@ TEST_F(LessonWords, NextTellsWhatWasSkipped) {
   const std::string item = run_.state.item;
   run_.Next();
   EXPECT_EQ(run_.Find(Sentence::kSkipped)->text, item);
+  EXPECT_TRUE(run_.Said(Sentence::kAnother));
   EXPECT_NE(run_.state.item, item);
   for (int i = 0; i < 30 && run_.state.progress.step == 2; ++i) {
     EXPECT_NE(run_.state.item, item);

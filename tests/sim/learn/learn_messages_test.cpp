@@ -21,7 +21,7 @@ void ExpectOutcomeFirst(const std::string& line) {
 
 TEST(LearnMessages, EverySentenceOfTheLessonHasItsOutcomeInTheFirst40Columns) {
   const Course course;
-  for (int i = 0; i <= static_cast<int>(Sentence::kNoSuchLesson); ++i) {
+  for (int i = 0; i <= static_cast<int>(Sentence::kSmallestSize); ++i) {
     lesson_action::Say say;
     say.sentence = static_cast<Sentence>(i);
     say.text = "apostrophe";
@@ -114,7 +114,7 @@ TEST(LearnMessages, BriefSaysOutcomesAndQuestionsButNoExplanation) {
   EXPECT_EQ(brief(Sentence::kHint), "");
   EXPECT_EQ(brief(Sentence::kWrong), "Wrong: b.");
   EXPECT_EQ(brief(Sentence::kAskPick), "Is it b or j?");
-  for (int i = 0; i <= static_cast<int>(Sentence::kNoSuchLesson); ++i) {
+  for (int i = 0; i <= static_cast<int>(Sentence::kSmallestSize); ++i) {
     say.sentence = static_cast<Sentence>(i);
     EXPECT_LE(say::BriefSentence(course, say).size(), say::LessonSentence(course, say).size()) << i;
   }
