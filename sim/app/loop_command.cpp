@@ -10,10 +10,12 @@
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_session.h"
 #include "sim/session/view_feed.h"
+#include "sim/session/view_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/metrics_json.h"
 #include "sim/trial/touch_energy.h"
+#include "textures/base/error.h"
 #include "textures/base/units.h"
 
 namespace moontrace {
@@ -158,7 +160,9 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
   drive.seconds = options.live.seconds;
   drive.view = view;
   drive.sample = [&felt](const LoopSample& sample) { felt.Add(sample); };
-  Drive(session, drive, console);
+  const bool spoken = Drive(session, drive, console);
+  const bool for_nobody =
+      options.view.window && view == nullptr && !spoken && !options.live.seconds;
 
   const LoopReport& report = session.loop().report();
   if (options.output.json) {
@@ -167,6 +171,7 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
     console.Json(Dump(json));
     RequireDevice(session);
     if (view != nullptr) RequireView(*view, options.live.device);
+    if (for_nobody) throw LackError(say::NothingSeen());
     return exit_code::kGood;
   }
   console.Result(say::LoopOutcome(TimeOf(session, report)));
@@ -180,6 +185,7 @@ int RunLoop(const LoopCommandOptions& options, ViewFeed* view,
   if (view != nullptr) SayView(*view, options.view, console);
   RequireDevice(session);
   if (view != nullptr) RequireView(*view, options.live.device);
+  if (for_nobody) throw LackError(say::NothingSeen());
   return exit_code::kGood;
 }
 

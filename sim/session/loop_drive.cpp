@@ -35,7 +35,8 @@ class Driver : private LoopListener {
         walk_(session, [&session](std::size_t page) { session.TurnTo(page); }),
         spoken_(lines_.at_terminal()) {}
 
-  void Run() {
+  /// False: nobody has said a word, or could.
+  bool Run() {
     if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
     const auto begin = std::chrono::steady_clock::now();
     while (!quit_) {
@@ -55,6 +56,7 @@ class Driver : private LoopListener {
     }
     session_.loop().End();
     Look();
+    return spoken_;
   }
 
  private:
@@ -76,13 +78,8 @@ class Driver : private LoopListener {
     if (options_.view != nullptr) options_.view->ShowLine(line);
   }
 
-  /// Nobody can say "quit" any more. A window can, where no word ever came from elsewhere; and
-  /// where the text itself was the input, no word was meant to come.
-  bool InputEndsIt() const {
-    const bool window =
-        options_.view != nullptr && options_.view->window() && !options_.view->ended();
-    return !options_.seconds && !session_.text_was_input() && (spoken_ || !window);
-  }
+  /// Nobody can say "quit" any more. Where the text itself was the input, no word was meant to come.
+  bool InputEndsIt() const { return !options_.seconds && !session_.text_was_input(); }
 
   /// What is said in the window is as if it were typed.
   void LookAtWindow() {
@@ -256,8 +253,8 @@ class Driver : private LoopListener {
 
 }  // namespace
 
-void Drive(LoopSession& session, const DriveOptions& options, Console& console) {
-  Driver(session, options, console).Run();
+bool Drive(LoopSession& session, const DriveOptions& options, Console& console) {
+  return Driver(session, options, console).Run();
 }
 
 void RequireDevice(LoopSession& session) {

@@ -19,8 +19,9 @@ struct DriveOptions {
 };
 
 /// Leads a running session from the text face until it ends: reads words, tells events, hands the
-/// samples on. The loop has ended behind it, at zero force. Throws Interrupted.
-void Drive(LoopSession& session, const DriveOptions& options, Console& console);
+/// samples on. The loop has ended behind it, at zero force. False: nobody said a word, and there is
+/// no terminal at which somebody could. Throws Interrupted.
+bool Drive(LoopSession& session, const DriveOptions& options, Console& console);
 
 /// Behind Drive: throws LackError if the device was lost and did not come back.
 void RequireDevice(LoopSession& session);

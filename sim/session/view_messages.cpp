@@ -52,6 +52,11 @@ std::string FramesIn() { return "Pictures in"; }
 
 std::string FramesNotWhole() { return "pictures are missing: their writing ended before its time"; }
 
+std::string NothingSeen() {
+  return "nothing was seen: no window opens here, and no word came; --frames and --picture draw "
+         "without a display";
+}
+
 std::string MouseGone() { return "the window went away, and the mouse that moved the tip with it"; }
 
 std::string ViewPictureIn() { return "Picture in"; }

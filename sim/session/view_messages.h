@@ -27,6 +27,8 @@ std::string OnlyInView(std::string_view option);
 /// The folder's path follows on a line of its own.
 std::string FramesIn();
 std::string FramesNotWhole();
+/// Neither a window nor a word: nothing was shown to anybody.
+std::string NothingSeen();
 std::string MouseGone();
 std::string ViewPictureIn();
 /// How the view kept up.

@@ -180,6 +180,14 @@ TEST_F(ViewCommand, WithoutADisplaySaysSoInOneLineAndGoesOn) {
   ExpectTextFace(told.err);
 }
 
+TEST_F(ViewCommand, LacksAWindowWhereNobodySaysAWordEither) {
+  const Outcome silent = RunLine({"view", "moon"});
+  EXPECT_EQ(silent.code, exit_code::kLack) << silent.out;
+  EXPECT_EQ(Lines(silent.err).back().find("nothing was seen"), 0U) << silent.err;
+  const Outcome spoken = RunLine({"view", "moon"}, "where\n");
+  EXPECT_EQ(spoken.code, 0) << spoken.err;
+}
+
 TEST_F(ViewCommand, RefusesInOneLine) {
   WriteAll(In("file"), "");
   const std::pair<std::vector<std::string>, int> lines[] = {

@@ -149,6 +149,29 @@ TEST_F(SlowViewByHand, ClosingTheWindowEndsItInOrder) {
   ExpectStream(session_->all());
 }
 
+/// The exit code of a command whose input is /dev/null; -1: it did not end within a minute.
+int CodeWithoutInput(const std::vector<std::string>& args) {
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child == 0) {
+    const int nothing = open("/dev/null", O_RDWR);
+    for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, fd);
+    Console console(std::cin, std::cout, std::cerr);
+    _exit(RunCli(args, console));
+  }
+  int status = 0;
+  const bool ended = Eventually([&] { return waitpid(child, &status, WNOHANG) == child; });
+  if (ended) return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  kill(child, SIGKILL);
+  waitpid(child, &status, 0);
+  return -1;
+}
+
+TEST_F(SlowViewByHand, InputThatHasEndedEndsTheWindowToo) {
+  EXPECT_EQ(CodeWithoutInput({"view", "hat"}), 0);
+  EXPECT_EQ(CodeWithoutInput({"loop", "hat", "--view"}), 0);
+}
+
 TEST_F(SlowViewByHand, ADisplayThatIsLostIsOneLineAndTheLoopGoesOn) {
   ASSERT_TRUE(Begin({"loop", "hat", "--view"})) << session_->all();
   display_->Kill();
