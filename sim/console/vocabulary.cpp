@@ -152,7 +152,11 @@ SaidLine Said(const WordFound& found, std::string_view given, std::string_view b
   if (found.here != nullptr) {
     return Refused(say::WordShortElsewhere(given, found.elsewhere->word, found.here->word));
   }
-  if (found.elsewhere != nullptr) return Refused(say::WordNotHere(found.elsewhere->word));
+  // what nobody typed is not answered: of a number the number is told
+  const bool number = given.find_first_not_of("0123456789") == std::string_view::npos;
+  if (found.elsewhere != nullptr) {
+    return Refused(say::WordNotHere(number ? given : found.elsewhere->word));
+  }
   return Refused(say::WordUnknown(given, NearestWord(std::string(given), WordsIn(place))));
 }
 

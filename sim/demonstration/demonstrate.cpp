@@ -16,9 +16,18 @@ namespace moontrace {
 
 namespace {
 
-/// Until it ends by itself or by a word.
-void Drive(Demonstration& demonstration, LearnStage& stage, LearnInput& input, ViewFeed* feed,
-           PathListener* path, std::optional<double> seconds, const Console& console) {
+/// What a demonstration is driven by, and what listens beside the teller; null: nothing.
+struct DriveParts {
+  LearnInput& input;
+  bool at_terminal = false;
+  ViewFeed* feed = nullptr;
+  PathListener* path = nullptr;
+};
+
+/// Until it ends by itself or by a word. A pipe that has ended waits for nothing any more; a person
+/// who ends input at a terminal leaves.
+void Drive(Demonstration& demonstration, LearnStage& stage, const DriveParts& parts,
+           std::optional<double> seconds, const Console& console) {
   constexpr int kPoll = 20;  // [ms]
   const auto begin = Demonstration::Clock::now();
   const auto obey = [&](const std::string& line) { demonstration.Obey(line); };
@@ -27,15 +36,17 @@ void Drive(Demonstration& demonstration, LearnStage& stage, LearnInput& input, V
     const auto now = Demonstration::Clock::now();
     if (seconds && std::chrono::duration<double>(now - begin).count() >= *seconds) break;
     demonstration.Look(now);
-    if (path != nullptr) path->Hear();
-    if (feed != nullptr) {
-      feed->Look(stage.session().felt(), demonstration.poll());
-      feed->Hear(obey, [](const std::string&) {});
-      if (feed->closed()) break;
+    if (parts.path != nullptr) parts.path->Hear();
+    if (parts.feed != nullptr) {
+      parts.feed->Look(stage.session().felt(), demonstration.poll());
+      parts.feed->Hear(obey, [](const std::string&) {});
+      if (parts.feed->closed()) break;
     }
-    if (input.ended() && !seconds) demonstration.Hurry();
+    if (parts.input.ended() && parts.at_terminal) demonstration.Leave();
+    if (parts.input.ended() && !seconds) demonstration.Hurry();
     if (demonstration.over()) break;
-    if (const auto line = input.Next(kPoll, demonstration.asks())) demonstration.Obey(*line);
+    const auto line = parts.input.Next(kPoll, demonstration.asks());
+    if (line) demonstration.Obey(*line);
   }
 }
 
@@ -63,7 +74,8 @@ int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& keys,
     teller.SetListener([&feed](std::string_view line) { feed->ShowLine(line); });
   }
   const std::unique_ptr<LearnInput> input = InputFor(keys, lines, {}, console);
-  Drive(demonstration, stage, *input, feed.get(), path.get(), options.live.seconds, console);
+  Drive(demonstration, stage, {*input, lines.at_terminal(), feed.get(), path.get()},
+        options.live.seconds, console);
   stage.session().loop().End();
   if (feed) {
     SayView(*feed, options.view, console);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lessons/progress/answer.h"
 #include "sim/console/line_wrap.h"
 #include "sim/console/word_messages.h"
 #include "sim/demonstration/demonstration_messages.h"
@@ -130,11 +131,19 @@ void Demonstration::NextStep() {
 
 void Demonstration::Answer(const std::string& given) {
   const std::vector<std::string>& answers = step().answers;
-  const bool right = std::find(answers.begin(), answers.end(), given) != answers.end();
+  const bool right =
+      std::any_of(answers.begin(), answers.end(),
+                  [&given](const std::string& answer) { return Names(Course(), answer, given); });
   asking_ = false;
-  if (right) teller_.Play(Earcon::kRight);
-  if (!right) teller_.Play(Earcon::kWrong);
+  teller_.Play(right ? Earcon::kRight : Earcon::kWrong);
+  if (!right) teller_.Say(Priority::kText, say::WrongAnswer(given));
   Say(right ? step().right : step().wrong);
+}
+
+void Demonstration::Leave() {
+  over_ = true;
+  teller_.Say(Priority::kText, say::DemonstrationCutOff());
+  teller_.EndTurn();
 }
 
 void Demonstration::Obey(const std::string& line) {
@@ -163,8 +172,9 @@ void Demonstration::Obey(const std::string& line) {
 void Demonstration::Do(std::string_view word) {
   if (word == "quit") {
     over_ = true;
+    teller_.Say(Priority::kText, say::DemonstrationLeft());
   } else if (word == "help") {
-    teller_.Say(Priority::kText, say::DemonstrationHelp());
+    for (const std::string& line : say::DemonstrationHelp()) teller_.Say(Priority::kText, line);
   } else if (word == "again") {
     teller_.Say(Priority::kText, last_);
     WaitFor(asking_ ? kAnswering : SecondsFor(last_));

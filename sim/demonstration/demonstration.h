@@ -20,7 +20,7 @@ struct DemonstrationStep {
   std::vector<std::string> say;      ///< lines, in order
   std::string ask;                   ///< empty: nothing is asked
   std::vector<std::string> answers;  ///< right ones, in small letters
-  std::string right, wrong;          ///< said to a right answer; to a wrong one, or to none
+  std::string right, wrong;          ///< said to a right answer; to none, and after a wrong one
 };
 
 /// The demonstration that comes with the program, `lessons/demonstration.toml`. Throws InputError:
@@ -48,6 +48,8 @@ class Demonstration final : public RunningStage, private LoopListener {
     hurries_ = true;
     paused_ = false;
   }
+  /// Who was at the terminal has left it: it ends, and says so.
+  void Leave();
   /// An answer is awaited.
   bool asks() const { return asking_; }
   bool over() const { return over_; }

@@ -1,10 +1,20 @@
 #include "sim/demonstration/demonstration_messages.h"
 
+#include <fmt/core.h>
+
+#include "sim/console/word_messages.h"
+#include "textures/base/text_file.h"
+
 namespace moontrace::say {
 
-std::string DemonstrationHelp() {
-  return "Words: stop, next, again, go, pause, quit, more time. Or the answer, while I ask.";
+std::vector<std::string> DemonstrationHelp() {
+  return {NumberedWords(WordPlace::kDemonstration), "While I ask, what you type is the answer."};
 }
+std::string WrongAnswer(std::string_view given) {
+  return fmt::format("Wrong: you said {}.", OneLine(given, 12));
+}
+std::string DemonstrationLeft() { return "The demonstration ends here."; }
+std::string DemonstrationCutOff() { return "End of input: the demonstration ends."; }
 std::string DemonstrationPauses() { return "A pause. Say go when you like."; }
 std::string DemonstrationGoesOn() { return "Going on."; }
 std::string DemonstrationSlower() { return "More time from now on."; }

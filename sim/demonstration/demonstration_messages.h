@@ -1,11 +1,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 /// What the demonstration answers to words; what it tells stands in lessons/demonstration.toml.
 namespace moontrace::say {
 
-std::string DemonstrationHelp();
+std::vector<std::string> DemonstrationHelp();
+std::string WrongAnswer(std::string_view given);
+std::string DemonstrationLeft();
+std::string DemonstrationCutOff();
 std::string DemonstrationPauses();
 std::string DemonstrationGoesOn();
 std::string DemonstrationSlower();

@@ -145,7 +145,7 @@ TEST(Vocabulary, SaysWhyALineIsNone) {
   EXPECT_EQ(refused("stopp"), "Unknown: stopp. Did you mean stop? Type ? for the words.");
   EXPECT_EQ(refused("s"), "s could be stop, smaller, size or spacing.");
   EXPECT_EQ(refused("spell"), "spell is no word here. Type ? for the words.");
-  EXPECT_EQ(refused("5"), "spell is no word here. Type ? for the words.");
+  EXPECT_EQ(refused("5"), "5 is no word here. Type ? for the words.");
   EXPECT_EQ(refused("m"), "m is short for more help elsewhere: say mark.");
   EXPECT_EQ(refused("99"), "Unknown: 99. Type ? for the words.");
 }

@@ -104,6 +104,19 @@ TEST_F(DemonstrationTest, AwaitsAnAnswerForHalfAMinute) {
   Pass(3);
   EXPECT_EQ(Said("It is T: the level one"), 1U) << "told to who does not answer";
   EXPECT_FALSE(demonstration_.asks());
+  EXPECT_EQ(Said("Wrong"), 0U) << "nobody was wrong";
+}
+
+TEST_F(DemonstrationTest, TellsItsWordsWithTheirNumbersAndNoOthers) {
+  Pass(2);
+  Forget();
+  demonstration_.Obey("?");
+  EXPECT_EQ(Said("1 stop, 2 next, 14 again, 15 go, 16 pause, 18 quit, 19 help, 46 more time."), 1U)
+      << out_.str().substr(from_);
+  Forget();
+  demonstration_.Obey("7");
+  EXPECT_EQ(Said("7 is no word here."), 1U) << out_.str().substr(from_);
+  EXPECT_EQ(Said("bigger"), 0U) << "nobody typed that";
 }
 
 TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
@@ -113,7 +126,15 @@ TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
   EXPECT_FALSE(demonstration_.asks());
   Until("which letter is that?");
   demonstration_.Obey("t");
+  EXPECT_EQ(Said("Wrong: you said t. It is L"), 1U);
   EXPECT_EQ(Said("It is L"), 2U) << "once when it was shown, once now";
+  Until("What is the first letter?");
+  Forget();
+  demonstration_.Obey("it is the letter T");
+  EXPECT_EQ(Said("Yes."), 1U) << "as in a lesson";
+  Until("Second letter");
+  demonstration_.Obey("7");
+  EXPECT_EQ(Said("Wrong: you said 7."), 1U);
   Until("what is the word?");
   demonstration_.Obey("toil");
   EXPECT_EQ(Said("Toil it is."), 1U);
@@ -145,7 +166,9 @@ TEST_F(DemonstrationTest, EveryLineIsAnswered) {
     EXPECT_GT(out_.str().size(), from_) << line;
     EXPECT_EQ(out_.str().find('\x1b'), std::string::npos);
   }
+  Forget();
   demonstration_.Obey("quit");
+  EXPECT_EQ(Said("The demonstration ends here."), 1U);
   EXPECT_TRUE(demonstration_.over());
 }
 
@@ -162,17 +185,31 @@ TEST_F(DemonstrationTest, WhatIsSaidFitsWhatIsShownAndAsked) {
 TEST(LearnWithoutADevice, FitsATerminalOfFortyColumns) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session({"learn", "--device", "simulated"}, 40);
-  session.ReadFor(300);
-  session.Send("\x04");  // the end of input: nothing is waited for
-  EXPECT_EQ(session.Wait(), 0);
+  ASSERT_TRUE(session.WaitFor("Welcome.")) << session.all();
   std::string words, kept = ReadAll(SourcePath("tests/data/demonstration.txt"));
+  const auto lines = static_cast<int>(std::count(kept.begin(), kept.end(), '\n'));
+  for (int i = 0; i < lines && session.all().find("Goodbye") == std::string::npos; ++i) {
+    session.Send("next\n");  // goes on at once
+    session.ReadFor(30);
+  }
+  EXPECT_EQ(session.Wait(), 0);
   for (std::string line : Lines(session.all())) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     EXPECT_LE(Characters(line), 40U) << line;
-    words += line + ' ';
+    if (line != "next") words += line + ' ';
   }
   std::replace(kept.begin(), kept.end(), '\n', ' ');
   EXPECT_EQ(words, kept);
+}
+
+TEST(LearnWithoutADevice, EndsAtATerminalWhoseInputIsEnded) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session({"learn", "--device", "simulated"});
+  ASSERT_TRUE(session.WaitFor("Welcome.")) << session.all();
+  session.Send("\x04");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_NE(session.all().find("End of input: the demonstration ends."), std::string::npos);
+  EXPECT_EQ(session.all().find("Goodbye"), std::string::npos) << "all the rest at once";
 }
 
 /// Where nobody answers, nothing is waited for; the whole of it is kept beside the tests, to be
