@@ -124,8 +124,8 @@ enum class Sentence {
   kNoTextBefore,  ///< nothing to go back to in this lesson
   kNoSuchLesson,  ///< text: what was asked for
   kLastLesson,    ///< there is no next one
-  kLargestSize,   ///< value: the largest that a tutor can have [m]
-  kSmallestSize   ///< value: the smallest
+  kLargestSize,   ///< in place of kSizeNow; value: the largest that a tutor can have [m]
+  kSmallestSize   ///< likewise the smallest
 };
 struct Say {
   Sentence sentence = Sentence::kWelcome;

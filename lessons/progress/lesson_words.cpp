@@ -147,9 +147,10 @@ bool Merge(Turn& turn, const Overrule& overrule) {
   const bool size = overrule.size && std::isfinite(*overrule.size);
   if (size) {
     state.overrule.size = std::clamp(*overrule.size, kSmallestSize, kLargestSize);
-    if (*overrule.size > kLargestSize) Say(turn, Sentence::kLargestSize, {}, {}, kLargestSize);
-    if (*overrule.size < kSmallestSize) Say(turn, Sentence::kSmallestSize, {}, {}, kSmallestSize);
-    Say(turn, Sentence::kSizeNow, {}, {}, *state.overrule.size);
+    const Sentence now = *overrule.size > kLargestSize    ? Sentence::kLargestSize
+                         : *overrule.size < kSmallestSize ? Sentence::kSmallestSize
+                                                          : Sentence::kSizeNow;
+    Say(turn, now, {}, {}, *state.overrule.size);
   }
   if (overrule.mode) {
     state.overrule.mode = overrule.mode;

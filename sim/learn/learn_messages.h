@@ -134,6 +134,8 @@ std::string LostTrial();
 // Of a device that renders no letters below `smallest` [m]; infinite: none.
 std::string SizesEndAt(double size, double smallest);
 std::string NoRoomFor(double wanted, double got);
+/// The answer to who asked for that size [m].
+std::string SizeHasNoRoom(double wanted, double got);
 std::string CannotShow(std::string_view text, std::string_view why);
 
 // Without a device.

@@ -22,6 +22,12 @@ using lesson_action::Await;
 constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
 constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
 
+bool IsSize(lesson_action::Sentence sentence) {
+  using lesson_action::Sentence;
+  return sentence == Sentence::kSizeNow || sentence == Sentence::kLargestSize ||
+         sentence == Sentence::kSmallestSize;
+}
+
 }  // namespace
 
 LearnSession::LearnSession(const LearnParts& parts, std::uint64_t seed,
@@ -75,6 +81,7 @@ void LearnSession::Take(decltype(Event::what) what) {
     if (std::holds_alternative<lesson_action::Keep>(action)) continue;
     std::visit([this](const auto& one) { Do(one); }, action);
   }
+  if (sized_) Tell(*std::exchange(sized_, std::nullopt));  // nothing was shown
 }
 
 void LearnSession::Do(const lesson_action::Keep& keep) {
@@ -93,7 +100,26 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
   }
 }
 
+/// Of a size the page has the last word: it may have no room.
 void LearnSession::Do(const lesson_action::Say& sentence) {
+  if (IsSize(sentence.sentence)) {
+    sized_ = sentence;
+  } else {
+    Tell(sentence);
+  }
+}
+
+void LearnSession::TellSize(const lesson_action::Show& show) {
+  const auto asked = std::exchange(sized_, std::nullopt);
+  if (!stage_.shrunk()) {
+    if (asked) Tell(*asked);
+    return;
+  }
+  teller_.Say(Priority::kText, asked ? say::SizeHasNoRoom(show.size, stage_.size())
+                                     : say::NoRoomFor(show.size, stage_.size()));
+}
+
+void LearnSession::Tell(const lesson_action::Say& sentence) {
   std::string text;
   if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
   if (text.empty()) text = voice_.Words(course_, sentence, memory_.brief(), in_full_);
@@ -107,10 +133,9 @@ void LearnSession::Do(const lesson_action::Show& show) {
   teller_.Flush();
   try {
     stage_.Show(show);
-    if (stage_.shrunk()) {
-      teller_.Say(Priority::kText, say::NoRoomFor(show.size, stage_.size()));
-    }
+    TellSize(show);
   } catch (const InputError& error) {
+    sized_.reset();
     teller_.Say(Priority::kText, say::CannotShow(show.told ? show.text : "", error.what()));
   }
   shown_ = true;

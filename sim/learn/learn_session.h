@@ -56,6 +56,8 @@ class LearnSession : public RunningLesson, private LoopListener {
 
   void Take(decltype(Event::what) what);
   void Do(const lesson_action::Say& sentence);
+  void Tell(const lesson_action::Say& sentence);
+  void TellSize(const lesson_action::Show& show);
   void Do(const lesson_action::Show& show);
   void Do(const lesson_action::Push& push);
   void Do(const lesson_action::Keep& keep);
@@ -109,8 +111,9 @@ class LearnSession : public RunningLesson, private LoopListener {
   double passed_ = 0;  ///< between the last two looks [s]
   Clock::time_point looked_, ordered_, ticked_;
   std::size_t kept_ = 0;
-  std::string missed_;             ///< the sign of the last trace, if that was not good
-  Trial last_right_, last_wrong_;  ///< of this session; without an item: none yet
+  std::optional<lesson_action::Say> sized_;  ///< told once the page lies there
+  std::string missed_;                       ///< the sign of the last trace, if that was not good
+  Trial last_right_, last_wrong_;            ///< of this session; without an item: none yet
 };
 
 }  // namespace moontrace

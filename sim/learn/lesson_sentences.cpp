@@ -144,9 +144,9 @@ std::string OfChange(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kSpeedNow:
       return fmt::format("Speed {} times the usual now.", Short(sentence.value, 2));
     case Sentence::kLargestSize:
-      return fmt::format("{} is the largest.", Millimetres(sentence.value));
+      return fmt::format("Letters of {} now, the largest.", Millimetres(sentence.value));
     case Sentence::kSmallestSize:
-      return fmt::format("{} is the smallest.", Millimetres(sentence.value));
+      return fmt::format("Letters of {} now, the smallest.", Millimetres(sentence.value));
     case Sentence::kSizeNow:
       return fmt::format("Letters of {} now.", Millimetres(sentence.value));
     case Sentence::kModeNow:

@@ -347,6 +347,7 @@ TEST_F(LessonWords, ALimitOfSizesIsSaid) {
   run_.Do(size);
   ASSERT_TRUE(run_.Said(Sentence::kLargestSize));
   EXPECT_EQ(run_.Find(Sentence::kLargestSize)->value, 0.2);
+  EXPECT_FALSE(run_.Said(Sentence::kSizeNow)) << "one line";
   EXPECT_EQ(run_.show.size, 0.2);
   size.size = 0.2;
   run_.Do(size);

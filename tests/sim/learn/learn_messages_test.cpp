@@ -56,6 +56,7 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
                                   say::EndOfInput(),
                                   say::LostTrial(),
                                   say::NoRoomFor(0.04, 0.02),
+                                  say::SizeHasNoRoom(0.04, 0.02),
                                   say::NoForceDevice(),
                                   say::NoLeading(),
                                   say::LearnScaled(),
