@@ -188,6 +188,14 @@ std::string InPlaceOf(const std::string& name, const std::vector<std::string>& t
                                 InPlaceOf(name, there, known)));
 }
 
+Found FindNamed(const std::string& name, const std::string& profiles) {
+  const std::vector<Found> all = FindAll(profiles);
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&name](const Found& one) { return one.entry.name == name; });
+  if (found == all.end()) RefuseName(name, all, profiles);
+  return *found;
+}
+
 std::unique_ptr<Device> Open(const Found& found, const DeviceRequest& request) {
   const DeviceProfile& profile = found.entry.profile;
   switch (profile.kind) {
@@ -269,11 +277,11 @@ std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::stri
   if (request.name.compare(0, kPlugin.size(), kPlugin) == 0) {
     return MakePluginDevice(PluginPathOf(request.name), request.tick);
   }
-  const std::vector<Found> all = FindAll(profiles);
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&request](const auto& f) { return f.entry.name == request.name; });
-  if (found == all.end()) RefuseName(request.name, all, profiles);
-  return Open(*found, request);
+  return Open(FindNamed(request.name, profiles), request);
+}
+
+void RequireThere(const std::string& name, const std::string& profiles) {
+  if (PluginPathOf(name).empty()) FindNamed(name, profiles);
 }
 
 std::string ProfilesFolder() { return ResourcePath("devices/profiles"); }

@@ -53,6 +53,10 @@ struct DeviceRequest {
 /// nearest of those that are there, else of those that have a profile, else all that are there.
 std::unique_ptr<Device> OpenDevice(const DeviceRequest& request, const std::string& profiles);
 
+/// Throws DeviceError as OpenDevice does for a name that is not there; opens nothing, and asks no
+/// plug-in.
+void RequireThere(const std::string& name, const std::string& profiles);
+
 /// The folder of device profiles that comes with the program.
 std::string ProfilesFolder();
 

@@ -101,6 +101,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   }
   if (IsDemonstration(options)) return Demonstrate(options, keys, course, console);
   options.live.device = DeviceForLearning(options.live.device, console);
+  const double smallest = SmallestFelt(options.live.device, options.press.value_or(1));
   const std::unique_ptr<Speech> speech = SpeechFor(options, course);
   const std::unique_ptr<Sound> sound = SoundFor(options);
   LearnTeller teller(console, speech.get(), sound.get());
@@ -109,7 +110,6 @@ int Learn(LearnOptions options, Course course, Console& console) {
   if (!opened) return exit_code::kGood;
   LearnMemory& memory = *opened;
   AddOwnName(course, memory.name());
-  const double smallest = SmallestFelt(options.live.device, options.press.value_or(1));
   if (EndSizesAt(course, smallest)) {
     teller.Say(Priority::kText, say::SizesEndAt(course.sizes.back(), smallest));
   }

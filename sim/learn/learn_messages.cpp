@@ -267,7 +267,9 @@ std::vector<std::string> LearningWithoutDevice() {
       "--sound. Nothing is felt and nothing counts.",
       "To see which devices this machine knows: moontrace devices."};
 }
-std::string NoDeviceGiven() { return "no force device: name one with --device when there is one"; }
+std::string NoDeviceGiven() {
+  return "nothing was begun: take one of these, or plug in a device and start learn again";
+}
 
 std::string Printed(std::string_view title, std::size_t pages, double size) {
   return fmt::format("Printed: {}, {}, letters of {}.", OneLine(title),
@@ -363,6 +365,8 @@ std::string SimulatedBegins(std::string_view course, std::size_t lessons) {
   return fmt::format("A simulated learner begins {}, {}.", course,
                      Counted(lessons, "lesson", "lessons"));
 }
+
+std::string SimulatedKeepsNothing() { return "Nothing is kept: --records FILE keeps it."; }
 
 std::string SimulatedGoesOn(std::string_view learner, std::size_t trials) {
   return fmt::format("{} goes on after {}.", ShownPseudonym(learner),

@@ -174,6 +174,7 @@ std::vector<std::string> PathInWords(const std::vector<IntendedStroke>& strokes)
 
 // A simulated learner.
 std::string SimulatedBegins(std::string_view course, std::size_t lessons);
+std::string SimulatedKeepsNothing();
 std::string SimulatedGoesOn(std::string_view learner, std::size_t trials);
 std::string SimulatedLesson(std::string_view title, int day, std::size_t trials);
 /// Sizes [m] at which items became sure in the lesson just done, descending.

@@ -85,6 +85,7 @@ int LearnSimulated(const LearnSimulatedOptions& options, const Course& course, C
   };
   if (kept.history.empty()) {
     console.Remark(say::SimulatedBegins(course.title, LessonsInOrder(course)));
+    if (!kept.records) console.Remark(say::SimulatedKeepsNothing());
   } else {
     console.Remark(say::SimulatedGoesOn(kept.name, kept.history.size()));
   }

@@ -9,6 +9,7 @@
 #include "devices/core/smallest_letter.h"
 #include "lessons/guide/guidance_path.h"
 #include "sim/learn/learn_messages.h"
+#include "sim/session/device_choice.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -43,7 +44,10 @@ SessionRequest EmptyPage(const StageOptions& options) {
 }  // namespace
 
 std::string DeviceForLearning(const std::string& named, Console& console) {
-  if (!named.empty()) return named;
+  if (!named.empty()) {
+    if (!IsSimulated(named) && !IsMouse(named)) RequireThere(named, ProfilesFolder());
+    return named;
+  }
   std::string problem;
   for (const DeviceEntry& entry : ListDevices(ProfilesFolder())) {
     if (!glm::any(entry.profile.limits.pushes)) continue;

@@ -27,7 +27,29 @@ TEST_F(LearnCommand, WithoutADeviceSaysSoFirstAndWhatWorks) {
   EXPECT_TRUE(Holds(outcome.out, "--device simulated"));
   EXPECT_TRUE(Holds(outcome.out, "--print"));
   EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_FALSE(Holds(outcome.err, "orce device")) << "said already: " << outcome.err;
   ExpectTextFace(outcome.out);
+}
+
+TEST_F(LearnCommand, RefusesADeviceThatIsNotThereBeforeItAsksWhoLearns) {
+  for (const char* device : {"nosuch", "polhem", "plugin:/none"}) {
+    const Outcome outcome = RunLine(
+        {"learn", "--course", In("course"), "--records", In("records.sqlite"), "--device", device},
+        "ann\nquit\n");
+    EXPECT_EQ(outcome.code, 4) << device;
+    EXPECT_EQ(outcome.out, "") << device;
+    EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+    ExpectOnly({"course"});
+  }
+}
+
+TEST_F(LearnCommand, SaysThatASimulatedLearnerIsNotKeptWithoutRecords) {
+  const std::vector<std::string> args = {"learn",     "--course", In("course"), "--simulate",
+                                         "--learner", "sam",      "--days",     "1"};
+  const Outcome lost = RunLine(args);
+  EXPECT_TRUE(Holds(lost.err, "Nothing is kept: --records FILE keeps it.")) << lost.err;
+  const Outcome kept = RunLine(With(args, {"--records", In("r.sqlite")}));
+  EXPECT_FALSE(Holds(kept.err, "Nothing is kept")) << kept.err;
 }
 
 TEST_F(LearnCommand, LeavesNobodyBehindWhereItCannotStart) {
