@@ -220,9 +220,11 @@ std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));
 }
 std::string NotFelt() {
-  return "Nothing is felt: this device has no motors. Trials do not count for mastery.";
+  return "Nothing is felt: this device has no motors. What you do here makes no letter sure.";
 }
-std::string LearnScaled() { return "Scaled: trials do not count for mastery."; }
+std::string LearnScaled() {
+  return "Letters are not in true size: what you do here makes none sure.";
+}
 std::string LearnBegins() { return "Type a word and Enter; ? tells the words, quit ends."; }
 std::string LearnBeginsWithKeys() {
   return "One key a word: for next, press the key of next. ? tells the keys.";
@@ -235,10 +237,10 @@ std::string EndOfInput() { return "End of input: the session ends."; }
 std::string LostTrial() { return "This try does not count: the device was lost."; }
 std::string SizesEndAt(double size, double smallest) {
   if (size < 0.999 * smallest) {
-    return fmt::format("This device renders no letters well: they stay at {}.", Millimetres(size));
+    return fmt::format("No letters are clear on this device: they stay at {}.", Millimetres(size));
   }
-  return fmt::format("Letters end at {} here: this device renders none below {}.",
-                     Millimetres(size), Millimetres(smallest));
+  return fmt::format("Letters end at {} here: smaller ones are not clear on this device.",
+                     Millimetres(size));
 }
 std::string NoRoomFor(double wanted, double got) {
   return fmt::format("No room for letters of {}: here {}; this does not count.",

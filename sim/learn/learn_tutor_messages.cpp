@@ -74,7 +74,9 @@ std::string LastTrials(const Course& course, const Trial& right, const Trial& wr
     const ItemPair pair = PairOf(trial.item);
     std::string name = OneLine(NameOf(course, pair.first));
     if (!pair.second.empty()) name += " beside " + OneLine(NameOf(course, pair.second));
-    if (trial.kind == StepKind::kTrace) return name + " traced";
+    if (trial.kind == StepKind::kTrace) {
+      return fmt::format("{} traced, {}", name, Percent(trial.coverage));
+    }
     return trial.right
                ? name
                : fmt::format("{} taken for {}", name, OneLine(NameOf(course, trial.answer), 40));

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "sim/console/wording.h"
 #include "sim/learn/learn_messages.h"
@@ -19,6 +20,17 @@ std::string Millimetres(double size) { return Short(kMillimetres * size, 1) + " 
 std::string HelpSentence(double help) {
   if (help <= 0) return "No help now: nothing pushes.";
   return fmt::format("Help {} of 10 now.", Short(std::round(help), 0));
+}
+
+/// Of a trace that was not good: how much of the sign it followed, or that it kept too far from it.
+std::string Missing(double coverage, double wanted) {
+  constexpr std::pair<double, const char*> kParts[] = {
+      {0.1, "next to nothing of it"}, {0.4, "less than half of it"}, {0.6, "about half of it"}};
+  if (coverage >= wanted) return "stay closer to the line";
+  for (const auto& [most, words] : kParts) {
+    if (!(coverage >= most)) return words;
+  }
+  return "most of it, not all";
 }
 
 // Each of the parts below knows some of the sentences, and is silent about the others.
@@ -115,9 +127,10 @@ std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) 
     case Sentence::kNotAnAnswer:
       return fmt::format("No sign learned so far: {}. Still asked.", text);
     case Sentence::kTraceGood:
-      return fmt::format("Good: {}, {} covered.", text, Percent(sentence.value));
+      return fmt::format("Good: {}.", text);
     case Sentence::kTraceBad:
-      return fmt::format("Not yet: {}, {} covered.", text, Percent(sentence.value));
+      return fmt::format("Not yet: {}, {}.", text,
+                         Missing(sentence.value, course.mastery.coverage));
     case Sentence::kSure:
       return fmt::format("Sure: {}.", text);
     case Sentence::kNotAsked:

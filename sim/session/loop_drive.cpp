@@ -78,7 +78,8 @@ class Driver : private LoopListener {
     if (options_.view != nullptr) options_.view->ShowLine(line);
   }
 
-  /// Nobody can say "quit" any more. Where the text itself was the input, no word was meant to come.
+  /// Nobody can say "quit" any more. Where the text itself was the input, no word was meant to
+  /// come.
   bool InputEndsIt() const { return !options_.seconds && !session_.text_was_input(); }
 
   /// What is said in the window is as if it were typed.
@@ -277,7 +278,7 @@ void SayBeginning(const LoopSession& session, Console& console) {
   if (device.scale() != 1) console.Happening(say::Scaled(device.scale()));
   const double usual = request.feel.scene.coupling_stiffness;
   if (session.coupling_stiffness() < usual) {
-    console.Remark(say::SofterThanUsual(session.coupling_stiffness()));
+    console.Remark(say::SofterThanUsual(session.coupling_stiffness() / usual));
   }
   if (device.mouse()) {
     console.Happening(say::MouseIsSeen());

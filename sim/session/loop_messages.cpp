@@ -37,8 +37,9 @@ std::string SetFor(const PageSpec& page, std::size_t pages) {
                      Counted(pages, "page", "pages"));
 }
 
-std::string SofterThanUsual(double stiffness) {
-  return fmt::format("Softer than usual: this device holds {} N/m.", Short(stiffness, 0));
+std::string SofterThanUsual(double share) {
+  return fmt::format("Softer than usual: this device holds {} percent of a firm page.",
+                     Short(100 * share, 0));
 }
 
 std::string HowToSpeak() { return "Type a word and Enter; ? tells the words."; }
@@ -59,11 +60,11 @@ namespace {
 std::string FeltEvent(SafetyEvent event) {
   switch (event) {
     case SafetyEvent::kNotANumber:
-      return "No force: a value was no number.";
+      return "No force: a false value came.";
     case SafetyEvent::kJump:
       return "No force: the tip jumped.";
     case SafetyEvent::kForceCap:
-      return "Force held at the device's greatest.";
+      return "The device pushes as hard as it can.";
     case SafetyEvent::kRateCap:
       return "A sudden rise of force was slowed.";
     case SafetyEvent::kPowerCap:
@@ -77,7 +78,7 @@ std::string FeltEvent(SafetyEvent event) {
     case SafetyEvent::kNotReady:
       return "No force: the device's motors are off, or were let go of.";
     case SafetyEvent::kPhysicsFault:
-      return "No force: MuJoCo reported a fault.";
+      return "No force: the simulation failed for a moment.";
     case SafetyEvent::kStopped:
       return "Stopped: no force. Say go to go on.";
     case SafetyEvent::kLateLoop:
@@ -94,7 +95,7 @@ std::string UnfeltEvent(SafetyEvent event) {
     case SafetyEvent::kSilence:
       return "The device is silent.";
     case SafetyEvent::kPhysicsFault:
-      return "MuJoCo reported a fault.";
+      return "The simulation failed for a moment.";
     case SafetyEvent::kDeviceLost:
       return DeviceLost({});
     case SafetyEvent::kStopped:
@@ -118,11 +119,11 @@ std::string UnfeltEvent(SafetyEvent event) {
 std::string_view Clause(SafetyEvent event) {
   switch (event) {
     case SafetyEvent::kNotANumber:
-      return "a value was no number";
+      return "a false value came";
     case SafetyEvent::kJump:
       return "the tip jumped";
     case SafetyEvent::kForceCap:
-      return "force held at the greatest";
+      return "the device pushed its hardest";
     case SafetyEvent::kRateCap:
       return "a sudden rise slowed";
     case SafetyEvent::kPowerCap:
@@ -136,7 +137,7 @@ std::string_view Clause(SafetyEvent event) {
     case SafetyEvent::kNotReady:
       return "the motors were off";
     case SafetyEvent::kPhysicsFault:
-      return "MuJoCo reported a fault";
+      return "the simulation failed";
     case SafetyEvent::kStopped:
       return "stopped";
     case SafetyEvent::kLateLoop:

@@ -40,7 +40,7 @@ std::string LoopBegins(std::string_view device);
 std::string NotRealtime(std::string_view why);
 std::string Scaled(double scale);
 std::string SetFor(const PageSpec& page, std::size_t pages);
-std::string SofterThanUsual(double stiffness);
+std::string SofterThanUsual(double share);  ///< of the usual stiffness, below 1
 std::string HowToSpeak();
 std::string CannotSpeak();
 std::string InputEnded();

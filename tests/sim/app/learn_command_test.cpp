@@ -105,7 +105,8 @@ TEST_F(LearnCommand, EndsAtTheSmallestSizeThatTheDeviceRenders) {
         .out;
   };
   const std::string joystick = learn("pid");
-  EXPECT_TRUE(Holds(joystick, "Letters end at 16 mm here: this device renders none below 13.4 mm."))
+  EXPECT_TRUE(
+      Holds(joystick, "Letters end at 16 mm here: smaller ones are not clear on this device."))
       << joystick;
   EXPECT_TRUE(Holds(joystick, "No smaller: these are the smallest.")) << joystick;
   EXPECT_FALSE(Holds(learn("moontrace-raw"), "Letters end at"));

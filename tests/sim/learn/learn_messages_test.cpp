@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "sim/learn/learn_keys.h"
+#include "sim/session/loop_messages.h"
 #include "tests/sim/cli_fixture.h"
 
 namespace moontrace {
@@ -118,6 +121,42 @@ TEST(LearnMessages, BriefSaysOutcomesAndQuestionsButNoExplanation) {
   for (int i = 0; i <= static_cast<int>(Sentence::kSmallestSize); ++i) {
     say.sentence = static_cast<Sentence>(i);
     EXPECT_LE(say::BriefSentence(course, say).size(), say::LessonSentence(course, say).size()) << i;
+  }
+}
+
+TEST(LearnMessages, SayInWordsHowMuchWasFollowed) {
+  Course course;
+  course.mastery.coverage = 0.9;
+  const auto told = [&course](double coverage) {
+    lesson_action::Say say;
+    say.sentence = Sentence::kTraceBad;
+    say.text = "t";
+    say.value = coverage;
+    return say::LessonSentence(course, say);
+  };
+  EXPECT_EQ(told(0), "Not yet: t, next to nothing of it.");
+  EXPECT_EQ(told(std::numeric_limits<double>::quiet_NaN()), told(0));
+  EXPECT_EQ(told(0.3), "Not yet: t, less than half of it.");
+  EXPECT_EQ(told(0.5), "Not yet: t, about half of it.");
+  EXPECT_EQ(told(0.85), "Not yet: t, most of it, not all.");
+  EXPECT_EQ(told(0.95), "Not yet: t, stay closer to the line.") << "it was followed to its end";
+}
+
+// Words of who measures are for tutors and researchers.
+TEST(LearnMessages, HaveNoJargon) {
+  std::string all = say::SizesEndAt(0.01, 0.0084) + say::SizesEndAt(0.01, 0.02) + say::NotFelt() +
+                    say::LearnScaled() + say::SofterThanUsual(0.8);
+  for (int i = 0; i <= static_cast<int>(Sentence::kSmallestSize); ++i) {
+    lesson_action::Say say;
+    say.sentence = static_cast<Sentence>(i);
+    all += say::LessonSentence(Course(), say);
+  }
+  for (std::size_t i = 0; i < kSafetyEvents; ++i) {
+    all += say::Event(static_cast<SafetyEvent>(i), true);
+    all += say::Event(static_cast<SafetyEvent>(i), false);
+  }
+  for (const char* word : {"covered", "greatest", "N/m", "renders", "MuJoCo", "mastery", "rial"}) {
+    EXPECT_EQ(all.find(word), std::string::npos) << word << " in " << all;
   }
 }
 
