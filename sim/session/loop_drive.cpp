@@ -23,6 +23,12 @@ namespace {
 
 constexpr int kPoll = 20;  ///< [ms]
 
+/// A hand that is being led may ask in the meantime.
+bool OnlyTells(LoopWord word) {
+  return word == LoopWord::kWhere || word == LoopWord::kHelp || word == LoopWord::kNothing ||
+         word == LoopWord::kRefused;
+}
+
 /// One session and what was last known of it.
 class Driver : private LoopListener {
  public:
@@ -204,7 +210,7 @@ class Driver : private LoopListener {
       if (const std::optional<std::string> done = options_.view->Obey(line)) return Say(*done);
     }
     const LoopLine said = ReadLoopLine(line);
-    LetGo();  // whatever is said, the hand is to do something else now
+    if (!OnlyTells(said.word)) LetGo();  // the hand is to do something else now
     switch (said.word) {
       case LoopWord::kStop:
       case LoopWord::kPause:

@@ -50,6 +50,7 @@ std::string NotInText(std::string_view wanted) {
   return fmt::format("Not in this text: {}.", OneLine(wanted, 20));
 }
 std::string NowhereToReturn() { return "Nowhere to return to: nothing was found yet."; }
+std::string BackAlready() { return "You are back already."; }
 std::string NoLineBehind() { return "This is the last line."; }
 std::string NoHeadingBehind() { return "No heading further on."; }
 std::string NoPlaceHere() { return "The page is empty: nothing to go to."; }

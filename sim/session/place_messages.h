@@ -23,6 +23,7 @@ std::string BackAt(std::string_view letter);
 std::string FindWhat();
 std::string NotInText(std::string_view wanted);
 std::string NowhereToReturn();
+std::string BackAlready();
 std::string NoLineBehind();
 std::string NoHeadingBehind();
 /// An empty page.

@@ -16,6 +16,8 @@ namespace {
 constexpr glm::dvec2 kInLetter{0.25, 0.5};
 constexpr double kLedAt = 0.04;       ///< [m/s], as a calm hand goes from line to line; ours
 constexpr double kShortestWay = 0.5;  ///< [s]
+/// A hand within a letter's height of a way has not left it: it rests, or is on its way. Ours.
+constexpr double kBesideWay = 1;  ///< [em]
 
 bool IsBlank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
@@ -63,6 +65,13 @@ std::optional<Standing> RowBehind(const TextSetup& text, std::size_t page, std::
   return std::nullopt;
 }
 
+double DistanceToWay(glm::dvec2 p, glm::dvec2 from, glm::dvec2 to) {
+  const glm::dvec2 way = to - from;
+  const double square = glm::dot(way, way);
+  const double share = square > 0 ? std::clamp(glm::dot(p - from, way) / square, 0.0, 1.0) : 0;
+  return glm::distance(p, from + share * way);
+}
+
 /// The line of the source that a byte stands in.
 std::string_view LineAround(std::string_view text, std::size_t source) {
   const std::size_t end = std::min(text.find('\n', source), text.size());
@@ -104,7 +113,9 @@ void PlaceWalk::ForgetOtherText() {
   wanted_.clear();
   found_.clear();
   before_.reset();
+  returned_ = false;
   target_.reset();
+  way_.reset();
 }
 
 std::string PlaceWalk::Go(const PlaceCommand& command, const LoopSnapshot& now) {
@@ -131,7 +142,11 @@ std::string PlaceWalk::Go(const PlaceCommand& command, const LoopSnapshot& now) 
       refusal = NextRow(true, now);
       break;
   }
-  if (!refusal.empty()) before_ = before;  // the hand has gone nowhere
+  if (!refusal.empty()) {
+    before_ = before;  // the hand has gone nowhere
+  } else {
+    returned_ = false;
+  }
   return refusal;
 }
 
@@ -143,26 +158,40 @@ std::string PlaceWalk::Find(const std::string& wanted, std::size_t here) {
   wanted_ = wanted;
   const auto first = std::lower_bound(found_.begin(), found_.end(), here);
   at_ = first == found_.end() ? 0 : static_cast<std::size_t>(first - found_.begin());
-  return GoTo({found_[at_], say::Occurrence(wanted_, at_ + 1, found_.size())});
+  return GoTo({{found_[at_], kInLetter}, say::Occurrence(wanted_, at_ + 1, found_.size())});
 }
 
 std::string PlaceWalk::FindNext() {
   if (found_.empty()) return say::FindWhat();
   at_ = (at_ + 1) % found_.size();
-  return GoTo({found_[at_], say::Occurrence(wanted_, at_ + 1, found_.size())});
+  return GoTo({{found_[at_], kInLetter}, say::Occurrence(wanted_, at_ + 1, found_.size())});
 }
 
 std::string PlaceWalk::Return() {
-  if (!before_) return say::NowhereToReturn();
-  const std::size_t source = std::exchange(before_, std::nullopt)->source;
-  const auto found = moontrace::Find(session_.text(), {source, kInLetter});
-  return GoTo({source, say::BackAt(found ? found->letter : "")});
+  if (!before_) return returned_ ? say::BackAlready() : say::NowhereToReturn();
+  const LetterPlace place = *std::exchange(before_, std::nullopt);
+  returned_ = true;
+  const auto found = moontrace::Find(session_.text(), place);
+  return GoTo({place, say::BackAt(found ? found->letter : "")});
+}
+
+/// Where a next row is counted from: the place gone to last, as long as the hand is not elsewhere,
+/// so that a word said again leads on.
+LetterPlace PlaceWalk::StartOf(const LoopSnapshot& now) const {
+  if (target_) return target_->place;
+  const bool same_page = way_ && way_->page == session_.felt().index;
+  const double reach = kBesideWay * session_.text().set.style.size;
+  const bool on_way =
+      same_page && (session_.device().simulated() ||  // the program's hand goes its own way
+                    DistanceToWay(now.tip_P, way_->tip_P, way_->place_P) <= reach);
+  return on_way ? way_->to : *LetterPlaceOf(session_.felt(), now.tip_P);
 }
 
 std::string PlaceWalk::NextRow(bool heading, const LoopSnapshot& now) {
-  const FeltPage& felt = session_.felt();
-  const std::size_t line = LetterNear(felt, now.tip_P)->line;
-  const std::size_t here = LetterPlaceOf(felt, now.tip_P)->source;
+  const LetterPlace start = StartOf(now);
+  const std::size_t here = start.source;
+  const auto from = moontrace::Find(session_.text(), start);
+  if (!from) return say::NoPlaceHere();
   const auto fits = [&](const PlacedGlyph& glyph) {
     if (!heading) return true;
     // a heading of two rows is one
@@ -170,14 +199,14 @@ std::string PlaceWalk::NextRow(bool heading, const LoopSnapshot& now) {
     return glyph.kind == LineKind::kHeading &&
            std::string_view(text_).substr(here, length).find('\n') != std::string_view::npos;
   };
-  const auto row = RowBehind(session_.text(), felt.index, line, fits);
+  const auto row = RowBehind(session_.text(), from->page, from->line, fits);
   if (!row) return heading ? say::NoHeadingBehind() : say::NoLineBehind();
   const std::size_t source = row->glyph->source_begin;
-  return GoTo({source, heading ? say::HeadingIs(LineAround(text_, source)) : ""});
+  return GoTo({{source, kInLetter}, heading ? say::HeadingIs(LineAround(text_, source)) : ""});
 }
 
 std::string PlaceWalk::GoTo(Target target) {
-  const auto found = moontrace::Find(session_.text(), {target.source, kInLetter});
+  const auto found = moontrace::Find(session_.text(), target.place);
   if (!found) return say::NoPlaceHere();
   if (found->page != session_.felt().index) turn_(found->page);
   target_ = std::move(target);
@@ -187,8 +216,9 @@ std::string PlaceWalk::GoTo(Target target) {
 std::optional<PlaceWalk::Arrival> PlaceWalk::Arrived(const LoopSnapshot& now) {
   if (!target_ || now.page != session_.felt().number) return std::nullopt;
   const Target target = *std::exchange(target_, std::nullopt);
-  const auto found = moontrace::Find(session_.text(), {target.source, kInLetter});
+  const auto found = moontrace::Find(session_.text(), target.place);
   if (session_.text().text != text_ || !found) return std::nullopt;
+  way_ = {target.place, found->page, glm::dvec2(now.tip_P), found->p_P};
   // the simulated hand goes its own way: from where it is now says nothing
   std::optional<glm::dvec2> way_P;
   if (!session_.device().simulated()) way_P = found->p_P - glm::dvec2(now.tip_P);

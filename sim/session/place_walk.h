@@ -54,14 +54,22 @@ class PlaceWalk {
 
  private:
   struct Target {
-    std::size_t source = 0;  ///< byte of the letter
-    std::string what;        ///< that it is, in words
+    LetterPlace place;
+    std::string what;  ///< that it is, in words
+  };
+  /// A way that was told.
+  struct Way {
+    LetterPlace to;
+    std::size_t page = 0;      ///< of it
+    glm::dvec2 tip_P{0, 0};    ///< from where [m]
+    glm::dvec2 place_P{0, 0};  ///< [m]
   };
   std::string GoTo(Target target);
   std::string Find(const std::string& wanted, std::size_t here);
   std::string FindNext();
   std::string Return();
   std::string NextRow(bool heading, const LoopSnapshot& now);
+  LetterPlace StartOf(const LoopSnapshot& now) const;
   void ForgetOtherText();
 
   const LoopSession& session_;
@@ -71,7 +79,9 @@ class PlaceWalk {
   std::vector<std::size_t> found_;
   std::size_t at_ = 0;                 ///< of `found_`
   std::optional<LetterPlace> before_;  ///< where the hand was before it went anywhere
+  bool returned_ = false;              ///< back there, and nowhere since
   std::optional<Target> target_;       ///< not yet told
+  std::optional<Way> way_;             ///< told last
 };
 
 /// Along the straight way to a place, for a hand that can be led: 40 mm a second. `width` [m] of

@@ -272,6 +272,36 @@ TEST_F(LoopWithPlugin, TellsWhyItWasLost) {
       << outcome.out;
 }
 
+// From the words to the tip's place: a hand without a will of its own ends where it was led.
+TEST_F(LoopWithPlugin, LeadsAHandToWhatIsFoundAndBack) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session(
+      {"loop", "I\nT\nLTNOT\nI\nI", "--size-mm", "20", "--device", "plugin:" + Plugin("loose")});
+  const auto comes_to = [&session](const std::string& letter) {
+    for (int i = 0; i < 50; ++i) {
+      session.ReadFor(100);
+      session.Send("where\n");
+      if (!session.WaitFor("line 3")) return false;
+      if (session.all().rfind("At " + letter + ", line 3") != std::string::npos) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(comes_to("N")) << session.all();  // it begins in the page's middle
+  session.Send("find o\n");
+  EXPECT_TRUE(session.WaitFor("o, 1 of 1: ")) << session.all();
+  EXPECT_TRUE(comes_to("O")) << session.all();
+  session.ReadFor(1000);  // nothing draws it back
+  session.Send("return\n");
+  EXPECT_TRUE(session.WaitFor("Back at N: ")) << session.all();
+  session.ReadFor(2500);
+  session.Send("return\n");
+  EXPECT_TRUE(session.WaitFor("You are back already.")) << session.all();
+  session.Send("where\n");
+  EXPECT_TRUE(session.WaitFor("At N, line 3")) << session.all();
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+}
+
 TEST_F(LoopCommand, ATraceWithADeviceIsScored) {
   const FakeHid fake("moontrace-raw");
   const Outcome outcome = RunLine(

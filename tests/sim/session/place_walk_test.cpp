@@ -108,7 +108,36 @@ TEST_F(PlaceWalkTest, ReturnsToWhereTheHandWasBeforeTheFirstFind) {
   Say(PlaceWord::kFind, "it", At(session_.felt().index, 0));
   const std::string said = Say(PlaceWord::kReturn, "", At(session_.felt().index, 0));
   EXPECT_EQ(said.rfind("Back at O: page 1 of ", 0), 0U) << said;  // the second letter of "LOT"
-  EXPECT_EQ(Say(PlaceWord::kReturn, "", At(0, 3)), say::NowhereToReturn());
+  EXPECT_EQ(Say(PlaceWord::kReturn, "", At(0, 3)), "You are back already.");
+  EXPECT_EQ(Say(PlaceWord::kFind, "moon", At(0, 3)), say::NotInText("moon"));
+  EXPECT_EQ(Say(PlaceWord::kReturn, "", At(0, 3)), "You are back already.");
+}
+
+TEST_F(PlaceWalkTest, ReturnsToTheVeryPlace) {
+  Say(PlaceWord::kFind, "it", At(0, 3, {0.002, 0.008}));
+  const std::string said = Say(PlaceWord::kReturn, "", At(0, 3, {0.002, 0.008}));
+  EXPECT_NE(said.find("under the tip"), std::string::npos) << said;
+}
+
+// "next line" said three times with the hand at rest told the same line three times.
+TEST_F(PlaceWalkTest, AWordSaidAgainLeadsOnWhileTheHandRests) {
+  std::string all;
+  for (int i = 0; i < 5; ++i) {
+    // it trembles by a millimetre
+    const std::string said = Say(PlaceWord::kNextLine, "", At(0, 0, {0.001 * (i % 2), 0.001}));
+    all += said.substr(0, said.find(", ", said.find("line"))) + "; ";
+  }
+  // four rows lie on the first page, the last one on the second
+  EXPECT_EQ(all,
+            "Page 1 of 2, line 2; Page 1 of 2, line 3; Page 1 of 2, line 4; Page 2 of 2, line 1; "
+            "This is the last line.; ");
+}
+
+TEST_F(PlaceWalkTest, AHandThatWentElsewhereIsLedFromThere) {
+  ASSERT_NE(Say(PlaceWord::kNextLine, "", At(0, 0)).find("ine 2, "), std::string::npos);
+  // beyond a letter's height off the way from the first row to the second
+  const std::string said = Say(PlaceWord::kNextLine, "", At(0, 1, {0.020, 0.003}));
+  EXPECT_NE(said.find("ine 2, "), std::string::npos) << said;
 }
 
 TEST_F(PlaceWalkTest, GoesFromLineToLineAndToHeadings) {
