@@ -130,6 +130,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   if (sound) path = std::make_unique<PathListener>(*sound, stage, teller, session);
   std::unique_ptr<LearnInput> input = InputFor(keys, lines, memory.name(), console);
   memory.Admit();
+  memory.SetDevice(std::time(nullptr), options.live.device);
   if (options.brief) memory.SetBrief(std::time(nullptr), true);
   session.Begin();
   try {

@@ -15,6 +15,7 @@
 #include "sim/html_report/records_messages.h"
 #include "sim/html_report/report_messages.h"
 #include "sim/html_report/report_page.h"
+#include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
@@ -124,8 +125,9 @@ Json FactsJson(const LearnerEntry& learner, const Course& course, const ReportFa
 
 /// What stands above everything else.
 std::vector<std::string> Head(const LearnerEntry& learner, const Course& course,
-                              const ReportFacts& facts) {
+                              const ReportFacts& facts, const std::vector<std::string>& devices) {
   std::vector<std::string> lines = say::ReportSentences(learner.pseudonym, course, facts);
+  if (!devices.empty()) lines.push_back(say::WorkedWith(devices));
   if (learner.simulated) {
     lines.push_back(say::NotThePedagogy());
   } else if (facts.simulated > 0) {
@@ -155,7 +157,8 @@ int Run(const ReportOptions& options, Console& console) {
   const std::vector<Trial> trials = records.Trials(learner.pseudonym, course.id);
   if (trials.empty()) throw InputError(say::NoTrialsOf(learner.pseudonym, course.id));
   const ReportFacts facts = FactsOf(course, trials);
-  const std::vector<std::string> head = Head(learner, course, facts);
+  const std::vector<std::string> devices = DevicesOf(records.Events(learner.pseudonym));
+  const std::vector<std::string> head = Head(learner, course, facts, devices);
   const std::string file = options.html.empty() ? options.csv : options.html;
   if (!options.csv.empty()) {
     WriteWhole(options.csv, TrialsToCsv(learner.pseudonym, course.id, trials));
@@ -165,6 +168,7 @@ int Run(const ReportOptions& options, Console& console) {
   }
   if (options.output.json) {
     Json json = FactsJson(learner, course, facts);
+    json["devices"] = devices;
     if (!file.empty()) json["file"] = file;
     console.Json(Dump(json));
     return exit_code::kGood;

@@ -395,6 +395,15 @@ std::string NotThePedagogy() {
   return "A simulated learner: this proves the software, not the pedagogy.";
 }
 
+std::string WorkedWith(const std::vector<std::string>& devices) {
+  std::string line = fmt::format("Device: {}", OneLine(devices.back(), 40));
+  for (std::size_t i = devices.size() - 1; i > 0; --i) {
+    line += fmt::format("{} {}", i == devices.size() - 1 ? "; before that" : ",",
+                        OneLine(devices[i - 1], 40));
+  }
+  return line + ".";
+}
+
 std::string PartlySimulated(std::size_t trials) {
   return fmt::format("Simulated: {} of these trials; they prove the software, not the pedagogy.",
                      trials);

@@ -48,6 +48,8 @@ std::string CourseOfReport(std::string_view course, std::string_view why);
 std::vector<std::string> ReportSentences(std::string_view learner, const Course& course,
                                          const ReportFacts& facts);
 std::string NotThePedagogy();
+/// Of devices, that of the newest session last; at least one.
+std::string WorkedWith(const std::vector<std::string>& devices);
 std::string PartlySimulated(std::size_t trials);
 std::string ReportIn();
 std::string ReportTitle(std::string_view learner, const Course& course);

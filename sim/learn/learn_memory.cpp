@@ -11,7 +11,7 @@ namespace moontrace {
 
 namespace {
 // Kinds and texts of events, in the records of all learners: never changed.
-constexpr std::string_view kSaidKind = "said", kTextKind = "text";
+constexpr std::string_view kSaidKind = "said", kTextKind = "text", kDeviceKind = "device";
 constexpr std::string_view kBriefText = "brief", kFullText = "full";
 }  // namespace
 
@@ -24,6 +24,7 @@ LearnMemory::LearnMemory(Records records, LearnerEntry learner, std::string cour
   for (const RecordedEvent& event : records_->Events(learner_.pseudonym)) {
     if (event.kind == kSaidKind) brief_ = event.text == kBriefText;
     if (event.kind == kTextKind) own_text_ = event.text;
+    if (event.kind == kDeviceKind) device_ = event.text;
   }
 }
 
@@ -95,6 +96,22 @@ void LearnMemory::SetOwnText(std::int64_t time, const std::string& text) {
   if (text == own_text_) return;
   own_text_ = text;
   Note(time, std::string(kTextKind), text);
+}
+
+void LearnMemory::SetDevice(std::int64_t time, const std::string& name) {
+  if (name == device_) return;
+  device_ = name;
+  Note(time, std::string(kDeviceKind), name);
+}
+
+std::vector<std::string> DevicesOf(const std::vector<RecordedEvent>& events) {
+  std::vector<std::string> devices;
+  for (const RecordedEvent& event : events) {
+    if (event.kind != kDeviceKind) continue;
+    devices.erase(std::remove(devices.begin(), devices.end(), event.text), devices.end());
+    devices.push_back(event.text);
+  }
+  return devices;
 }
 
 void LearnMemory::Note(std::int64_t time, const std::string& kind, const std::string& text) {

@@ -40,6 +40,8 @@ class LearnMemory {
   /// The learner's last own text; empty: none.
   const std::string& own_text() const { return own_text_; }
   void SetOwnText(std::int64_t time, const std::string& text);
+  /// What is worked with from now on, by the name that `--device` takes.
+  void SetDevice(std::int64_t time, const std::string& name);
 
   /// Whether the question about tracks has been answered.
   bool consent_asked() const { return !learner_.consent.empty(); }
@@ -63,8 +65,11 @@ class LearnMemory {
   std::string course_;
   bool fresh_ = false;
   bool brief_ = false;
-  std::string own_text_;
+  std::string own_text_, device_;
   std::vector<Row> held_back_;
 };
+
+/// Devices that a learner worked with by these events, each once, that of the newest session last.
+std::vector<std::string> DevicesOf(const std::vector<RecordedEvent>& events);
 
 }  // namespace moontrace

@@ -98,6 +98,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
         return Answer(line.tutor, say::HelpWith(command.text, WordPlace::kTutor));
       }
       Answer(line.tutor, say::NumberedWords(WordPlace::kTutor));
+      Answer(line.tutor, say::TutorWordsHelp());
       return Answer(line.tutor, say::PageWordsHelp());
     case TutorWord::kWhere:
       Answer(line.tutor, say::LearnerAt(memory_.name(), lesson_.Status()));

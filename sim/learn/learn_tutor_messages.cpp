@@ -15,6 +15,12 @@ std::string TutorGreeting(std::string_view learner) {
                      OneLine(learner));
 }
 
+std::string TutorWordsHelp() {
+  return "help 7 is the push, from 0 to 10. Behind mode, say, lesson and find stands a word too, "
+         "as "
+         "in mode bead, say well done, lesson 5, find moon.";
+}
+
 std::string TutorDoes(const TutorCommand& command) {
   if (command.page) return fmt::format("Tutor: {}.", PageBecomes(*command.page));
   switch (command.word) {

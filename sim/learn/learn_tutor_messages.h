@@ -14,6 +14,8 @@ namespace moontrace::say {
 /// Each tutor is met with it, whenever they come.
 std::string TutorGreeting(std::string_view learner);
 /// What the learner is told before a command is done; empty: the lesson tells it.
+/// What stands behind words that only a tutor says, or says otherwise than a learner.
+std::string TutorWordsHelp();
 std::string TutorDoes(const TutorCommand& command);
 std::string LearnerStopped();
 std::string NothingRests();

@@ -330,6 +330,20 @@ TEST_F(LearnSessionTest, AsksLastAndOnceWhetherTheHandsPathMayBeKept) {
   EXPECT_EQ(session.all().find("may the path"), std::string::npos) << session.all();
 }
 
+TEST_F(LearnSessionTest, IsReportedWithItsDevices) {
+  const FakeHid fake("moontrace-raw");
+  const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+  ASSERT_EQ(RunLine(Learn(), "next\nquit\n").code, 0);
+  ASSERT_EQ(RunLine(Learn({"--device", name}), "next\nnext\nquit\n").code, 0);
+  ASSERT_EQ(RunLine(Learn({"--device", name}), "next\nquit\n").code, 0);
+  const std::vector<std::string> report = {
+      "report", "ann", "--records", In("records.sqlite"), "--course", In("course")};
+  const Outcome told = RunLine(report);
+  EXPECT_TRUE(Holds(told.out, "\nDevice: " + name + "; before that simulated.\n")) << told.out;
+  const nlohmann::json json = RunLine(With(report, {"--json"})).Json();
+  EXPECT_EQ(json["devices"], (std::vector<std::string>{"simulated", name}));
+}
+
 TEST_F(LearnSessionTest, TakesANameThatComesFirstInAPipe) {
   const std::vector<std::string> args{"learn",     "--course",           In("course"),
                                       "--records", In("records.sqlite"), "--device",

@@ -75,6 +75,8 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
     tutor.Send("lesson nine\n");  // is not: nothing for the learner to hear
     tutor.Send("lesson 3\n");
     EXPECT_TRUE(Hears(tutor, "No such lesson, or several: 3. A number from 1 to 2"));
+    tutor.Send("?\n");
+    EXPECT_TRUE(Hears(tutor, "help 7 is the push, from 0 to 10.")) << session.all();
     tutor.Send("record\n");  // nor in a demonstration: the hand is the program's
     tutor.Send("form star\n");
     EXPECT_TRUE(Hears(tutor, "Stays as it was: script"));
