@@ -118,14 +118,14 @@ enum class Sentence {
   kCannotPractise,  ///< text: what is no sign that the learner knows
   kOfferLesson,     ///< text: title of one beside the course; number
   kBreak,           ///< number: minutes worked
-  kNoHint,
-  kNotAsked,      ///< text: an answer where nothing was asked
-  kNotNow,        ///< a trace where none was awaited
-  kNoTextBefore,  ///< nothing to go back to in this lesson
-  kNoSuchLesson,  ///< text: what was asked for
-  kLastLesson,    ///< there is no next one
-  kLargestSize,   ///< in place of kSizeNow; value: the largest that a tutor can have [m]
-  kSmallestSize   ///< likewise the smallest
+  kNoHint,          ///< number: 1 while it is asked
+  kNotAsked,        ///< text: an answer where nothing was asked
+  kNotNow,          ///< a trace where none was awaited
+  kNoTextBefore,    ///< nothing to go back to in this lesson
+  kNoSuchLesson,    ///< text: what was asked for
+  kLastLesson,      ///< there is no next one
+  kLargestSize,     ///< in place of kSizeNow; value: the largest that a tutor can have [m]
+  kSmallestSize     ///< likewise the smallest
 };
 struct Say {
   Sentence sentence = Sentence::kWelcome;

@@ -93,7 +93,7 @@ void ChangeSpeed(Turn& turn, double factor) {
 void GiveHint(Turn& turn) {
   const std::string hint = HintNow(turn);
   if (hint.empty()) {
-    Say(turn, Sentence::kNoHint);
+    SayCount(turn, Sentence::kNoHint, {}, IsAsked(turn) ? 1 : 0, 0);
   } else {
     Say(turn, Sentence::kHint, hint);
   }

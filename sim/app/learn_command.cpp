@@ -92,15 +92,34 @@ std::unique_ptr<TutorDesk> DeskFor(const LearnOptions& options, const LearnParts
   return std::make_unique<TutorDesk>(parts, lesson, options.tutor, std::move(window));
 }
 
+/// Single keys without Enter; none: lines.
+std::optional<KeyMap> KeysFor(const LearnOptions& options, bool at_terminal) {
+  if (options.keys.empty()) return std::nullopt;
+  if (!at_terminal) throw UsageError(say::KeysNeedTerminal());
+  return options.keys == "true" ? UsualKeys() : LoadKeys(options.keys);
+}
+
+bool WantsDemonstration(Console& console) {
+  LearnTeller teller(console, nullptr, nullptr);
+  LineReader lines(console.in());
+  return AskDemonstration(lines, teller, console);
+}
+
+/// Who has no device has been told; at a terminal the demonstration is offered.
+int LearnWithoutDevice(LearnOptions options, const std::optional<KeyMap>& keys,
+                       const Course& course, Console& console) {
+  const bool wanted = AtTerminal(console) && WantsDemonstration(console);
+  if (!wanted) throw LackError(say::NoDeviceGiven());
+  options.live.device = "simulated";
+  return Demonstrate(options, keys, course, console);
+}
+
 int Learn(LearnOptions options, Course course, Console& console) {
   const bool at_terminal = AtTerminal(console);
-  std::optional<KeyMap> keys;
-  if (!options.keys.empty()) {
-    if (!at_terminal) throw UsageError(say::KeysNeedTerminal());
-    keys = options.keys == "true" ? UsualKeys() : LoadKeys(options.keys);
-  }
+  const std::optional<KeyMap> keys = KeysFor(options, at_terminal);
   if (IsDemonstration(options)) return Demonstrate(options, keys, course, console);
   options.live.device = DeviceForLearning(options.live.device, console);
+  if (options.live.device.empty()) return LearnWithoutDevice(options, keys, course, console);
   const double smallest = SmallestFelt(options.live.device, options.press.value_or(1));
   const std::unique_ptr<Speech> speech = SpeechFor(options, course);
   const std::unique_ptr<Sound> sound = SoundFor(options);

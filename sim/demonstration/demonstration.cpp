@@ -129,6 +129,14 @@ void Demonstration::NextStep() {
   stage_.Show(show);
 }
 
+/// To a word: what is waited for waits until this has been heard too.
+void Demonstration::Reply(const std::string& line) {
+  teller_.Say(Priority::kText, line);
+  if (paused_ || hurries_) return;
+  until_ = std::max(until_, now_) + std::chrono::duration_cast<Clock::duration>(
+                                        std::chrono::duration<double>(pace_ * SecondsFor(line)));
+}
+
 void Demonstration::Answer(const std::string& given) {
   const std::vector<std::string>& answers = step().answers;
   const bool right =
@@ -162,9 +170,9 @@ void Demonstration::Obey(const std::string& line) {
   } else if (asking_) {
     Answer(given);
   } else if (said.word != nullptr) {  // only "help" takes something behind it here
-    teller_.Say(Priority::kText, say::HelpWith(said.behind, WordPlace::kDemonstration));
+    Reply(say::HelpWith(said.behind, WordPlace::kDemonstration));
   } else {
-    teller_.Say(Priority::kText, said.refusal);
+    Reply(said.refusal);
   }
   teller_.EndTurn();
 }
@@ -174,7 +182,7 @@ void Demonstration::Do(std::string_view word) {
     over_ = true;
     teller_.Say(Priority::kText, say::DemonstrationLeft());
   } else if (word == "help") {
-    for (const std::string& line : say::DemonstrationHelp()) teller_.Say(Priority::kText, line);
+    for (const std::string& line : say::DemonstrationHelp()) Reply(line);
   } else if (word == "again") {
     teller_.Say(Priority::kText, last_);
     WaitFor(asking_ ? kAnswering : SecondsFor(last_));

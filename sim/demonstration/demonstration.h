@@ -62,6 +62,7 @@ class Demonstration final : public RunningStage, private LoopListener {
   void GoOn();
   void NextStep();
   void Say(const std::string& line);
+  void Reply(const std::string& line);
   void Answer(const std::string& given);
   void Do(std::string_view word);
   void WaitFor(double seconds);

@@ -118,6 +118,16 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
   return std::nullopt;
 }
 
+bool AskDemonstration(LineReader& lines, LearnTeller& teller, const Console& console) {
+  try {
+    const auto line = Ask(lines, teller, say::AskDemonstration(), say::DemonstrationIs(), console);
+    const std::string answer = LowerCase(line.value_or(""));
+    return answer == "yes" || answer == "y";
+  } catch (const LeftAtQuestion&) {
+    return false;
+  }
+}
+
 void AskConsent(LearnMemory& memory, LineReader& lines, LearnTeller& teller,
                 const Console& console) {
   if (!memory.remembers() || memory.consent_asked()) return;

@@ -20,11 +20,12 @@ std::string LedNow() { return "Let your hand be led to the end."; }
 
 std::string ProgramTraces() { return "The program's hand traces; next leaves the sign."; }
 
-std::string Awaited(lesson_action::Await await, Question question) {
+std::string Awaited(lesson_action::Await await, Question question, std::string_view between) {
   switch (await) {
     case lesson_action::Await::kTrace:
       return "Your turn: trace, then lift or say done; next leaves it.";
     case lesson_action::Await::kAnswer:
+      if (question == Question::kPick) return fmt::format("Asked: is it {}?", between);
       return question == Question::kSame ? "Asked: same or different?" : "Asked: what is it?";
     case lesson_action::Await::kNext:
       return "Say next to go on; the page lies there until then.";
@@ -268,6 +269,12 @@ std::vector<std::string> LearningWithoutDevice() {
       "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "
       "--sound. Nothing is felt and nothing counts.",
       "To see which devices this machine knows: moontrace devices."};
+}
+std::string AskDemonstration() {
+  return "Shall the demonstration begin? Type yes, or Enter for no.";
+}
+std::string DemonstrationIs() {
+  return "Nine minutes in words, with a few questions; the word quit ends it.";
 }
 std::string NoDeviceGiven() {
   return "nothing was begun: take one of these, or plug in a device and start learn again";

@@ -55,7 +55,8 @@ std::string DemonstrationSentence(const Course& course, const lesson_action::Say
 std::string Called(const Course& course, std::string_view item);
 
 /// What the lesson waits for, as a person asks for it; said on an empty line.
-std::string Awaited(lesson_action::Await await, Question question);
+/// `between`: the two of a question of which it is.
+std::string Awaited(lesson_action::Await await, Question question, std::string_view between);
 /// The same while a hand is led, or the program's own traces.
 std::string LedNow();
 std::string ProgramTraces();
@@ -142,6 +143,9 @@ std::string CannotShow(std::string_view text, std::string_view why);
 std::string NoForceDevice();
 std::string DeviceProblem(std::string_view name, std::string_view problem);
 std::vector<std::string> LearningWithoutDevice();
+/// At a terminal, where there is no device.
+std::string AskDemonstration();
+std::string DemonstrationIs();
 std::string NoDeviceGiven();
 
 // Printing.

@@ -1,5 +1,7 @@
 // The learner's words: what each does to the session, and its answer.
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <ctime>
 #include <string_view>
@@ -123,7 +125,10 @@ std::string LearnSession::Awaited() const {
   if (led_by_tutor_) return say::LedNow();
   if (await_ == Await::kTrace && stage_.simulated()) return say::ProgramTraces();
   if (await_ == Await::kTrace && leading_ && stage_.pushes()) return say::LedNow();
-  return say::Awaited(await_, state_.question);
+  const auto& [first, second] = std::minmax(state_.item, state_.mate);
+  const std::string between =
+      fmt::format("{} or {}", say::Called(course_, first), say::Called(course_, second));
+  return say::Awaited(await_, state_.question, between);
 }
 
 void LearnSession::GoToLesson(const std::string& given) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lessons/course/lesson_items.h"
 #include "sim/console/wording.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/text_file.h"
@@ -31,6 +32,12 @@ std::string Missing(double coverage, double wanted) {
     if (!(coverage >= most)) return words;
   }
   return "most of it, not all";
+}
+
+/// What stands before a word, which is no sign of the course, where it is named.
+std::string_view BeforeWord(const Course& course, std::string_view item) {
+  const bool pair = item.find('\n') != std::string_view::npos;
+  return pair || item.size() < 2 || IsTaught(course, item) ? "" : "the word ";
 }
 
 // Each of the parts below knows some of the sentences, and is silent about the others.
@@ -90,7 +97,7 @@ std::string OfTask(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kHint:
       return fmt::format("Hint: {}", OneLine(sentence.text, 500));
     case Sentence::kNoHint:
-      return "No hint for this one.";
+      return sentence.number > 0 ? "No hint while it is asked." : "No hint for this one.";
     case Sentence::kAnother:
       return sentence.number == 2 ? "Two new ones." : "A new one.";
     case Sentence::kAskName:
@@ -123,7 +130,9 @@ std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) 
     case Sentence::kRight:
       return fmt::format("Right: {}.", text);
     case Sentence::kWrong:
-      return fmt::format("Wrong: it is {}, you said {}.", text, other);
+      // "it is it" would be no sentence
+      return fmt::format("Wrong: it is {}{}, you said {}.", BeforeWord(course, sentence.text), text,
+                         other);
     case Sentence::kNotAnAnswer:
       return fmt::format("No sign learned so far: {}. Still asked.", text);
     case Sentence::kTraceGood:

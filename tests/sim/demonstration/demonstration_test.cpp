@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sim/learn/learn_stage.h"
+#include "tests/devices/fake_hid.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/sim/pty_fixture.h"
 #include "tests/source_path.h"
@@ -119,6 +120,18 @@ TEST_F(DemonstrationTest, TellsItsWordsWithTheirNumbersAndNoOthers) {
   EXPECT_EQ(Said("bigger"), 0U) << "nobody typed that";
 }
 
+TEST_F(DemonstrationTest, GoesOnOnceAnAnswerToAWordHasBeenHeard) {
+  Pass(2);
+  const std::size_t before = Lines(out_.str()).size();
+  demonstration_.Obey("?");
+  const std::size_t told = Lines(out_.str()).size();
+  EXPECT_GT(told, before);
+  Pass(9);  // of the some twelve seconds that its 160 letters take
+  EXPECT_EQ(Lines(out_.str()).size(), told);
+  Pass(9);
+  EXPECT_GT(Lines(out_.str()).size(), told);
+}
+
 TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
   Until("which letter is it");
   demonstration_.Obey(" T! ");
@@ -210,6 +223,24 @@ TEST(LearnWithoutADevice, EndsAtATerminalWhoseInputIsEnded) {
   EXPECT_EQ(session.Wait(), 0);
   EXPECT_NE(session.all().find("End of input: the demonstration ends."), std::string::npos);
   EXPECT_EQ(session.all().find("Goodbye"), std::string::npos) << "all the rest at once";
+}
+
+TEST(LearnWithoutADevice, OffersTheDemonstrationAtATerminal) {
+  SKIP_WITHOUT_TERMINALS();
+  const FakeHid none("");
+  PtySession yes({"learn"});
+  ASSERT_TRUE(yes.WaitFor("Shall the demonstration begin?")) << yes.all();
+  yes.Send("?\n");
+  ASSERT_TRUE(yes.WaitFor("Nine minutes in words")) << yes.all();
+  yes.Send("yes\n");
+  ASSERT_TRUE(yes.WaitFor("This is a demonstration of Moontrace")) << yes.all();
+  yes.Send("quit\n");
+  EXPECT_EQ(yes.Wait(), 0);
+  PtySession no({"learn"});
+  ASSERT_TRUE(no.WaitFor("Type yes, or Enter for no.")) << no.all();
+  no.Send("\n");
+  EXPECT_EQ(no.Wait(), 4);
+  EXPECT_NE(no.all().find("nothing was begun"), std::string::npos) << no.all();
 }
 
 /// Where nobody answers, nothing is waited for; the whole of it is kept beside the tests, to be

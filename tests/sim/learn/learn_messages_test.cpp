@@ -72,7 +72,7 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
   }
   for (const auto await : {lesson_action::Await::kTrace, lesson_action::Await::kAnswer,
                            lesson_action::Await::kNext, lesson_action::Await::kEnd}) {
-    ExpectOutcomeFirst(say::Awaited(await, Question::kName));
+    ExpectOutcomeFirst(say::Awaited(await, Question::kName, "i or t"));
   }
 }
 
@@ -122,6 +122,30 @@ TEST(LearnMessages, BriefSaysOutcomesAndQuestionsButNoExplanation) {
     say.sentence = static_cast<Sentence>(i);
     EXPECT_LE(say::BriefSentence(course, say).size(), say::LessonSentence(course, say).size()) << i;
   }
+}
+
+TEST(LearnMessages, SayWhatIsAskedAsItWasAsked) {
+  const auto asked = [](Question question) {
+    return say::Awaited(lesson_action::Await::kAnswer, question, "i or t");
+  };
+  EXPECT_EQ(asked(Question::kName), "Asked: what is it?");
+  EXPECT_EQ(asked(Question::kPick), "Asked: is it i or t?");
+  EXPECT_EQ(asked(Question::kSame), "Asked: same or different?");
+}
+
+TEST(LearnMessages, CallAWordAWord) {
+  Course course;
+  course.lessons.emplace_back().items = {"i", "the"};
+  const auto wrong = [&course](const std::string& item) {
+    lesson_action::Say say;
+    say.sentence = Sentence::kWrong;
+    say.text = item;
+    say.other = "t";
+    return say::LessonSentence(course, say);
+  };
+  EXPECT_EQ(wrong("i"), "Wrong: it is i, you said t.");
+  EXPECT_EQ(wrong("the"), "Wrong: it is the, you said t.") << "a sign";
+  EXPECT_EQ(wrong("it"), "Wrong: it is the word it, you said t.");
 }
 
 TEST(LearnMessages, SayInWordsHowMuchWasFollowed) {
