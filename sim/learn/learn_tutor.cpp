@@ -91,15 +91,18 @@ void TutorDesk::Answer(std::size_t tutor, std::string_view line) {
   }
 }
 
+/// All of them, or what one does.
+void TutorDesk::TellWords(std::size_t tutor, const std::string& word) {
+  if (!word.empty()) return Answer(tutor, say::HelpWith(word, WordPlace::kTutor));
+  Answer(tutor, say::NumberedWords(WordPlace::kTutor));
+  Answer(tutor, say::TutorWordsHelp());
+  Answer(tutor, say::PageWordsHelp());
+}
+
 void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   switch (command.word) {
     case TutorWord::kQuestion:
-      if (!command.text.empty()) {
-        return Answer(line.tutor, say::HelpWith(command.text, WordPlace::kTutor));
-      }
-      Answer(line.tutor, say::NumberedWords(WordPlace::kTutor));
-      Answer(line.tutor, say::TutorWordsHelp());
-      return Answer(line.tutor, say::PageWordsHelp());
+      return TellWords(line.tutor, command.text);
     case TutorWord::kWhere:
       Answer(line.tutor, say::LearnerAt(memory_.name(), lesson_.Status()));
       for (const std::string& more : lesson_.StatusForTutor()) Answer(line.tutor, more);

@@ -34,6 +34,7 @@ class TutorDesk {
  private:
   void Take(const TutorServer::Line& line);
   void Answer(std::size_t tutor, std::string_view line);
+  void TellWords(std::size_t tutor, const std::string& word);
   void Do(const TutorServer::Line& line, const TutorCommand& command);
   void ChangeForm(const TutorServer::Line& line, const TutorCommand& command);
   bool DoToPage(std::size_t tutor, const TutorCommand& command);
