@@ -154,7 +154,7 @@ constexpr Command kCommands[] = {
     Of<CourseOptions>({"course", help::kCourseCommand, Audience::kTutor, "", "courses"}),
     Of<PageOptions>({"page", help::kPage, Audience::kWriter,
                      "TEXT --file --size-mm --script --embossed --page --picture --letters",
-                     "pages print write text braille translate emboss label draw"}),
+                     "pages print write text braille translate emboss draw"}),
     Of<ReadOptions>({"read", help::kRead, Audience::kWriter,
                      "FILE --text --print --size-mm --script --page --json",
                      "book books epub html document open library"}),
@@ -162,9 +162,9 @@ constexpr Command kCommands[] = {
                        "scripts font fonts alphabet list check convert"}),
     Of<GalleryOptions>({"gallery", help::kGallery, Audience::kWriter, "", "pictures examples"}),
     Of<TraceOptions>({"trace", help::kTrace, Audience::kResearcher,
-                      "TEXT --file --size-mm --script --device --press-n --blank --picture "
-                      "--record --view --seed --json",
-                      "simulate score follow"}),
+                      "TEXT --file --size-mm --script --model --label --device --press-n --blank "
+                      "--picture --record --view --seed --json",
+                      "simulate score follow label labels model mujoco mjcf"}),
     Of<RecogniseOptions>(
         {"recognise", help::kRecognise, Audience::kResearcher,
          "TEXT --file --size-mm --script --press-n --blank --picture --seed --json",

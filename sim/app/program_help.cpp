@@ -29,9 +29,9 @@ const char* HeadingOf(Audience audience) {
     case Audience::kTutor:
       return "To teach it";
     case Audience::kWriter:
-      return "To set text and label things";
+      return "To set, read and print text";
     case Audience::kResearcher:
-      return "To measure and study";
+      return "To label models, to measure and study";
     case Audience::kDeviceBuilder:
       return "Devices";
   }

@@ -303,6 +303,8 @@ int ReadLabel(const RecogniseOptions& options, Console& console) {
   if (reading.text.set.style.relief == Relief::kEmbossed) {
     throw UsageError(say::ReadsGroovesOnly());
   }
+  if (reading.text.set.style.links.reach != LinkReach::kNone) throw UsageError(say::ReadsNoLinks());
+  if (!reading.text.script.braille_tables.empty()) throw UsageError(say::ReadsNoCells());
   if (!options.device.empty()) reading.device = ReadableProfile(options.device);
   const Script& script = reading.text.script;
   const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));

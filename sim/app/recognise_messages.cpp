@@ -69,6 +69,14 @@ std::string ReadsGroovesOnly() {
   return "recognise follows grooves and cannot read ridges yet: leave --embossed out";
 }
 
+std::string ReadsNoLinks() {
+  return "recognise cannot read links between letters yet: leave --links out";
+}
+
+std::string ReadsNoCells() {
+  return "recognise follows strokes and cannot read Braille yet: choose another --script";
+}
+
 std::string ReadsOnThreeAxesOnly(std::string_view profile) {
   return fmt::format(
       "device profile {}: recognise needs one that measures and pushes x, y and z; name another",

@@ -20,6 +20,8 @@ std::string Confusions(const ReadingScore& score, const Script& script);
 std::string AsRead();
 /// Ridges were asked for.
 std::string ReadsGroovesOnly();
+std::string ReadsNoLinks();
+std::string ReadsNoCells();
 /// The profile measures or pushes fewer than three axes.
 std::string ReadsOnThreeAxesOnly(std::string_view profile);
 std::string ReaderStopped(std::size_t page);

@@ -138,9 +138,10 @@ class Check {
     }
     Say(say::SawPosition(limits_, view.low_D, view.high_D,
                          static_cast<double>(view.reports) / view.time));
-    if (view.low_D == view.high_D) Say(say::DidNotMove());
+    const bool moved = view.low_D != view.high_D;
+    if (!moved) Say(say::DidNotMove());
     if (limits_.buttons > 0) Say(say::SawButtons(view.buttons, limits_.buttons));
-    return StepResult::kGood;
+    return moved ? StepResult::kGood : StepResult::kFailed;
   }
 
   StepResult Push() {

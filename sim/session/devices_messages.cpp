@@ -278,8 +278,9 @@ std::string TestLost(std::string_view why) {
 }
 
 std::string TestPassed(std::size_t good, std::size_t left_out) {
-  return fmt::format("Passed: {}, {} left out.", Counted(good, "step good", "steps good"),
-                     left_out);
+  const std::string steps = Counted(good, "step good", "steps good");
+  if (left_out == 0) return fmt::format("Passed: {}.", steps);
+  return fmt::format("No fault found, but not all was tried: {}, {} left out.", steps, left_out);
 }
 
 std::string TestFailed(std::string_view steps) {

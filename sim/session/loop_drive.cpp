@@ -283,7 +283,7 @@ void SayBeginning(const LoopSession& session, Console& console) {
   }
   if (device.scale() != 1) console.Happening(say::Scaled(device.scale()));
   const double usual = request.feel.scene.coupling_stiffness;
-  if (session.coupling_stiffness() < usual) {
+  if (device.pushes() && session.coupling_stiffness() < usual) {
     console.Remark(say::SofterThanUsual(session.coupling_stiffness() / usual));
   }
   if (device.mouse()) {

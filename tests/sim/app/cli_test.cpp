@@ -115,10 +115,11 @@ TEST(Cli, UnknownCommandIsUsageAndNamesTheNearest) {
 
 TEST(Cli, WordsThatMeanACommandNameIt) {
   const std::pair<const char*, const char*> meant[] = {
-      {"leanr", "learn"},      {"lessons", "learn"}, {"Lesson", "learn"},  {"write", "page"},
-      {"braille", "page"},     {"print", "page"},    {"font", "script"},   {"fonts", "script"},
-      {"device", "devices"},   {"window", "view"},   {"teacher", "tutor"}, {"halp", "help"},
-      {"experiment", "study"}, {"-v", "version"},    {"xyzzyx", ""}};
+      {"leanr", "learn"},   {"lessons", "learn"}, {"Lesson", "learn"},     {"write", "page"},
+      {"braille", "page"},  {"label", "trace"},   {"mujoco", "trace"},     {"print", "page"},
+      {"font", "script"},   {"fonts", "script"},  {"device", "devices"},   {"window", "view"},
+      {"teacher", "tutor"}, {"halp", "help"},     {"experiment", "study"}, {"-v", "version"},
+      {"xyzzyx", ""}};
   for (const auto& [word, command] : meant) {
     const Outcome outcome = RunLine({word});
     EXPECT_EQ(outcome.code, 2) << word;

@@ -119,6 +119,9 @@ TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   const Outcome ridges = RunLine({"recognise", "so", "--embossed"});
   EXPECT_EQ(ridges.code, 2);
   EXPECT_NE(ridges.err.find("leave --embossed out"), std::string::npos);
+  const Outcome links = RunLine({"recognise", "so", "--links", "words"});
+  EXPECT_EQ(links.code, 2);
+  EXPECT_NE(links.err.find("leave --links out"), std::string::npos) << links.err;
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct Bench {
   int lost_at = -1;           ///< read
   std::uint32_t buttons = 0;  ///< held while it is pushed
   bool is_silent = false;
+  bool is_still = false;
   bool motors_off = false;
   bool is_open = false;
 
@@ -74,7 +75,7 @@ class BenchDevice final : public Device {
     if (bench_.motors_off) return DeviceStatus::kNotReady;
     if (bench_.is_silent) return DeviceStatus::kNoNewData;
     state.time = 1e-3 * bench_.reads;
-    state.p_D = 0.01 * glm::dvec3(std::sin(1e-3 * bench_.reads), 0, 0);
+    if (!bench_.is_still) state.p_D = 0.01 * glm::dvec3(std::sin(1e-3 * bench_.reads), 0, 0);
     state.buttons =
         bench_.forces.empty() || bench_.forces.back() == glm::dvec3(0.0) ? 0 : bench_.buttons;
     return DeviceStatus::kOk;
@@ -186,6 +187,13 @@ TEST_F(DeviceCheck, NoReportIsAFailureButForOneThatRestsSilently) {
   EXPECT_EQ(Check(""), "failed, left out, left out, left out");
   rests_silent = true;
   EXPECT_EQ(Check(""), "left out, left out, left out, left out");
+}
+
+// It may be dead, and nobody can tell from that: not passed.
+TEST_F(DeviceCheck, AStillTipIsAFailure) {
+  bench.is_still = true;
+  EXPECT_EQ(Check("no\n").substr(0, 6), "failed");
+  EXPECT_TRUE(Said("did not move"));
 }
 
 TEST_F(DeviceCheck, NeverPushesWhileTheMotorsAreOff) {
