@@ -10,8 +10,8 @@
 namespace moontrace {
 
 /// Where words are typed. A window with a panel has those of what runs in it.
-enum class WordPlace : std::uint8_t { kLesson, kLoop, kTutor, kDemonstration };
-inline constexpr std::size_t kWordPlaces = 4;
+enum class WordPlace : std::uint8_t { kLesson, kLoop, kTutor, kDemonstration, kBook };
+inline constexpr std::size_t kWordPlaces = 5;
 
 /// A word that can be said while something runs.
 struct TypedWord {

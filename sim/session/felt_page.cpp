@@ -42,9 +42,20 @@ struct FoundGlyph {
   std::size_t page = 0;
   const PlacedGlyph* glyph = nullptr;
 };
+/// The last page that begins at `source` or before it, else the first. Pages come in the order of
+/// the text; by halves, since a book has thousands.
+std::size_t PageAt(const TextSetup& text, std::size_t source) {
+  const std::vector<TextPage>& pages = text.set.pages;
+  const auto behind =
+      std::partition_point(pages.begin(), pages.end(), [source](const TextPage& page) {
+        return page.glyphs.empty() || page.glyphs.front().source_begin <= source;
+      });
+  return behind == pages.begin() ? 0 : static_cast<std::size_t>(behind - pages.begin()) - 1;
+}
+
 FoundGlyph GlyphAt(const TextSetup& text, std::size_t source) {
   FoundGlyph found;
-  for (std::size_t page = 0; page < text.set.pages.size(); ++page) {
+  for (std::size_t page = PageAt(text, source); page < text.set.pages.size(); ++page) {
     for (const PlacedGlyph& glyph : text.set.pages[page].glyphs) {
       if (glyph.source_begin > source && found.glyph != nullptr) return found;
       found = {page, &glyph};
@@ -104,6 +115,16 @@ std::optional<FoundPlace> Find(const TextSetup& text, const LetterPlace& place) 
   if (found.glyph == nullptr) return std::nullopt;
   const glm::dvec2 p_P = found.glyph->origin_P + SizeOf(*found.glyph, text) * place.from_letter;
   return FoundPlace{found.page, found.glyph->line, p_P, std::string(SourceOf(text, *found.glyph))};
+}
+
+std::optional<std::size_t> LetterFrom(const TextSetup& text, std::size_t source) {
+  for (std::size_t page = PageAt(text, source); page < text.set.pages.size(); ++page) {
+    for (const PlacedGlyph& glyph : text.set.pages[page].glyphs) {
+      const bool letter = glyph.kind != LineKind::kHead && glyph.source_begin < glyph.source_end;
+      if (letter && glyph.source_begin >= source) return glyph.source_begin;
+    }
+  }
+  return std::nullopt;
 }
 
 Followed Follow(const FeltPage& page, const TextSetup& next, glm::dvec2 tip_P) {

@@ -63,6 +63,9 @@ struct FoundPlace {
 /// None: the text has no letters.
 std::optional<FoundPlace> Find(const TextSetup& text, const LetterPlace& place);
 
+/// The byte of the first letter that begins at `source` or behind it; none: there is none.
+std::optional<std::size_t> LetterFrom(const TextSetup& text, std::size_t source);
+
 /// The same letter where a text was set anew.
 struct Followed {
   std::size_t page = 0;              ///< that the letter lies on now, from 0

@@ -41,6 +41,13 @@ std::string HeadingIs(std::string_view line) {
   return fmt::format("Heading {}", OneLine(line, 24));
 }
 
+std::string ParagraphIs(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of("#> "), line.size()));
+  return fmt::format("Paragraph {}", OneLine(line, 20));
+}
+
+std::string LinkIs(std::string_view words) { return fmt::format("Link {}", OneLine(words, 24)); }
+
 std::string BackAt(std::string_view letter) {
   return letter.empty() ? "Back" : fmt::format("Back at {}", OneLine(letter));
 }
@@ -53,6 +60,12 @@ std::string NowhereToReturn() { return "Nowhere to return to: nothing was found 
 std::string BackAlready() { return "You are back already."; }
 std::string NoLineBehind() { return "This is the last line."; }
 std::string NoHeadingBehind() { return "No heading further on."; }
+std::string NoParagraphBehind() { return "No paragraph further on."; }
+std::string NoLinkBehind() { return "No link further on."; }
+std::string NoSuchPage(std::string_view number, std::size_t pages) {
+  return pages == 1 ? "There is one page only."
+                    : fmt::format("No page {}: say go to 1 to {}.", OneLine(number, 12), pages);
+}
 std::string NoPlaceHere() { return "The page is empty: nothing to go to."; }
 
 }  // namespace moontrace::say

@@ -18,6 +18,9 @@ std::string PlaceIs(std::string_view what, std::size_t page, std::size_t pages, 
 /// What stands at a place. `number` from 1.
 std::string Occurrence(std::string_view wanted, std::size_t number, std::size_t of);
 std::string HeadingIs(std::string_view line);
+/// The beginning of a line's words.
+std::string ParagraphIs(std::string_view line);
+std::string LinkIs(std::string_view words);
 std::string BackAt(std::string_view letter);
 
 std::string FindWhat();
@@ -26,6 +29,9 @@ std::string NowhereToReturn();
 std::string BackAlready();
 std::string NoLineBehind();
 std::string NoHeadingBehind();
+std::string NoParagraphBehind();
+std::string NoLinkBehind();
+std::string NoSuchPage(std::string_view number, std::size_t pages);
 /// An empty page.
 std::string NoPlaceHere();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -83,8 +84,9 @@ std::string_view LineAround(std::string_view text, std::size_t source) {
 }  // namespace
 
 std::optional<PlaceCommand> PlaceCommandOf(std::string_view word, std::string_view behind) {
-  constexpr std::array<std::string_view, 5> kWords = {"find", "find next", "return", "next line",
-                                                      "next heading"};
+  constexpr std::array<std::string_view, 8> kWords = {"find",      "find next",    "return",
+                                                      "next line", "next heading", "next paragraph",
+                                                      "next link", "go to"};
   const auto found = std::find(kWords.begin(), kWords.end(), word);
   if (found == kWords.end()) return std::nullopt;
   return PlaceCommand{static_cast<PlaceWord>(found - kWords.begin()), std::string(behind)};
@@ -112,7 +114,7 @@ void PlaceWalk::ForgetOtherText() {
   text_ = text;
   wanted_.clear();
   found_.clear();
-  before_.reset();
+  before_.clear();
   returned_ = false;
   target_.reset();
   way_.reset();
@@ -122,32 +124,51 @@ std::string PlaceWalk::Go(const PlaceCommand& command, const LoopSnapshot& now) 
   ForgetOtherText();
   const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
   if (!here || session_.felt().blank) return say::NoPlaceHere();
-  const std::optional<LetterPlace> before = before_;
-  if (command.word != PlaceWord::kReturn && command.word != PlaceWord::kNextLine && !before_) {
-    before_ = here;
-  }
-  std::string refusal;
+  const bool leaves = command.word != PlaceWord::kReturn && command.word != PlaceWord::kNextLine;
+  const bool first = leaves && before_.empty();
+  if (first) before_.push_back(*here);
+  std::string refusal = Lead(command, here->source, now);
+  if (first && !refusal.empty()) before_.pop_back();  // the hand has gone nowhere
+  if (leaves && refusal.empty()) returned_ = false;
+  return refusal;
+}
+
+std::string PlaceWalk::Lead(const PlaceCommand& command, std::size_t here,
+                            const LoopSnapshot& now) {
   switch (command.word) {
     case PlaceWord::kFind:
-      refusal = Find(command.text, here->source);
-      break;
+      return Find(command.text, here);
     case PlaceWord::kFindNext:
-      refusal = FindNext();
-      break;
+      return FindNext();
     case PlaceWord::kReturn:
       return Return();
     case PlaceWord::kNextLine:
       return NextRow(false, now);
     case PlaceWord::kNextHeading:
-      refusal = NextRow(true, now);
-      break;
+      return NextRow(true, now);
+    case PlaceWord::kNextParagraph:
+      return NextParagraph(now);
+    case PlaceWord::kNextLink:
+      return NextLink(now);
+    case PlaceWord::kGoTo:
+      return GoToPage(command.text);
   }
-  if (!refusal.empty()) {
-    before_ = before;  // the hand has gone nowhere
-  } else {
-    returned_ = false;
-  }
-  return refusal;
+  return {};
+}
+
+std::string PlaceWalk::GoToPlace(std::size_t source, std::string what, const LoopSnapshot& now,
+                                 bool from) {
+  ForgetOtherText();
+  const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
+  if (!here || session_.felt().blank) return say::NoPlaceHere();
+  if (from || before_.empty()) before_.push_back(*here);
+  returned_ = false;
+  return GoTo({{source, kInLetter}, std::move(what)});
+}
+
+std::string PlaceWalk::Begin(std::size_t source, std::string what) {
+  ForgetOtherText();
+  return GoTo({{source, kInLetter}, std::move(what)});
 }
 
 std::string PlaceWalk::Find(const std::string& wanted, std::size_t here) {
@@ -168,8 +189,9 @@ std::string PlaceWalk::FindNext() {
 }
 
 std::string PlaceWalk::Return() {
-  if (!before_) return returned_ ? say::BackAlready() : say::NowhereToReturn();
-  const LetterPlace place = *std::exchange(before_, std::nullopt);
+  if (before_.empty()) return returned_ ? say::BackAlready() : say::NowhereToReturn();
+  const LetterPlace place = before_.back();
+  before_.pop_back();
   returned_ = true;
   const auto found = moontrace::Find(session_.text(), place);
   return GoTo({place, say::BackAt(found ? found->letter : "")});
@@ -203,6 +225,61 @@ std::string PlaceWalk::NextRow(bool heading, const LoopSnapshot& now) {
   if (!row) return heading ? say::NoHeadingBehind() : say::NoLineBehind();
   const std::size_t source = row->glyph->source_begin;
   return GoTo({{source, kInLetter}, heading ? say::HeadingIs(LineAround(text_, source)) : ""});
+}
+
+/// Paragraphs have a blank line between them.
+std::string PlaceWalk::NextParagraph(const LoopSnapshot& now) {
+  std::size_t begin = StartOf(now).source;
+  do {
+    begin = text_.find('\n', begin);
+    if (begin == std::string::npos) return say::NoParagraphBehind();
+    begin = text_.find_first_not_of(" \t\r", begin + 1);
+    if (begin == std::string::npos) return say::NoParagraphBehind();
+  } while (text_[begin] != '\n');
+  begin = text_.find_first_not_of(" \t\r\n", begin);
+  if (begin == std::string::npos) return say::NoParagraphBehind();
+  const std::optional<std::size_t> letter = LetterFrom(session_.text(), begin);  // behind its mark
+  if (!letter) return say::NoParagraphBehind();
+  return GoTo({{*letter, kInLetter}, say::ParagraphIs(LineAround(text_, *letter))});
+}
+
+std::string PlaceWalk::NextLink(const LoopSnapshot& now) {
+  const TextSetup& text = session_.text();
+  const LetterPlace start = StartOf(now);
+  const std::size_t here = start.source;
+  const auto from = moontrace::Find(text, start);
+  if (!from) return say::NoPlaceHere();
+  bool in_link = false;
+  std::size_t end = 0;  // of the link's letter before
+  for (std::size_t page = from->page; page < text.set.pages.size(); ++page) {
+    for (const PlacedGlyph& glyph : text.set.pages[page].glyphs) {
+      if (glyph.kind == LineKind::kHead) continue;
+      const bool same = in_link && glyph.link && end <= glyph.source_begin &&
+                        std::string_view(text_).substr(end, glyph.source_begin - end).find("](") ==
+                            std::string_view::npos;
+      if (glyph.link && !same && glyph.source_begin > here) {
+        const std::string_view words = std::string_view(text_).substr(glyph.source_begin);
+        return GoTo(
+            {{glyph.source_begin, kInLetter}, say::LinkIs(words.substr(0, words.find(']')))});
+      }
+      in_link = glyph.link;
+      end = glyph.source_end;
+    }
+  }
+  return say::NoLinkBehind();
+}
+
+std::string PlaceWalk::GoToPage(const std::string& number) {
+  const std::vector<TextPage>& pages = session_.text().set.pages;
+  std::size_t page = 0;
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), page);
+  if (read.ec != std::errc() || read.ptr != number.data() + number.size() || page < 1 ||
+      page > pages.size()) {
+    return say::NoSuchPage(number, pages.size());
+  }
+  const std::vector<PlacedGlyph>& glyphs = pages[page - 1].glyphs;
+  if (glyphs.empty()) return say::NoPlaceHere();
+  return GoTo({{glyphs.front().source_begin, kInLetter}, ""});
 }
 
 std::string PlaceWalk::GoTo(Target target) {

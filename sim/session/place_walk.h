@@ -19,11 +19,20 @@
 namespace moontrace {
 
 /// Words that lead to another place of a text: the same in the loop, in a view and in a lesson.
-enum class PlaceWord : std::uint8_t { kFind, kFindNext, kReturn, kNextLine, kNextHeading };
+enum class PlaceWord : std::uint8_t {
+  kFind,
+  kFindNext,
+  kReturn,
+  kNextLine,
+  kNextHeading,
+  kNextParagraph,
+  kNextLink,
+  kGoTo
+};
 
 struct PlaceCommand {
   PlaceWord word = PlaceWord::kFind;
-  std::string text = {};  ///< of kFind: what is looked for
+  std::string text = {};  ///< of kFind: what is looked for; of kGoTo: a page's number
 };
 /// Reads a word as the vocabulary has it, and what stands behind it. None: another word.
 std::optional<PlaceCommand> PlaceCommandOf(std::string_view word, std::string_view behind);
@@ -49,6 +58,12 @@ class PlaceWalk {
     glm::dvec3 tip_P{0, 0, 0};  ///< from where [m]
     glm::dvec2 place_P{0, 0};   ///< [m]
   };
+  /// A byte of the text, and what stands there in words; `return` comes back. `from` another
+  /// return: to `now` also where the hand went from somewhere else before. As Go.
+  std::string GoToPlace(std::size_t source, std::string what, const LoopSnapshot& now,
+                        bool from = false);
+  /// Likewise, of where reading begins: nothing to return to.
+  std::string Begin(std::size_t source, std::string what);
   /// Once, as soon as the page under the hand is that of the place.
   std::optional<Arrival> Arrived(const LoopSnapshot& now);
 
@@ -64,12 +79,16 @@ class PlaceWalk {
     glm::dvec2 tip_P{0, 0};    ///< from where [m]
     glm::dvec2 place_P{0, 0};  ///< [m]
   };
+  std::string Lead(const PlaceCommand& command, std::size_t here, const LoopSnapshot& now);
   std::string GoTo(Target target);
   std::string Find(const std::string& wanted, std::size_t here);
   std::string FindNext();
   std::string Return();
   std::string NextRow(bool heading, const LoopSnapshot& now);
   LetterPlace StartOf(const LoopSnapshot& now) const;
+  std::string NextParagraph(const LoopSnapshot& now);
+  std::string NextLink(const LoopSnapshot& now);
+  std::string GoToPage(const std::string& number);
   void ForgetOtherText();
 
   const LoopSession& session_;
@@ -77,11 +96,11 @@ class PlaceWalk {
   std::string text_;    ///< that all below is of
   std::string wanted_;  ///< as it was typed
   std::vector<std::size_t> found_;
-  std::size_t at_ = 0;                 ///< of `found_`
-  std::optional<LetterPlace> before_;  ///< where the hand was before it went anywhere
-  bool returned_ = false;              ///< back there, and nowhere since
-  std::optional<Target> target_;       ///< not yet told
-  std::optional<Way> way_;             ///< told last
+  std::size_t at_ = 0;               ///< of `found_`
+  std::vector<LetterPlace> before_;  ///< where the hand was before it went anywhere, newest last
+  bool returned_ = false;            ///< back there, and nowhere since
+  std::optional<Target> target_;     ///< not yet told
+  std::optional<Way> way_;           ///< told last
 };
 
 /// Along the straight way to a place, for a hand that can be led: 40 mm a second. `width` [m] of

@@ -63,6 +63,8 @@ struct TextRequest {
   FeelOptions feel;
   std::string command;            ///< in messages
   std::string default_text = {};  ///< where neither command line nor model bring one; empty: error
+  /// A book: of any length, and links between letters are looked for page by page, as it is felt.
+  bool book = false;
   std::optional<PageForm> form = {};  ///< none: as the others have it
   glm::dvec2 room{INFINITY};          ///< that a device can reach: pages are no larger [m]
   /// What `feel.model` gives, where it has been loaded already; none: it is loaded for this.

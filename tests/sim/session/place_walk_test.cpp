@@ -152,6 +152,59 @@ TEST_F(PlaceWalkTest, GoesFromLineToLineAndToHeadings) {
   EXPECT_EQ(Say(PlaceWord::kNextHeading, "", end), say::NoHeadingBehind());
 }
 
+/// A text of paragraphs, lists and links, as a document is transcribed.
+class PlaceWalkOfMarks : public PlaceWalkTest {
+ protected:
+  PlaceWalkOfMarks() {
+    TextRequest request = session_.request();
+    request.text.text = "AT SEA\n\n> [MOON](a)[SUN](b) AND\nA [TIDE](c)\n\n\n### LAND\n\nA HILL\n";
+    session_.ChangeText(std::move(request), false);
+  }
+  /// The letter at a byte, as the tip on it.
+  LoopSnapshot AtByte(std::size_t source) {
+    const auto found = Find(session_.text(), {source, {0.5, 0.5}});
+    session_.TurnTo(found->page);
+    LoopSnapshot now;
+    now.tip_P = glm::dvec3(found->p_P, 0);
+    now.page = session_.felt().number;
+    return now;
+  }
+  std::size_t Byte(const std::string& words) const { return session_.text().text.find(words); }
+};
+
+TEST_F(PlaceWalkOfMarks, GoesFromParagraphToParagraph) {
+  std::string said = Say(PlaceWord::kNextParagraph, "", AtByte(3));
+  EXPECT_EQ(said.rfind("Paragraph [MOON]", 0), 0U) << said;
+  said = Say(PlaceWord::kNextParagraph, "", AtByte(Byte("SUN")));
+  EXPECT_EQ(said.rfind("Paragraph LAND", 0), 0U) << said;
+  said = Say(PlaceWord::kNextParagraph, "", AtByte(Byte("AND\n")));  // two lines are one
+  EXPECT_EQ(said.rfind("Paragraph LAND", 0), 0U) << said;
+  said = Say(PlaceWord::kNextParagraph, "", AtByte(Byte("LAND")));
+  EXPECT_EQ(said.rfind("Paragraph A HILL", 0), 0U) << said;
+  EXPECT_EQ(Say(PlaceWord::kNextParagraph, "", AtByte(Byte("HILL"))), say::NoParagraphBehind());
+}
+
+TEST_F(PlaceWalkOfMarks, GoesFromLinkToLink) {
+  std::string said = Say(PlaceWord::kNextLink, "", AtByte(0));
+  EXPECT_EQ(said.rfind("Link MOON: ", 0), 0U) << said;
+  said = Say(PlaceWord::kNextLink, "", AtByte(Byte("OON")));  // not the one that it is in
+  EXPECT_EQ(said.rfind("Link SUN: ", 0), 0U) << said;
+  said = Say(PlaceWord::kNextLink, "", AtByte(Byte("SUN")));
+  EXPECT_EQ(said.rfind("Link TIDE: ", 0), 0U) << said;
+  EXPECT_EQ(Say(PlaceWord::kNextLink, "", AtByte(Byte("TIDE"))), say::NoLinkBehind());
+}
+
+TEST_F(PlaceWalkOfMarks, GoesToPagesByTheirNumber) {
+  const std::size_t pages = session_.text().set.pages.size();
+  ASSERT_GT(pages, 1U);
+  const std::string said = Say(PlaceWord::kGoTo, std::to_string(pages), AtByte(0));
+  EXPECT_EQ(said.rfind("Page " + std::to_string(pages) + " of ", 0), 0U) << said;
+  EXPECT_EQ(session_.felt().index, pages - 1);
+  for (const char* none : {"0", "-1", "x", "", "99999999999999999999", "2 "}) {
+    EXPECT_EQ(Say(PlaceWord::kGoTo, none, AtByte(0)), say::NoSuchPage(none, pages)) << none;
+  }
+}
+
 TEST_F(PlaceWalkTest, LeadsAtAnEvenPace) {
   PlaceWalk::Arrival arrival;
   arrival.place_P = {0.08, 0};
