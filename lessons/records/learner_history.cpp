@@ -51,8 +51,10 @@ Json JsonOf(const Trial& trial) {
   return json;
 }
 
-/// The head as it is, then one line for each trial and event: long, but a person can look at it.
-std::string Lines(const Json& head, const Json& trials, const Json& events) {
+/// The head as it is, then one line for each trial, event and document: long, but a person can look
+/// at it. Who reads nothing has no list of documents, as before there were any.
+std::string Lines(const Json& head, const Json& trials, const Json& events,
+                  const Json& readings = {}) {
   const auto dump = [](const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   };
@@ -69,6 +71,7 @@ std::string Lines(const Json& head, const Json& trials, const Json& events) {
   };
   append("trials", trials);
   append("events", events);
+  if (!readings.empty()) append("readings", readings);
   return text + "}\n";
 }
 
@@ -183,6 +186,50 @@ RecordedTrial ReadTrial(const ReadJson& json, const std::string& where) {
   return row;
 }
 
+Json JsonOf(const ReadPlace& place) {
+  return {{"letter", place.letter}, {"before", place.before}, {"behind", place.behind}};
+}
+
+Json JsonOf(const ReadDocument& reading) {
+  Json json{{"content", reading.content},  {"path", reading.path},     {"title", reading.title},
+            {"time_unix_s", reading.time}, {"length", reading.length}, {"where", reading.where}};
+  json.update(JsonOf(reading.place));
+  for (const ReadMark& mark : reading.marks) {
+    Json one{{"name", mark.name}};
+    one.update(JsonOf(mark.place));
+    json["bookmarks"].push_back(std::move(one));
+  }
+  return json;
+}
+
+ReadPlace ReadPlaceOf(Members& members) {
+  ReadPlace place{members.Whole("letter"), members.Words("before"), members.Words("behind")};
+  if (place.letter < 0) Refuse(members.where(), "\"letter\" is below 0");
+  return place;
+}
+
+ReadDocument ReadReading(const ReadJson& json, const std::string& where) {
+  Members members(json, where);
+  ReadDocument reading;
+  reading.content = members.Words("content");
+  reading.path = members.Words("path");
+  reading.title = members.Words("title");
+  reading.time = members.Whole("time_unix_s");
+  reading.length = members.Whole("length");
+  reading.where = members.Words("where");
+  reading.place = ReadPlaceOf(members);
+  if (members.Has("bookmarks")) {
+    for (const ReadJson& row : members.List("bookmarks")) {
+      Members mark(row, where + ": bookmark");
+      std::string name = mark.Words("name");
+      reading.marks.push_back({std::move(name), ReadPlaceOf(mark)});
+      mark.RequireNoOther();
+    }
+  }
+  members.RequireNoOther();
+  return reading;
+}
+
 LearnerEntry ReadLearner(const ReadJson& json, const std::string& name) {
   Members members(json, name + ": learner");
   LearnerEntry learner;
@@ -259,7 +306,9 @@ std::string HistoryToJson(const LearnerHistory& history) {
   for (const RecordedEvent& event : history.events) {
     events.push_back({{"time_unix_s", event.time}, {"kind", event.kind}, {"text", event.text}});
   }
-  return Lines(head, trials, events);
+  Json readings = Json::array();
+  for (const ReadDocument& reading : history.readings) readings.push_back(JsonOf(reading));
+  return Lines(head, trials, events, readings);
 }
 
 LearnerHistory HistoryFromJson(std::string_view text, const std::string& name) {
@@ -280,6 +329,12 @@ LearnerHistory HistoryFromJson(std::string_view text, const std::string& name) {
     const std::int64_t time = event.Whole("time_unix_s");
     history.events.push_back({time, event.Words("kind"), event.Words("text")});
     event.RequireNoOther();
+  }
+  number = 0;
+  if (members.Has("readings")) {
+    for (const ReadJson& row : members.List("readings")) {
+      history.readings.push_back(ReadReading(row, fmt::format("{}: reading {}", name, ++number)));
+    }
   }
   members.RequireNoOther();
   return history;
@@ -314,12 +369,13 @@ std::string ResearchJson(const LearnerHistory& history) {
   for (const TrialField& field : TrialFields()) {
     if (std::string_view(field.name) != "time_unix_s") fields.push_back(field.name);
   }
-  const Json head{{"format", kResearchFormat},
-                  {"version", kVersion},
-                  {"left_out", {"pseudonym", "dates", "texts of events", "tracks"}},
-                  {"trial_fields", std::move(fields)},
-                  {"event_fields", {"time_s", "kind"}},
-                  {"simulated", simulated}};
+  const Json head{
+      {"format", kResearchFormat},
+      {"version", kVersion},
+      {"left_out", {"pseudonym", "dates", "texts of events", "documents read", "tracks"}},
+      {"trial_fields", std::move(fields)},
+      {"event_fields", {"time_s", "kind"}},
+      {"simulated", simulated}};
   return Lines(head, trials, events);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/course/trial.h"
+#include "lessons/records/readings.h"
 
 namespace moontrace {
 
@@ -34,8 +35,9 @@ struct RecordedTrial {
 /// All that the records know of one learner.
 struct LearnerHistory {
   LearnerEntry learner;
-  std::vector<RecordedTrial> trials;  ///< in the order in which they were added
-  std::vector<RecordedEvent> events;  ///< likewise
+  std::vector<RecordedTrial> trials;   ///< in the order in which they were added
+  std::vector<RecordedEvent> events;   ///< likewise
+  std::vector<ReadDocument> readings;  ///< the newest first; an export has no ids
 };
 
 /// Throws InputError unless it is 1 to 60 printable characters without slashes, not only blanks.
@@ -45,7 +47,8 @@ void RequirePseudonym(std::string_view pseudonym);
 /// but a file from elsewhere may hold one: each shows as "?"; a longer one is cut.
 std::string ShownPseudonym(std::string_view pseudonym);
 
-/// As JSON (UTF-8, a line for each trial and event): "format": "moontrace-learner", "version".
+/// As JSON (UTF-8, a line for each trial, event and document that is read): "format":
+/// "moontrace-learner", "version".
 std::string HistoryToJson(const LearnerHistory& history);
 
 /// The same read back, equal to the bit. Throws InputError (name, place, cause, cure); time and
@@ -53,8 +56,8 @@ std::string HistoryToJson(const LearnerHistory& history);
 LearnerHistory HistoryFromJson(std::string_view text, const std::string& name);
 
 /// For research: "format": "moontrace-research", the fields it holds, trials and events without
-/// pseudonym, dates, words and tracks. Answers that were never shown to the learner as an item
-/// become "other": they may hold anything that was typed.
+/// pseudonym, dates, words, documents and tracks. Answers that were never shown to the learner as
+/// an item become "other": they may hold anything that was typed.
 std::string ResearchJson(const LearnerHistory& history);
 
 }  // namespace moontrace

@@ -232,6 +232,7 @@ struct Records::Impl {
           {rows.Text(1), ReadTrial(rows), kept ? track.Numbers(0) : std::vector<double>()});
     }
     history.events = records.Events(pseudonym);
+    history.readings = records.Readings(pseudonym);
     return history;
   }
 };
@@ -369,6 +370,18 @@ std::vector<RecordedEvent> Records::Events(const std::string& pseudonym) const {
   return events;
 }
 
+std::vector<ReadDocument> Records::Readings(const std::string& pseudonym) const {
+  return ReadingsOf(impl_->file, impl_->IdOf(pseudonym));
+}
+
+std::int64_t Records::Keep(const std::string& pseudonym, const ReadDocument& reading) {
+  const std::int64_t learner = impl_->IdOf(pseudonym);
+  Transaction transaction(impl_->file);
+  const std::int64_t id = KeepReading(impl_->file, learner, reading);
+  transaction.Commit();
+  return id;
+}
+
 std::string Records::Export(const std::string& pseudonym) const {
   return HistoryToJson(impl_->HistoryOf(*this, pseudonym));
 }
@@ -389,6 +402,10 @@ void Records::Import(const LearnerHistory& history, const std::string& name) {
   const std::int64_t id = impl_->AddLearner(history.learner);
   for (const RecordedTrial& trial : history.trials) impl_->AddTrial(id, trial);
   for (const RecordedEvent& event : history.events) impl_->AddEvent(id, event);
+  for (ReadDocument reading : history.readings) {
+    reading.id = 0;
+    KeepReading(impl_->file, id, reading);
+  }
   transaction.Commit();
 }
 

@@ -7,6 +7,7 @@
 
 #include "lessons/course/trial.h"
 #include "lessons/records/learner_history.h"
+#include "lessons/records/readings.h"
 
 namespace moontrace {
 
@@ -46,6 +47,11 @@ class Records {
   /// That of the trial added last; empty: there is none.
   std::string LastCourse(const std::string& pseudonym) const;
   std::vector<RecordedEvent> Events(const std::string& pseudonym) const;
+
+  /// What a learner reads, the newest first.
+  std::vector<ReadDocument> Readings(const std::string& pseudonym) const;
+  /// Keeps a document and its place; on disk when it returns. Its id, by which it is kept anew.
+  std::int64_t Keep(const std::string& pseudonym, const ReadDocument& reading);
 
   /// All that is known of a learner as JSON text (UTF-8), which HistoryFromJson reads.
   std::string Export(const std::string& pseudonym) const;

@@ -87,6 +87,28 @@ const std::vector<std::string>& RecordsSteps() {
          UPDATE learner SET simulated = 1
            WHERE id IN (SELECT learner FROM trial WHERE trial.simulated <> 0);
          CREATE TABLE unfinished (work TEXT PRIMARY KEY);)",
+      // 3: what is read, and how far
+      R"(CREATE TABLE reading (
+           id INTEGER PRIMARY KEY,
+           learner INTEGER NOT NULL REFERENCES learner(id) ON DELETE CASCADE,
+           content TEXT NOT NULL,
+           path TEXT NOT NULL,
+           title TEXT NOT NULL,
+           time_unix_s INTEGER NOT NULL,
+           length INTEGER NOT NULL,
+           letter INTEGER NOT NULL,
+           before TEXT NOT NULL,
+           behind TEXT NOT NULL,
+           words TEXT NOT NULL);
+         CREATE INDEX reading_of_learner ON reading (learner, time_unix_s);
+         CREATE TABLE bookmark (
+           id INTEGER PRIMARY KEY,
+           reading INTEGER NOT NULL REFERENCES reading(id) ON DELETE CASCADE,
+           name TEXT NOT NULL,
+           letter INTEGER NOT NULL,
+           before TEXT NOT NULL,
+           behind TEXT NOT NULL,
+           UNIQUE (reading, name));)",
   };
   return steps;
 }
