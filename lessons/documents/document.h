@@ -72,11 +72,14 @@ constexpr std::string_view NameOf(MarkKind kind) {
   return {};
 }
 
+constexpr std::size_t kNoBlock = static_cast<std::size_t>(-1);
+
 /// Something about a range of a block's text.
 struct DocumentMark {
   MarkKind kind = MarkKind::kLink;
   std::size_t begin = 0, end = 0;  ///< bytes of the block's text
   std::string value;  ///< address, file of the picture, language tag, name of the print page
+  std::size_t target = kNoBlock;  ///< of a link and a note call: the block that it leads to
   bool operator==(const DocumentMark&) const = default;
 };
 
@@ -99,8 +102,6 @@ struct DocumentPart {
   std::string path;             ///< within the book; empty for a single file
   std::size_t first_block = 0;  ///< may be behind the last one
 };
-
-constexpr std::size_t kNoBlock = static_cast<std::size_t>(-1);
 
 /// A line of a table of contents.
 struct ContentsEntry {

@@ -57,6 +57,7 @@ class EpubReader {
       throw InputError(name_ + ": holds no text that can be read; get it again");
     }
     if (document_.language.empty()) document_.language = reader_.language();
+    reader_.LeadLinks();
     ReadContents();
     return std::move(document_);
   }

@@ -38,6 +38,7 @@ Document ReadHtml(const std::string& html, const std::string& name) {
     ReadHtmlMarkup(tamed.html, reader);
   }
   reader.EndPart();
+  reader.LeadLinks();
   document.title = OneSpaced(reader.title());
   document.language = reader.language();
   return document;

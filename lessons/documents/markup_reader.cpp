@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "lessons/documents/epub_package.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 
@@ -144,6 +145,24 @@ const DocumentPlace* MarkupReader::Find(std::string_view path, std::string_view 
   }
   const auto found = found_.find(std::string(path) + "#" + std::string(id));
   return found == found_.end() ? nullptr : &anchors_[found->second].place;
+}
+
+void MarkupReader::LeadLinks() const {
+  Document& document = writer_.document();
+  std::size_t block = 0;
+  for (std::size_t part = 0; part < document.parts.size(); ++part) {
+    const bool last = part + 1 == document.parts.size();
+    const std::size_t end = last ? document.blocks.size() : document.parts[part + 1].first_block;
+    for (; block < std::min(end, document.blocks.size()); ++block) {
+      for (DocumentMark& mark : document.blocks[block].marks) {
+        if (mark.kind != MarkKind::kLink && mark.kind != MarkKind::kNoteCall) continue;
+        std::string id;
+        const auto path = ResolvePath(document.parts[part].path, mark.value, &id);
+        const DocumentPlace* place = path ? Find(*path, id) : nullptr;
+        if (place != nullptr && place->block < document.blocks.size()) mark.target = place->block;
+      }
+    }
+  }
 }
 
 void MarkupReader::SetLanguage(Frame& frame, const MarkupAttributes& attributes) {

@@ -31,6 +31,9 @@ class MarkupReader : public MarkupSink {
   void Close() override;
   void UnknownEntity(std::string_view name) override;
 
+  /// Behind the last part: what the document's links lead to within it.
+  void LeadLinks() const;
+
   /// The title of the part's head.
   const std::string& title() const { return title_; }
   const std::string& language() const { return language_; }

@@ -32,13 +32,21 @@ struct Insertion {
   std::size_t at = 0;
   int order = 0;  // at the same place
   std::string words;
-  bool mark = false;  // of a link: no text
+  bool mark = false;   // of a link: no text
+  std::size_t of = 0;  // mark of the block
 };
 
-enum : int { kEndPicture = 0, kEndLink = 1, kAlone = 2, kBeginLink = 3, kBeginPicture = 4 };
+enum : int {
+  kEndPicture = 0,
+  kEndLink = 1,
+  kPage = 2,
+  kAlone = 3,
+  kBeginLink = 4,
+  kBeginPicture = 5
+};
 
 /// A link's words on each of its lines.
-void InsertLink(const DocumentMark& mark, const std::string& text,
+void InsertLink(const DocumentMark& mark, std::size_t of, const std::string& text,
                 std::vector<Insertion>& insertions) {
   for (std::size_t begin = mark.begin; begin < mark.end;) {
     std::size_t end = std::min(text.find('\n', begin), mark.end);
@@ -50,8 +58,8 @@ void InsertLink(const DocumentMark& mark, const std::string& text,
     const std::string_view words = std::string_view(text).substr(begin, end - begin);
     if (words.find_first_of("[]") == std::string_view::npos &&
         words.find_first_not_of(" \t") != std::string_view::npos) {
-      insertions.push_back({begin, kBeginLink, "[", true});
-      insertions.push_back({end, kEndLink, "](" + Address(mark.value) + ")", true});
+      insertions.push_back({begin, kBeginLink, "[", true, of});
+      insertions.push_back({end, kEndLink, "](" + Address(mark.value) + ")", true, of});
     }
     begin = next;
   }
@@ -59,9 +67,12 @@ void InsertLink(const DocumentMark& mark, const std::string& text,
 
 std::vector<Insertion> InsertionsOf(const Block& block) {
   std::vector<Insertion> insertions;
-  for (const DocumentMark& mark : block.marks) {
+  for (std::size_t i = 0; i < block.marks.size(); ++i) {
+    const DocumentMark& mark = block.marks[i];
     if (mark.kind == MarkKind::kLink || mark.kind == MarkKind::kNoteCall) {
-      InsertLink(mark, block.text, insertions);
+      InsertLink(mark, i, block.text, insertions);
+    } else if (mark.kind == MarkKind::kPrintPage) {
+      insertions.push_back({mark.begin, kPage, mark.value, true, i});
     } else if (mark.kind == MarkKind::kPicture && mark.begin == mark.end) {
       insertions.push_back({mark.begin, kAlone, "(picture without description)", false});
     } else if (mark.kind == MarkKind::kPicture) {
@@ -162,9 +173,20 @@ class Transcriber {
         Literal(insertion.words);
         continue;
       }
+      if (insertion.order == kPage) {
+        out_.pages.push_back({out_.text.size(), insertion.words});
+        continue;
+      }
       if (line_begins_) out_.text += prefix_;
       line_begins_ = false;
-      out_.text += insertion.words;
+      if (insertion.order == kEndLink) {
+        out_.links.back().end = out_.text.size();
+        out_.text += insertion.words;
+      } else {
+        out_.text += insertion.words;
+        const std::size_t begin = out_.text.size();
+        out_.links.push_back({begin, begin, out_.begins.size() - 1, insertion.of});
+      }
     }
     Literal(std::string_view(block.text).substr(at));
   }

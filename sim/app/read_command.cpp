@@ -91,8 +91,10 @@ Json BlockJson(const Block& block) {
   if (block.row != 0) json["row"] = block.row;
   if (block.column != 0) json["column"] = block.column;
   for (const DocumentMark& mark : block.marks) {
-    json["marks"].push_back(
-        {{"kind", NameOf(mark.kind)}, {"bytes", {mark.begin, mark.end}}, {"value", mark.value}});
+    Json one = {
+        {"kind", NameOf(mark.kind)}, {"bytes", {mark.begin, mark.end}}, {"value", mark.value}};
+    if (mark.target != kNoBlock) one["block"] = mark.target;
+    json["marks"].push_back(std::move(one));
   }
   return json;
 }

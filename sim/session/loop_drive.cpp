@@ -6,11 +6,11 @@
 
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
+#include "sim/console/line_reader.h"
 #include "sim/console/word_messages.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_poll.h"
 #include "sim/session/loop_words.h"
-#include "sim/session/place_walk.h"
 #include "sim/session/tip_words.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
@@ -44,6 +44,7 @@ class Driver : private LoopListener {
   /// False: nobody has said a word, or could.
   bool Run() {
     if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
+    if (options_.companion != nullptr) SayAll(options_.companion->Begin(walk_));
     const auto begin = std::chrono::steady_clock::now();
     while (!quit_) {
       console_.CheckStop();
@@ -72,6 +73,10 @@ class Driver : private LoopListener {
     if (line.empty()) return;
     console_.Result(line);
     if (options_.view != nullptr) options_.view->ShowLine(line);
+  }
+
+  void SayAll(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) Say(line);
   }
 
   /// What nobody asked for is left out by --quiet, but not what takes the force away.
@@ -103,6 +108,10 @@ class Driver : private LoopListener {
 
   void Look() {
     poll_.Look(*this);
+    if (options_.companion != nullptr) {
+      SayAll(options_.companion->Look(poll_.newest()));
+      quit_ = quit_ || options_.companion->ended();
+    }
     if (const auto arrival = walk_.Arrived(poll_.newest())) {
       Say(arrival->sentence);
       LeadTo(*arrival);
@@ -115,6 +124,7 @@ class Driver : private LoopListener {
     if (event.kind == LoopEventKind::kSay) Say(WhereNow());
     if (event.kind == LoopEventKind::kBookmark) {
       if (const auto place = LetterPlaceOf(session_.felt(), event.tip_P)) mark_ = place;
+      if (options_.companion != nullptr && mark_) return Say(options_.companion->Marked(*mark_));
     }
     Report(event, sentence);
   }
@@ -196,9 +206,13 @@ class Driver : private LoopListener {
     }
   }
 
+  WordPlace words() const {
+    return options_.companion == nullptr ? WordPlace::kLoop : options_.companion->words();
+  }
+
   void Help(const std::string& word) {
-    if (!word.empty()) return Say(say::HelpWith(word, WordPlace::kLoop));
-    Say(say::NumberedWords(WordPlace::kLoop));
+    if (!word.empty()) return Say(say::HelpWith(word, words()));
+    Say(say::NumberedWords(words()));
     Say(say::PageWordsHelp());
     if (options_.view == nullptr) return;
     Say(say::ViewWordsHelp());
@@ -209,8 +223,11 @@ class Driver : private LoopListener {
     if (options_.view != nullptr) {
       if (const std::optional<std::string> done = options_.view->Obey(line)) return Say(*done);
     }
-    const LoopLine said = ReadLoopLine(line);
+    const LoopLine said = ReadLoopLine(line, words());
     if (!OnlyTells(said.word)) LetGo();  // the hand is to do something else now
+    if (options_.companion != nullptr) {
+      if (const auto lines = options_.companion->Obey(line, poll_.newest())) return SayAll(*lines);
+    }
     switch (said.word) {
       case LoopWord::kStop:
       case LoopWord::kPause:

@@ -2,13 +2,37 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "sim/console/console.h"
-#include "sim/console/line_reader.h"
+#include "sim/console/vocabulary.h"
 #include "sim/session/loop_session.h"
+#include "sim/session/place_walk.h"
 #include "sim/session/view_feed.h"
 
 namespace moontrace {
+
+/// Goes with a session and has words of its own. Called off the tick, on the thread of Drive.
+class Companion {
+ public:
+  virtual ~Companion() = default;
+  /// Where its words hold.
+  virtual WordPlace words() const = 0;
+  /// Once, before all else. What is to be said.
+  virtual std::vector<std::string> Begin(PlaceWalk& walk) = 0;
+  /// A line before the loop reads it, at the newest tick: what is said of it, possibly nothing;
+  /// none: it is no word of its own.
+  virtual std::optional<std::vector<std::string>> Obey(std::string_view line,
+                                                       const LoopSnapshot& now) = 0;
+  /// Two presses at a place: what is said.
+  virtual std::string Marked(const LetterPlace& place) = 0;
+  /// At each look: what is to be said.
+  virtual std::vector<std::string> Look(const LoopSnapshot& now) = 0;
+  /// Nothing more is to come.
+  virtual bool ended() const = 0;
+};
 
 /// How a running session is led.
 struct DriveOptions {
@@ -16,6 +40,7 @@ struct DriveOptions {
   bool sizes = true;              ///< words that change the page do something
   std::function<void(const LoopSample&)> sample;  ///< is given every tick, off the tick
   ViewFeed* view = nullptr;                       ///< shows it; closing its window ends it
+  Companion* companion = nullptr;
 };
 
 /// Leads a running session from the text face until it ends: reads words, tells events, hands the

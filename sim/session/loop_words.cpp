@@ -33,8 +33,8 @@ LoopLine Refused(std::string refusal) {
 
 }  // namespace
 
-LoopLine ReadLoopLine(std::string_view line) {
-  SaidLine said = ReadLine(line, WordPlace::kLoop);
+LoopLine ReadLoopLine(std::string_view line, WordPlace place) {
+  SaidLine said = ReadLine(line, place);
   if (!said.refusal.empty()) return Refused(std::move(said.refusal));
   if (said.word == nullptr) return {};
   const std::string_view name = said.word->word;
@@ -45,13 +45,14 @@ LoopLine ReadLoopLine(std::string_view line) {
     change.page = std::get<PageCommand>(std::move(read));
     return change;
   }
-  if (std::optional<PlaceCommand> place = PlaceCommandOf(name, said.behind)) {
+  if (std::optional<PlaceCommand> leads = PlaceCommandOf(name, said.behind)) {
     LoopLine way{LoopWord::kPlace};
-    way.place = std::move(*place);
+    way.place = std::move(*leads);
     return way;
   }
   const auto found = std::find_if(kWords.begin(), kWords.end(),
                                   [name](const Entry& entry) { return entry.name == name; });
+  if (found == kWords.end()) return {};
   LoopLine word{found->word};
   word.text = std::move(said.behind);
   return word;

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/console/vocabulary.h"
 #include "sim/session/place_walk.h"
 #include "sim/tutor/page_words.h"
 
@@ -38,7 +39,8 @@ struct LoopLine {
 };
 
 /// A word of a loop as ReadLine has it (sim/console/vocabulary.h); behind those that change the
-/// page what they want (ReadPageCommand).
-LoopLine ReadLoopLine(std::string_view line);
+/// page what they want (ReadPageCommand). `place`: of a loop, or of a book, whose own words are
+/// read elsewhere and give kNothing.
+LoopLine ReadLoopLine(std::string_view line, WordPlace place = WordPlace::kLoop);
 
 }  // namespace moontrace
