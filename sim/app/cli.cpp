@@ -14,11 +14,11 @@
 #include "sim/app/course_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/program_help.h"
-#include "sim/app/read_messages.h"
 #include "sim/app/recognise_messages.h"
 #include "sim/app/script_messages.h"
 #include "sim/app/study_messages.h"
 #include "sim/audio/sound_messages.h"
+#include "sim/book/document_messages.h"
 #include "sim/html_report/records_messages.h"
 #include "sim/html_report/report_messages.h"
 #include "sim/learn/learn_messages.h"
@@ -155,8 +155,8 @@ constexpr Command kCommands[] = {
     Of<PageOptions>({"page", help::kPage, Audience::kWriter,
                      "TEXT --file --size-mm --script --embossed --page --picture --letters",
                      "pages print write text braille translate emboss draw"}),
-    Of<ReadOptions>({"read", help::kRead, Audience::kWriter,
-                     "FILE --text --print --size-mm --script --page --json",
+    Of<ReadOptions>({"read", help::kRead, Audience::kLearner,
+                     "FILE --learner --device --size-mm --turn --simulate --text --print --json",
                      "book books epub html document open library"}),
     Of<ScriptOptions>({"script", help::kScriptCommand, Audience::kWriter, "",
                        "scripts font fonts alphabet list check convert"}),

@@ -57,12 +57,18 @@ struct GuideOptions {
 /// `read`: what a document holds; its text, or its pages for swell paper.
 struct ReadOptions {
   OutputOptions output;
-  std::string file;  ///< "-": standard input
+  std::string file;  ///< "-": standard input; empty: what was read is told
   StyleOptions style;
   LayoutOptions layout;
   bool text = false;
   std::string print;                 ///< empty: none
   std::optional<double> most_bytes;  ///< of the document, see DocumentLimits
+  std::string learner, records;      ///< empty: the only one; the user's
+  LiveOptions live;                  ///< device empty: the first one with motors
+  std::optional<double> press;       ///< [N]
+  std::uint64_t seed = 1;
+  bool simulate = false;  ///< the simulated stylus reads on by itself
+  bool turns = false;     ///< pages are turned behind their last letter
 };
 void AddOptions(CLI::App& app, ReadOptions& options);
 int Run(const ReadOptions& options, Console& console);

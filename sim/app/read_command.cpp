@@ -9,10 +9,13 @@
 #include "lessons/documents/open_document.h"
 #include "lessons/documents/transcribe.h"
 #include "sim/app/commands.h"
-#include "sim/app/read_messages.h"
+#include "sim/book/document_messages.h"
+#include "sim/book/read_book.h"
 #include "sim/picture/page_picture.h"
 #include "sim/picture/picture_file.h"
 #include "sim/picture/picture_messages.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/view_feed.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/structure_messages.h"
@@ -39,7 +42,6 @@ std::string ReadInput(std::size_t most_bytes, Console& console) {
 }
 
 Document Open(const ReadOptions& options, Console& console) {
-  if (options.file.empty()) throw UsageError(say::NoDocument());
   OpenOptions open;
   open.marks = options.style.structure;
   if (options.most_bytes) open.limits.most_bytes = static_cast<std::size_t>(*options.most_bytes);
@@ -151,37 +153,9 @@ int WriteText(const ReadOptions& options, const Document& document, const std::s
   return exit_code::kGood;
 }
 
-void CheckTogether(const ReadOptions& options) {
-  if (options.text && (options.output.json || !options.print.empty())) {
-    throw UsageError(say::TextAlone());
-  }
-  if (options.print.empty()) return;
-  if (!HasPictureEnding(options.print)) {
-    throw UsageError(say::NotAPicture("--print", options.print));
-  }
-  CheckPicturePath(options.print);
-}
-
-}  // namespace
-
-void AddOptions(CLI::App& app, ReadOptions& options) {
-  AddPath(app, "FILE", "FILE", options.file, say::help::kReadFile);
-  constexpr double kMegabyte = 1 << 20;
-  BeginGroup(app, help_group::kText);
-  AddNumber(app, "--most-mb", options.most_bytes, 1, 1024, kMegabyte, say::help::kReadMost);
-  BeginGroup(app, help_group::kResults);
-  AddFlag(app, "--text", options.text, say::help::kReadText);
-  AddPath(app, "--print", "FILE", options.print, say::help::kReadPrint);
-  AddOptions(app, options.style);
-  AddOptions(app, options.layout);
-  AddOptions(app, options.output);
-}
-
-int Run(const ReadOptions& options, Console& console) {
-  CheckTogether(options);
-  const Document document = Open(options, console);
-  const std::string text = Transcribe(document).text;
-  if (options.text) return WriteText(options, document, text, console);
+/// What is said of a document without feeling it.
+int Describe(const ReadOptions& options, const Document& document, const std::string& text,
+             Console& console) {
   const Reading reading = SetDocument(options, text, console);
   std::vector<std::string> printed;
   if (!options.print.empty()) {
@@ -209,6 +183,90 @@ int Run(const ReadOptions& options, Console& console) {
   }
   for (const std::string& file : printed) console.Path(file);
   return exit_code::kGood;
+}
+
+/// What it is felt with; none: nothing is, since nothing was asked for and nothing is plugged in.
+std::optional<std::string> DeviceFor(const ReadOptions& options) {
+  if (options.text || options.output.json || !options.print.empty()) return std::nullopt;
+  if (options.simulate) return "simulated";
+  if (!options.live.device.empty()) return options.live.device;
+  if (options.file == "-") return std::nullopt;  // no words could be typed
+  const std::optional<DeviceEntry> first = FirstForceDevice();
+  if (!first || !first->problem.empty()) return std::nullopt;
+  return first->name;
+}
+
+int Feel(const ReadOptions& options, const std::string& device, const Document& document,
+         Console& console) {
+  ReadBookOptions book;
+  book.style = options.style;
+  book.layout = options.layout;
+  book.live = options.live;
+  book.live.device = device;
+  book.press = options.press;
+  book.seed = options.seed;
+  book.learner = options.learner;
+  book.records = RecordsPathOf(options.records);
+  book.turns = options.turns;
+  book.alone = options.simulate;
+  ReadBook(document, options.file, book, console);
+  return exit_code::kGood;
+}
+
+void CheckTogether(const ReadOptions& options) {
+  AimsFor(options.live.device, ViewOptions());  // refuses a mouse
+  if (options.simulate && !IsSimulated(options.live.device)) {
+    throw UsageError(say::SimulateAlone());
+  }
+  if (options.text && (options.output.json || !options.print.empty())) {
+    throw UsageError(say::TextAlone());
+  }
+  if (options.print.empty()) return;
+  if (!HasPictureEnding(options.print)) {
+    throw UsageError(say::NotAPicture("--print", options.print));
+  }
+  CheckPicturePath(options.print);
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& app, ReadOptions& options) {
+  AddPath(app, "FILE", "FILE", options.file, say::help::kReadFile);
+  AddPath(app, "--learner", "NAME", options.learner, say::help::kReader);
+  AddPath(app, "--records", "FILE", options.records, say::help::kReadRecords);
+  AddFlag(app, "--turn", options.turns, say::help::kReadTurn);
+  AddFlag(app, "--simulate", options.simulate, say::help::kReadSimulate);
+  AddOptions(app, options.live);
+  Redescribe(app, "--device", say::help::kReadDevice);
+  AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);
+  AddSeed(app, options.seed);
+  constexpr double kMegabyte = 1 << 20;
+  BeginGroup(app, help_group::kText);
+  AddNumber(app, "--most-mb", options.most_bytes, 1, 1024, kMegabyte, say::help::kReadMost);
+  BeginGroup(app, help_group::kResults);
+  AddFlag(app, "--text", options.text, say::help::kReadText);
+  AddPath(app, "--print", "FILE", options.print, say::help::kReadPrint);
+  AddOptions(app, options.style);
+  AddOptions(app, options.layout);
+  AddOptions(app, options.output);
+}
+
+int Run(const ReadOptions& options, Console& console) {
+  CheckTogether(options);
+  if (options.file.empty()) {
+    if (options.text || !options.print.empty()) throw UsageError(say::NoDocument());
+    ListReadings(options.learner, RecordsPathOf(options.records), options.output.json, console);
+    return exit_code::kGood;
+  }
+  const Document document = Open(options, console);
+  if (const std::optional<std::string> device = DeviceFor(options)) {
+    return Feel(options, *device, document, console);
+  }
+  const std::string text = Transcribe(document).text;
+  if (options.text) return WriteText(options, document, text, console);
+  const int code = Describe(options, document, text, console);
+  if (!options.output.json && options.print.empty()) console.Remark(say::HowToFeelBook());
+  return code;
 }
 
 }  // namespace moontrace

@@ -48,14 +48,10 @@ std::string DeviceForLearning(const std::string& named, Console& console) {
     if (!IsSimulated(named) && !IsMouse(named)) RequireThere(named, ProfilesFolder());
     return named;
   }
-  std::string problem;
-  for (const DeviceEntry& entry : ListDevices(ProfilesFolder())) {
-    if (!glm::any(entry.profile.limits.pushes)) continue;
-    if (entry.problem.empty()) return entry.name;
-    if (problem.empty()) problem = say::DeviceProblem(entry.name, entry.problem);
-  }
+  const std::optional<DeviceEntry> first = FirstForceDevice();
+  if (first && first->problem.empty()) return first->name;
   console.Result(say::NoForceDevice());
-  if (!problem.empty()) console.Result(problem);
+  if (first) console.Result(say::DeviceProblem(first->name, first->problem));
   for (const std::string& line : say::LearningWithoutDevice()) console.Result(line);
   return {};
 }

@@ -1,5 +1,7 @@
 #include "sim/session/device_choice.h"
 
+#include <glm/glm.hpp>
+
 #include "devices/catalogue/catalogue.h"
 #include "sim/loop/pacing.h"
 #include "sim/session/device_opening.h"
@@ -20,6 +22,16 @@ std::unique_ptr<Device> OpenNamed(const std::string& name, double tick, double p
   std::unique_ptr<Device> device = OpenHomed(request, ProfilesFolder(), tell, stop, patience);
   if (!remark.empty()) tell(remark);
   return device;
+}
+
+std::optional<DeviceEntry> FirstForceDevice() {
+  std::optional<DeviceEntry> first;
+  for (DeviceEntry& entry : ListDevices(ProfilesFolder())) {
+    if (!glm::any(entry.profile.limits.pushes)) continue;
+    if (entry.problem.empty()) return std::move(entry);
+    if (!first) first = std::move(entry);
+  }
+  return first;
 }
 
 void AddOptions(CLI::App& app, LiveOptions& options) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "devices/catalogue/catalogue.h"
 #include "devices/core/device.h"
 #include "sim/setup/options.h"
 
@@ -36,5 +37,9 @@ struct LiveOptions {
   bool hold_to_feel = false;
 };
 void AddOptions(CLI::App& app, LiveOptions& options);
+
+/// The first device with motors that can be opened; without such a one the first that has motors;
+/// none: there is none.
+std::optional<DeviceEntry> FirstForceDevice();
 
 }  // namespace moontrace

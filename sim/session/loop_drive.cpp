@@ -292,7 +292,7 @@ void SayBeginning(const LoopSession& session, Console& console) {
   const std::string& text = session.text().text;
   const TextOptions& given = request.text;
   const bool chosen = given.text || !given.file.empty() || text != request.default_text;
-  console.Happening(say::OnThePage(text, chosen));
+  if (!request.book) console.Happening(say::OnThePage(text, chosen));
   console.Happening(say::LoopBegins(device.simulated() ? "simulated stylus" : device.name()));
   const Typeset& set = session.text().set;
   if (!device.simulated() && !device.mouse()) {

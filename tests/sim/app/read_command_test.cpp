@@ -1,10 +1,21 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <random>
+#include <set>
+#include <thread>
 
 #include "lessons/documents/html_tree.h"
 #include "lessons/documents/zip_archive.h"
+#include "lessons/records/records.h"
 #include "sim/app/commands.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/source_path.h"
@@ -81,8 +92,10 @@ TEST_F(ReadCommand, ReadsStandardInput) {
 }
 
 TEST_F(ReadCommand, RefusesInOneLine) {
-  EXPECT_EQ(RunLine({"read"}).code, 2);
-  EXPECT_EQ(RunLine({"read"}).err, "read needs a file: moontrace read FILE\n");
+  EXPECT_EQ(RunLine({"read", "--text"}).code, 2);
+  EXPECT_EQ(RunLine({"read", "--text"}).err, "read needs a file: moontrace read FILE\n");
+  EXPECT_EQ(RunLine({"read", "x", "--simulate", "--device", "phantom"}).code, 2);
+  EXPECT_EQ(RunLine({"read", "x", "--device", "mouse"}).code, 2);
   EXPECT_EQ(RunLine({"read", "x", "--text", "--json"}).code, 2);
   EXPECT_EQ(RunLine({"read", "x", "--text", "--print", "y.pdf"}).code, 2);
   EXPECT_EQ(RunLine({"read", Fixture("latin.txt"), "--print", "y.doc"}).code, 2);
@@ -96,6 +109,93 @@ TEST_F(ReadCommand, RefusesInOneLine) {
 TEST_F(ReadCommand, TerminalsAreNotObeyed) {
   const Outcome outcome = RunLine({"read", "-", "--text"}, "a\x1b[2Jb\n");
   EXPECT_EQ(outcome.out, "a?[2Jb\n");
+}
+
+std::vector<std::string> Reading(const std::string& file, const std::string& records) {
+  return {"read",      file,  "--device",  "simulated", "--size-mm", "8",
+          "--learner", "owl", "--records", records,     "--page",    "120x90"};
+}
+
+TEST_F(ReadCommand, IsReadByWordsAndGoesOnWhereItWasLeft) {
+  if (!Records::Available() || !CanReadZip()) GTEST_SKIP() << "a library is missing";
+  const auto line = Reading(Fixture("lighthouse-3.epub"), In("r.sqlite"));
+  const Outcome first =
+      RunLine(line, "contents\nnext paragraph\ngo to 3\nbookmark tea\nwhere\nquit\n");
+  EXPECT_EQ(first.code, 0) << first.err;
+  ExpectTextFace(first.out);
+  for (const char* said : {"owl reads for the first time; places are kept.\n",
+                           "\"The Lighthouse\" by ", "\n1: First light, page 2.\n", "\nParagraph ",
+                           "\nBookmark set: tea, page 3 of ", "\nKept: page 3 of "}) {
+    EXPECT_NE(first.out.find(said), std::string::npos) << said << first.out;
+  }
+  const Outcome second = RunLine(line, "bookmarks\nquit\n");
+  EXPECT_EQ(second.code, 0) << second.err;
+  EXPECT_NE(second.out.find("\nYou go on: page 3 of "), std::string::npos) << second.out;
+  EXPECT_NE(second.out.find("\ntea: page 3 of "), std::string::npos) << second.out;
+  const Outcome list = RunLine({"read", "--records", In("r.sqlite")});
+  EXPECT_EQ(list.code, 0);
+  EXPECT_EQ(list.out.rfind("Read last: 1 text.\nThe Lighthouse: page 3 of ", 0), 0U) << list.out;
+  EXPECT_EQ(RunLine({"read", "--records", In("none.sqlite")}).out,
+            "Nothing was read yet: say moontrace read FILE.\n");
+}
+
+TEST_F(ReadCommand, ReadsOnWithoutPlacesWhereNobodyIsNamed) {
+  const Outcome outcome =
+      RunLine({"read", Fixture("latin.txt"), "--device", "simulated", "--records", In("r.sqlite")},
+              "where\nquit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("Your place is not kept: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out.find("Kept: "), std::string::npos) << outcome.out;
+}
+
+class SlowReadCommand : public ReadCommand {};
+
+/// A program that reads is killed at any moment; MOONTRACE_KILLS says how often, else 20 times.
+TEST_F(SlowReadCommand, OpensAtTheSameLetterAfterKills) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  const char* asked = std::getenv("MOONTRACE_KILLS");
+  const int kills = asked != nullptr ? std::atoi(asked) : 20;
+  std::string book = "# One\n\n";
+  for (int i = 0; i < 400; ++i) book += "Sentence " + std::to_string(i) + " of a long book. ";
+  WriteAll(In("book.txt"), book);
+  const auto line = Reading(In("book.txt"), In("r.sqlite"));
+  ASSERT_EQ(RunLine(line, "quit\n").code, 0);
+  std::mt19937 random(1);
+  std::set<std::int64_t> letters;
+  for (int kill_number = 0; kill_number < kills; ++kill_number) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      dup2(ends[0], STDIN_FILENO);
+      close(ends[1]);
+      std::ostringstream out, err;
+      Console console(std::cin, out, err);
+      _exit(RunCli(line, console));
+    }
+    close(ends[0]);
+    const auto wait = [&random] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 200));
+    };
+    for (const char* word : {"next\n", "next paragraph\n", "find book\n", "next\n"}) {
+      wait();
+      ASSERT_GT(write(ends[1], word, strlen(word)), 0);
+    }
+    wait();
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(ends[1]);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "it ended by itself, " << status;
+    const ReadDocument kept = Records::OpenToRead(In("r.sqlite")).Readings("owl").at(0);
+    letters.insert(kept.place.letter);
+    const Outcome again = RunLine(line, "quit\n");
+    EXPECT_NE(again.out.find("You go on: " + kept.where + ", in "), std::string::npos)
+        << kept.where << again.out << again.err;
+    EXPECT_EQ(Records::OpenToRead(In("r.sqlite")).Readings("owl").at(0).place, kept.place);
+  }
+  EXPECT_GT(letters.size(), 2U) << "it never came on";
 }
 
 }  // namespace

@@ -10,6 +10,9 @@ namespace moontrace::say {
 
 std::string NoDocument();
 std::string TextAlone();
+std::string SimulateAlone();
+/// Where nothing is plugged in.
+std::string HowToFeelBook();
 /// Its title, otherwise its file's name.
 std::string DocumentName(const Document& document, const std::string& file);
 /// "\"Title\" by A. Author, en, EPUB: 3 parts, 12 headings, 40 pages." Without `pages` none are
@@ -25,8 +28,20 @@ std::string PrintedDocument(std::size_t pages, double size);  ///< [m]
 
 namespace help {
 inline constexpr const char* kRead =
-    "reads a book, a web page or a text: plain text, HTML, EPUB; says what it holds, prints it";
-inline constexpr const char* kReadFile = "the document; - is standard input.";
+    "reads a book, a web page or a text: by touch, from where you left off; says what it holds, "
+    "prints it";
+inline constexpr const char* kReadFile =
+    "the document; - is standard input. Without one: what was read last.";
+inline constexpr const char* kReader =
+    "whose place is kept, a name of your choice. Default the only one in the records.";
+inline constexpr const char* kReadRecords =
+    "file of the records. Default the one in your data folder.";
+inline constexpr const char* kReadTurn = "turn each page as the tip leaves its last letter.";
+inline constexpr const char* kReadSimulate =
+    "the simulated stylus reads, in real time, to the end of the text.";
+inline constexpr const char* kReadDevice =
+    "what moves the tip: a name from moontrace devices, plugin:PATH, simulated. Default the first "
+    "device with motors; without one only what the document holds is said.";
 inline constexpr const char* kReadText =
     "write the document as text, with the marks that page --structure reads.";
 inline constexpr const char* kReadPrint =

@@ -1,4 +1,4 @@
-#include "sim/app/read_messages.h"
+#include "sim/book/document_messages.h"
 
 #include <fmt/core.h>
 
@@ -31,6 +31,13 @@ std::string NoDocument() { return "read needs a file: moontrace read FILE"; }
 
 std::string TextAlone() {
   return "--text writes the text alone; give it without --json and --print";
+}
+
+std::string SimulateAlone() { return "--simulate needs no device: leave out --device"; }
+
+std::string HowToFeelBook() {
+  return "No device with motors: read by touch with --device NAME, or try the words with "
+         "--device simulated.";
 }
 
 std::string DocumentName(const Document& document, const std::string& file) {

@@ -1,0 +1,127 @@
+#include "sim/book/book_messages.h"
+
+#include <fmt/core.h>
+
+#include <ctime>
+
+#include "sim/console/wording.h"
+#include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
+
+namespace moontrace::say {
+
+std::string BookPlace(std::size_t page, std::size_t pages, std::size_t line,
+                      std::string_view letter) {
+  std::string place = fmt::format("page {} of {}, line {}", page + 1, pages, line + 1);
+  if (!letter.empty()) place += fmt::format(", at {}", OneLine(letter));
+  return place;
+}
+
+std::string BackInBook(std::string_view title, std::string_view place) {
+  return fmt::format("You go on: {}, in {}.", place, Quoted(OneLine(title, 100)));
+}
+std::string BookMoved() { return "The file lay elsewhere before; it holds the same text."; }
+std::string BookEdited() {
+  return "The text was changed since; your place is where the same words stand now.";
+}
+std::string LastRead(std::string_view sentence) {
+  return fmt::format("Last read: {}", OneLine(sentence, 300));
+}
+
+std::string BelowHeadings(const std::vector<std::string>& headings) {
+  std::vector<std::string> shown;
+  for (const std::string& heading : headings) shown.push_back(OneLine(heading, 60));
+  return fmt::format("Heading {}.", Joined(shown, ", below it "));
+}
+std::string PrintedPage(std::string_view name) {
+  return fmt::format("Page {} of the printed book.", OneLine(name, 20));
+}
+std::string GoesOnHere() { return "The line where you go on"; }
+
+std::string WordHere(std::string_view word, bool spelt) {
+  if (!spelt) return fmt::format("{}.", OneLine(word, 60));
+  std::vector<std::string> letters;
+  for (std::size_t i = 0; i < word.size() && letters.size() < 60;) {
+    char32_t c = 0;
+    const std::size_t length = std::max<std::size_t>(1, Decode(word.substr(i), c));
+    letters.push_back(OneLine(word.substr(i, length)));
+    i += length;
+  }
+  return fmt::format("{}.", Joined(letters, ", "));
+}
+std::string NoWordHere() { return "No word here."; }
+
+std::string NumberedContents(std::size_t number, const ContentsEntry& entry, std::size_t page) {
+  const std::string where =
+      entry.block == kNoBlock ? std::string("leads nowhere") : fmt::format("page {}", page + 1);
+  return fmt::format("{}: {}{}, {}.", number, OneLine(entry.title, 60),
+                     entry.level > 1 ? fmt::format(", level {}", entry.level) : "", where);
+}
+std::string NoContents() { return "No contents: this text has no headings."; }
+std::string ContentsRest(std::size_t count, std::size_t last) {
+  return fmt::format("And {} more: contents with a number up to {} leads there.", count, last);
+}
+std::string NoSuchContents(std::string_view number, std::size_t count) {
+  return fmt::format("No line {} of the contents: they have {}.", OneLine(number, 12), count);
+}
+std::string LeadsNowhere(std::string_view title) {
+  return fmt::format("That line leads nowhere: {}.", OneLine(title, 60));
+}
+std::string NoSuchPrintPage(std::string_view name) {
+  return fmt::format("No printed page {} is marked here.", OneLine(name, 20));
+}
+
+std::string NoLinkHere() { return "No link here: next link leads to one."; }
+std::string LeadsOut(std::string_view address) {
+  return fmt::format("This leads out of the book, nothing is fetched: {}", OneLine(address, 200));
+}
+std::string Followed(std::string_view words) { return OneLine(words, 24); }
+
+std::string NameOfMark(std::size_t number) { return fmt::format("mark {}", number); }
+std::string MarkSet(std::string_view name, std::string_view place) {
+  return fmt::format("Bookmark set: {}, {}.", OneLine(name, 24), place);
+}
+std::string MarkLine(std::string_view name, std::string_view place) {
+  return fmt::format("{}: {}.", OneLine(name, 24), place);
+}
+std::string MarkIs(std::string_view name) { return fmt::format("Bookmark {}", OneLine(name, 24)); }
+std::string NoMarks() { return "No bookmark yet: press twice, or say bookmark."; }
+std::string NoMarkNamed(std::string_view name) {
+  return fmt::format("No bookmark {}: bookmarks lists them.", OneLine(name, 16));
+}
+
+std::string TheEnd() { return "This is the end of the text."; }
+std::string PlaceKept(std::string_view place) { return fmt::format("Kept: {}.", place); }
+std::string PlaceNotKept(std::string_view why) {
+  return fmt::format("Your place is not kept: {}.", OneLine(why, 300));
+}
+std::string ReadsWithoutName() {
+  return "Your place is not kept: say who reads, with --learner NAME.";
+}
+std::string ReadsWithoutRecords() {
+  return "Your place is not kept: Moontrace was built without SQLite.";
+}
+std::string NewReader(std::string_view name) {
+  return fmt::format("{} reads for the first time; places are kept.", OneLine(name, 60));
+}
+std::string SimulatedReader(std::string_view name) {
+  return fmt::format("{} is a simulated learner: choose another name", OneLine(name, 60));
+}
+
+std::string NothingRead() { return "Nothing was read yet: say moontrace read FILE."; }
+std::string ReadOutcome(std::size_t count) {
+  return "Read last: " + Counted(count, "text.", "texts, the newest first.");
+}
+std::string ReadLineOf(const ReadDocument& reading, std::string_view learner) {
+  const auto time = static_cast<std::time_t>(reading.time);
+  std::tm day{};
+  char date[16] = "";
+  if (localtime_r(&time, &day) != nullptr) {
+    std::strftime(date, sizeof date, "%Y-%m-%d", &day);
+  }
+  const std::string who = learner.empty() ? "" : fmt::format(", {}", OneLine(learner, 60));
+  return fmt::format("{}: {}, {}{}.", OneLine(reading.title, 100), OneLine(reading.where, 200),
+                     date, who);
+}
+
+}  // namespace moontrace::say

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/documents/document.h"
+#include "lessons/records/readings.h"
+
+/// Sentences about a book that is read.
+namespace moontrace::say {
+
+/// "page 3 of 12, line 2, at m". Page and line from 0.
+std::string BookPlace(std::size_t page, std::size_t pages, std::size_t line,
+                      std::string_view letter);
+/// Where reading goes on.
+std::string BackInBook(std::string_view title, std::string_view place);
+std::string BookMoved();
+std::string BookEdited();
+std::string LastRead(std::string_view sentence);
+/// `headings`: the outermost first.
+std::string BelowHeadings(const std::vector<std::string>& headings);
+std::string PrintedPage(std::string_view name);
+std::string GoesOnHere();
+
+/// A word under the tip; `spelt`: letter by letter.
+std::string WordHere(std::string_view word, bool spelt);
+std::string NoWordHere();
+
+/// A line of the contents with its number; `page` from 0; kNoBlock leads nowhere.
+std::string NumberedContents(std::size_t number, const ContentsEntry& entry, std::size_t page);
+std::string NoContents();
+std::string ContentsRest(std::size_t count, std::size_t last);
+std::string NoSuchContents(std::string_view number, std::size_t count);
+std::string LeadsNowhere(std::string_view title);
+std::string NoSuchPrintPage(std::string_view name);
+
+std::string NoLinkHere();
+/// Foreign text.
+std::string LeadsOut(std::string_view address);
+std::string Followed(std::string_view words);
+
+/// Of one that nobody named, counted from 1.
+std::string NameOfMark(std::size_t number);
+std::string MarkSet(std::string_view name, std::string_view place);
+std::string MarkLine(std::string_view name, std::string_view place);
+std::string MarkIs(std::string_view name);
+std::string NoMarks();
+std::string NoMarkNamed(std::string_view name);
+
+std::string TheEnd();
+std::string PlaceKept(std::string_view place);
+std::string PlaceNotKept(std::string_view why);
+std::string ReadsWithoutName();
+std::string ReadsWithoutRecords();
+std::string NewReader(std::string_view name);
+std::string SimulatedReader(std::string_view name);
+
+/// `read` alone: what was read, with its place.
+std::string NothingRead();
+std::string ReadOutcome(std::size_t count);
+std::string ReadLineOf(const ReadDocument& reading, std::string_view learner);
+
+}  // namespace moontrace::say

@@ -1,0 +1,271 @@
+#include "sim/book/book_walk.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "sim/book/book_messages.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/place_messages.h"
+#include "sim/session/tip_words.h"
+#include "textures/base/utf8.h"
+
+namespace moontrace {
+
+namespace {
+
+constexpr std::chrono::seconds kKeptEvery{2};  ///< while the hand moves on
+constexpr std::size_t kMostStrays = 1000;      ///< looks, 20 s: who reads elsewhere, is there
+constexpr std::size_t kMostContents = 100;     ///< lines said
+constexpr glm::dvec2 kInLetter{0.25, 0.5};     ///< [em]
+
+/// The first letter of the line of the text that a letter stands on.
+std::size_t LineStart(const TextSetup& text, std::size_t letter) {
+  const std::optional<FoundPlace> found = Find(text, {letter, kInLetter});
+  if (!found) return letter;
+  for (const PlacedGlyph& glyph : text.set.pages[found->page].glyphs) {
+    if (glyph.line == found->line) return glyph.source_begin;
+  }
+  return letter;
+}
+
+}  // namespace
+
+BookWalk::BookWalk(LoopSession& session, const Book& book, BookMemory& memory,
+                   const BookOptions& options)
+    : session_(session), book_(book), memory_(memory), options_(options) {
+  const auto letter = static_cast<std::size_t>(memory.reading().place.letter);
+  letter_ = std::min(letter, book.text.text.size());
+  coming_ = memory.known_by() != KnownBy::kNothing;
+}
+
+std::string BookWalk::PlaceInWords(std::size_t letter) const {
+  const std::optional<FoundPlace> found = Find(session_.text(), {letter, kInLetter});
+  if (!found) return {};
+  return say::BookPlace(found->page, session_.text().set.pages.size(), found->line, found->letter);
+}
+
+std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
+  walk_ = &walk;
+  kept_page_ = session_.felt().index;
+  if (!coming_) return {};
+  Lines lines{say::BackInBook(book_.title, PlaceInWords(letter_))};
+  if (memory_.known_by() == KnownBy::kMoved) lines.push_back(say::BookMoved());
+  if (memory_.known_by() == KnownBy::kPath) lines.push_back(say::BookEdited());
+  std::vector<std::string> headings;
+  for (const std::size_t block : HeadingTrail(book_.document, BlockAt(book_.text, letter_))) {
+    headings.push_back(book_.document.blocks[block].text);
+  }
+  if (!headings.empty()) lines.push_back(say::BelowHeadings(headings));
+  const std::size_t here = BlockAt(book_.text, letter_);
+  if (book_.document.blocks[here].kind != BlockKind::kHeading) {
+    lines.push_back(say::LastRead(SentenceAt(book_.text.text, letter_)));
+  }
+  lines.push_back(walk.Begin(LineStart(session_.text(), letter_), say::GoesOnHere()));
+  kept_page_ = session_.felt().index;
+  return lines;
+}
+
+std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
+                                                       const LoopSnapshot& now) {
+  const SaidLine said = ReadLine(line, WordPlace::kBook);
+  if (said.word == nullptr) return std::nullopt;
+  const std::string_view name = said.word->word;
+  if (name == "where") return Where(now);
+  if (name == "contents") return Contents(said.behind, now);
+  if (name == "go to") return GoTo(said.behind, now);
+  if (name == "follow") return Follow(now);
+  if (name == "mark") return Lines{ToMark("", now)};
+  if (name == "bookmarks") return Bookmarks();
+  const std::optional<NearLetter> near = LetterNear(session_.felt(), now.tip_P);
+  if (name == "bookmark") {
+    const std::optional<LetterPlace> place = LetterPlaceOf(session_.felt(), now.tip_P);
+    if (!place) return Lines{say::NoPlaceHere()};
+    return Lines{SetMark(place->source, said.behind)};
+  }
+  if (name == "word" || name == "spell") {
+    if (!near || !near->near) return Lines{say::NoWordHere()};
+    return Lines{say::WordHere(near->word, name == "spell")};
+  }
+  if (name == "next" || name == "back" || PlaceCommandOf(name, "")) coming_ = false;
+  return std::nullopt;
+}
+
+std::vector<std::string> BookWalk::Where(const LoopSnapshot& now) const {
+  Lines lines{moontrace::Where(session_.felt(), session_.device().pushes(), now)};
+  const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
+  const std::size_t letter = here ? here->source : letter_;
+  if (const TranscribedPage* page = PrintPageAt(book_.text, letter)) {
+    lines.push_back(say::PrintedPage(page->name));
+  }
+  std::vector<std::string> headings;
+  for (const std::size_t block : HeadingTrail(book_.document, BlockAt(book_.text, letter))) {
+    headings.push_back(book_.document.blocks[block].text);
+  }
+  if (!headings.empty()) lines.push_back(say::BelowHeadings(headings));
+  return lines;
+}
+
+std::string BookWalk::ToBlock(std::size_t block, std::string what, const LoopSnapshot& now,
+                              bool note) {
+  const std::optional<std::size_t> letter =
+      block < book_.text.begins.size() ? LetterFrom(session_.text(), book_.text.begins[block])
+                                       : std::nullopt;
+  if (!letter) return say::NoPlaceHere();
+  coming_ = false;
+  return walk_->GoToPlace(*letter, std::move(what), now, note);
+}
+
+std::vector<std::string> BookWalk::Contents(const std::string& number, const LoopSnapshot& now) {
+  const std::vector<ContentsEntry> contents = ContentsOf(book_.document);
+  if (contents.empty()) return {say::NoContents()};
+  if (!number.empty()) {
+    std::size_t line = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), line);
+    const bool whole = read.ec == std::errc() && read.ptr == number.data() + number.size();
+    if (!whole || line < 1 || line > contents.size()) {
+      return {say::NoSuchContents(number, contents.size())};
+    }
+    const ContentsEntry& entry = contents[line - 1];
+    if (entry.block == kNoBlock) return {say::LeadsNowhere(entry.title)};
+    return {ToBlock(entry.block, say::Followed(entry.title), now, false)};
+  }
+  Lines lines;
+  for (std::size_t i = 0; i < std::min(contents.size(), kMostContents); ++i) {
+    const ContentsEntry& entry = contents[i];
+    std::optional<FoundPlace> found;
+    if (entry.block != kNoBlock) {
+      found = Find(session_.text(), {book_.text.begins[entry.block], kInLetter});
+    }
+    lines.push_back(say::NumberedContents(i + 1, entry, found ? found->page : 0));
+  }
+  if (contents.size() > kMostContents) {
+    lines.push_back(say::ContentsRest(contents.size() - kMostContents, contents.size()));
+  }
+  return lines;
+}
+
+std::vector<std::string> BookWalk::GoTo(const std::string& where, const LoopSnapshot& now) {
+  coming_ = false;
+  constexpr std::string_view kPrint = "print ";
+  const std::string folded = CaseFolded(where);
+  if (folded.rfind(kPrint, 0) == 0) {
+    const std::string name = folded.substr(kPrint.size());
+    for (const TranscribedPage& page : book_.text.pages) {
+      if (CaseFolded(page.name) != name) continue;
+      const auto letter = LetterFrom(session_.text(), page.begin);
+      if (!letter) break;
+      return {walk_->GoToPlace(*letter, say::PrintedPage(page.name), now)};
+    }
+    return {say::NoSuchPrintPage(where.substr(kPrint.size()))};
+  }
+  const bool number = where.find_first_not_of("0123456789") == std::string::npos;
+  if (number) return {walk_->Go({PlaceWord::kGoTo, where}, now)};
+  return {ToMark(where, now)};
+}
+
+std::vector<std::string> BookWalk::Follow(const LoopSnapshot& now) {
+  const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
+  const TranscribedLink* link = here ? LinkAt(book_.text, here->source) : nullptr;
+  if (link == nullptr) return {say::NoLinkHere()};
+  const DocumentMark& mark = book_.document.blocks[link->block].marks[link->mark];
+  if (mark.target == kNoBlock) return {say::LeadsOut(mark.value)};
+  return {ToBlock(mark.target, say::Followed(book_.document.blocks[mark.target].text), now, true)};
+}
+
+std::string BookWalk::ToMark(const std::string& name, const LoopSnapshot& now) {
+  const ReadMark* mark = memory_.MarkNamed(name);
+  if (mark == nullptr) return name.empty() ? say::NoMarks() : say::NoMarkNamed(name);
+  coming_ = false;
+  return walk_->GoToPlace(static_cast<std::size_t>(mark->place.letter), say::MarkIs(mark->name),
+                          now);
+}
+
+std::string BookWalk::SetMark(std::size_t letter, const std::string& name) {
+  const std::string given = memory_.Mark(book_.text.text, letter, name);
+  const std::string failure = Keep();
+  return failure.empty() ? say::MarkSet(given, PlaceInWords(letter)) : failure;
+}
+
+std::string BookWalk::Marked(const LetterPlace& place) { return SetMark(place.source, ""); }
+
+std::vector<std::string> BookWalk::Bookmarks() const {
+  Lines lines;
+  for (const ReadMark& mark : memory_.reading().marks) {
+    lines.push_back(
+        say::MarkLine(mark.name, PlaceInWords(static_cast<std::size_t>(mark.place.letter))));
+  }
+  if (lines.empty()) lines.push_back(say::NoMarks());
+  return lines;
+}
+
+/// Where the hand is, as far as it has come to where reading goes on.
+void BookWalk::See(const LoopSnapshot& now) {
+  const FeltPage& felt = session_.felt();
+  if (now.page != felt.number) return;
+  if (felt.index != kept_page_ && !coming_) {
+    const std::vector<PlacedGlyph>& glyphs = felt.set().glyphs;
+    const std::optional<FoundPlace> found = Find(session_.text(), {letter_, kInLetter});
+    if (!glyphs.empty() && (!found || found->page != felt.index)) {
+      letter_ = glyphs.front().source_begin;
+    }
+  }
+  if (now.depth <= 0) return;
+  const std::optional<LetterPlace> here = LetterPlaceOf(felt, now.tip_P);
+  if (!here) return;
+  if (coming_) {
+    const std::optional<FoundPlace> found = Find(session_.text(), {letter_, kInLetter});
+    const bool on_line =
+        found && found->page == felt.index && found->line == LetterNear(felt, now.tip_P)->line;
+    // from the line's start on; what was read of it stays read
+    if (on_line && here->source < letter_) return;
+    if (!on_line && ++strays_ < kMostStrays) return;
+    coming_ = false;
+  }
+  letter_ = here->source;
+}
+
+std::vector<std::string> BookWalk::TurnBehindEnd(const LoopSnapshot& now) {
+  const FeltPage& felt = session_.felt();
+  if (!options_.turns || now.page != felt.number || felt.set().glyphs.empty()) return {};
+  const std::optional<LetterPlace> here = LetterPlaceOf(felt, now.tip_P);
+  const bool on_last = now.depth > 0 && here->source == felt.set().glyphs.back().source_begin &&
+                       LetterNear(felt, now.tip_P)->near;
+  if (on_last) last_touched_ = true;
+  if (on_last || !last_touched_) return {};
+  last_touched_ = false;
+  const std::size_t pages = session_.text().set.pages.size();
+  if (session_.Turn(true)) return {say::NowPage(session_.felt().index, pages)};
+  ended_ = options_.ends;
+  return {say::TheEnd()};
+}
+
+std::string BookWalk::Keep() {
+  kept_ = letter_;
+  kept_page_ = session_.felt().index;
+  kept_at_ = std::chrono::steady_clock::now();
+  const std::string why = memory_.Keep(book_.text.text, letter_, PlaceInWords(letter_));
+  if (why.empty()) return {};
+  return std::exchange(told_failure_, true) ? std::string() : say::PlaceNotKept(why);
+}
+
+std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
+  See(now);
+  Lines lines = TurnBehindEnd(now);
+  const bool stopped = now.stopped && !was_stopped_;
+  was_stopped_ = now.stopped;
+  const bool page = session_.felt().index != kept_page_ && now.page == session_.felt().number;
+  const bool moved = kept_ != letter_;
+  const bool due = std::chrono::steady_clock::now() - kept_at_ >= kKeptEvery;
+  if (page || stopped || (moved && due)) lines.push_back(Keep());
+  return lines;
+}
+
+std::vector<std::string> BookWalk::End() {
+  const std::string failure = Keep();
+  if (!failure.empty()) return {failure};
+  if (!memory_.remembers() || told_failure_) return {};
+  return {say::PlaceKept(PlaceInWords(letter_))};
+}
+
+}  // namespace moontrace

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lessons/documents/document_places.h"
+#include "sim/book/book_memory.h"
+#include "sim/session/loop_drive.h"
+
+namespace moontrace {
+
+/// A document as it is read: what it holds, and its text. Both outlive what uses it.
+struct Book {
+  const Document& document;
+  const Transcription& text;
+  std::string title;
+};
+
+struct BookOptions {
+  bool turns = false;  ///< the page is turned once the tip leaves its last letter
+  bool ends = false;   ///< at the end of the last page
+};
+
+/// Leads through a book in a session: its words, where one is, what is kept.
+class BookWalk : public Companion {
+ public:
+  /// All must outlive this.
+  BookWalk(LoopSession& session, const Book& book, BookMemory& memory, const BookOptions& options);
+
+  WordPlace words() const override { return WordPlace::kBook; }
+  std::vector<std::string> Begin(PlaceWalk& walk) override;
+  std::optional<std::vector<std::string>> Obey(std::string_view line,
+                                               const LoopSnapshot& now) override;
+  std::string Marked(const LetterPlace& place) override;
+  std::vector<std::string> Look(const LoopSnapshot& now) override;
+  bool ended() const override { return ended_; }
+
+  /// Behind the session: keeps the place, and says where it is.
+  std::vector<std::string> End();
+
+ private:
+  using Lines = std::vector<std::string>;
+  std::size_t Letter() const { return letter_; }
+  std::string PlaceInWords(std::size_t letter) const;
+  Lines Where(const LoopSnapshot& now) const;
+  Lines Contents(const std::string& number, const LoopSnapshot& now);
+  Lines GoTo(const std::string& where, const LoopSnapshot& now);
+  Lines Follow(const LoopSnapshot& now);
+  Lines Bookmarks() const;
+  std::string ToMark(const std::string& name, const LoopSnapshot& now);
+  std::string SetMark(std::size_t letter, const std::string& name);
+  std::string ToBlock(std::size_t block, std::string what, const LoopSnapshot& now, bool note);
+  std::string Keep();
+  void See(const LoopSnapshot& now);
+  Lines TurnBehindEnd(const LoopSnapshot& now);
+
+  LoopSession& session_;
+  const Book& book_;
+  BookMemory& memory_;
+  BookOptions options_;
+  PlaceWalk* walk_ = nullptr;
+
+  std::size_t letter_ = 0;     ///< where one is: the letter that was touched last
+  bool coming_ = false;        ///< the hand has not yet come to where reading goes on
+  std::size_t strays_ = 0;     ///< looks at which it touched something else meanwhile
+  bool last_touched_ = false;  ///< the last letter of the page
+  std::optional<std::size_t> kept_;
+  std::size_t kept_page_ = 0;
+  bool was_stopped_ = false, ended_ = false, told_failure_ = false;
+  std::chrono::steady_clock::time_point kept_at_{};
+};
+
+}  // namespace moontrace

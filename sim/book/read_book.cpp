@@ -1,0 +1,132 @@
+#include "sim/book/read_book.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "lessons/documents/transcribe.h"
+#include "sim/book/book_memory.h"
+#include "sim/book/book_messages.h"
+#include "sim/book/book_walk.h"
+#include "sim/book/document_messages.h"
+#include "sim/session/loop_messages.h"
+#include "sim/session/loop_session.h"
+#include "sim/setup/typeset_report.h"
+#include "textures/base/error.h"
+
+namespace moontrace {
+namespace {
+
+/// Absolute, links followed; empty for standard input.
+std::string PathOf(const std::string& file) {
+  if (file == "-") return {};
+  std::error_code ignored;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(file, ignored);
+  return ignored ? file : path.string();
+}
+
+BookMemory MemoryOf(const ReadBookOptions& options, const Book& book, const std::string& file,
+                    Console& console) {
+  if (!Records::Available()) {
+    console.Remark(say::ReadsWithoutRecords());
+    return {};
+  }
+  if (!options.learner.empty()) RequirePseudonym(options.learner);
+  try {
+    Records records = Records::Open(options.records);
+    std::optional<std::string> learner = WhoReads(records, options.learner, console);
+    if (!learner) {
+      console.Remark(say::ReadsWithoutName());
+      return {};
+    }
+    return BookMemory(std::move(records), std::move(*learner), PathOf(file), book.title,
+                      book.text.text);
+  } catch (const InputError& error) {
+    console.Remark(say::PlaceNotKept(error.what()));
+  } catch (const LackError& error) {
+    console.Remark(say::PlaceNotKept(error.what()));
+  }
+  return {};
+}
+
+SessionRequest RequestOf(const ReadBookOptions& options, std::string text) {
+  SessionRequest request;
+  request.text.text.text = std::move(text);
+  request.text.style = options.style;
+  request.text.style.structure = true;
+  request.text.layout = options.layout;
+  request.text.command = "read";
+  request.text.book = true;
+  request.live = options.live;
+  request.press = options.press;
+  request.seed = options.seed;
+  return request;
+}
+
+}  // namespace
+
+void ReadBook(const Document& document, const std::string& file, const ReadBookOptions& options,
+              Console& console) {
+  const Transcription text = Transcribe(document);
+  const Book book{document, text, say::DocumentName(document, file)};
+  BookMemory memory = MemoryOf(options, book, file, console);
+  LoopSession session(RequestOf(options, text.text), console);
+  const std::size_t pages = session.text().set.pages.size();
+  console.Result(say::DocumentSummary(document, file, &pages));
+  if (memory.known_by() != KnownBy::kContent) {  // else it was told before
+    for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
+    SayReplacements(session.text().set,
+                    [&console](const std::string& line) { console.Remark(line); });
+  }
+  const std::string why_not = session.loop().not_realtime();
+  if (session.device().felt() && !why_not.empty()) console.Remark(say::NotRealtime(why_not));
+  SayBeginning(session, console);
+  BookWalk walk(session, book, memory, {options.turns || options.alone, options.alone});
+  DriveOptions drive;
+  drive.seconds = options.live.seconds;
+  drive.companion = &walk;
+  try {
+    Drive(session, drive, console);
+  } catch (const Interrupted&) {
+    walk.End();
+    throw;
+  }
+  for (const std::string& line : walk.End()) console.Result(line);
+  RequireDevice(session);
+}
+
+void ListReadings(const std::string& learner, const std::string& records, bool json,
+                  Console& console) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::vector<std::pair<ReadDocument, std::string>> all;
+  std::error_code ignored;
+  if (Records::Available() && std::filesystem::exists(records, ignored)) {
+    const Records file = Records::OpenToRead(records);
+    for (const LearnerEntry& one : file.Learners()) {
+      if (!learner.empty() && one.pseudonym != learner) continue;
+      for (ReadDocument& reading : file.Readings(one.pseudonym)) {
+        all.emplace_back(std::move(reading), one.pseudonym);
+      }
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.first.time > b.first.time; });
+  console.Result(all.empty() ? say::NothingRead() : say::ReadOutcome(all.size()));
+  for (const auto& [reading, who] : all) {
+    console.Result(say::ReadLineOf(reading, learner.empty() ? who : ""));
+    if (!reading.path.empty()) console.Path(reading.path);
+    list.push_back({{"learner", who},
+                    {"title", reading.title},
+                    {"path", reading.path},
+                    {"time_unix_s", reading.time},
+                    {"letter", reading.place.letter},
+                    {"where", reading.where},
+                    {"bookmarks", reading.marks.size()}});
+  }
+  if (json) console.Json(Dump({{"readings", std::move(list)}}));
+}
+
+}  // namespace moontrace

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "lessons/documents/document.h"
+#include "sim/console/console.h"
+#include "sim/session/device_choice.h"
+#include "sim/setup/options.h"
+
+namespace moontrace {
+
+/// How a document is felt.
+struct ReadBookOptions {
+  StyleOptions style;
+  LayoutOptions layout;
+  LiveOptions live;             ///< `device`: that there is one has been found out
+  std::optional<double> press;  ///< [N]
+  std::uint64_t seed = 1;       ///< of the simulated hand
+  std::string learner;          ///< empty: the only one in the records
+  std::string records;          ///< path
+  bool turns = false;           ///< see BookOptions
+  bool alone = false;           ///< nobody turns pages: the simulated hand reads to the end
+};
+
+/// Lets a document be felt in real time, from where its reader left off, until "quit". `file`: its
+/// path, "-" for standard input. Throws InputError, LackError, DeviceError, Interrupted; the place
+/// is kept whatever is thrown.
+void ReadBook(const Document& document, const std::string& file, const ReadBookOptions& options,
+              Console& console);
+
+/// Says what was read last, with its places; of one learner, if one is named.
+void ListReadings(const std::string& learner, const std::string& records, bool json,
+                  Console& console);
+
+}  // namespace moontrace

@@ -1,0 +1,225 @@
+#include "sim/book/book_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "lessons/documents/html_document.h"
+#include "lessons/documents/html_tree.h"
+#include "lessons/documents/text_document.h"
+#include "sim/book/book_messages.h"
+#include "sim/session/loop_messages.h"
+#include "tests/devices/fake_hid.h"
+#include "tests/sim/cli_fixture.h"
+
+namespace moontrace {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// A book on a device whose tip a test puts where it likes, remembered in a file of the test's own.
+class BookWalkTest : public CliTest {
+ protected:
+  void Open(const std::string& html) {
+    if (!CanReadHtml() || !Records::Available()) GTEST_SKIP() << "a library is missing";
+    document_ = ReadHtml("<html>" + html + "</html>", "x");
+    text_ = Transcribe(document_);
+    Again();
+  }
+
+  /// The same, by who comes back.
+  void Again(const std::string& path = "/books/tides.html") {
+    walk_.reset();
+    places_.reset();
+    session_.reset();
+    memory_ = BookMemory();
+    Records records = Records::Open(In("records.sqlite"));
+    if (!records.Find("owl")) records.AddLearner({"owl", 0, false, "", false});
+    memory_ = BookMemory(std::move(records), "owl", path, "Tides", text_.text);
+    SessionRequest request;
+    request.text.text.text = text_.text;
+    request.text.style.structure = true;
+    request.text.style.size = 0.012;
+    request.text.book = true;
+    request.live.device = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+    session_.emplace(request, console_);
+    places_.emplace(*session_, [this](std::size_t page) { session_->TurnTo(page); });
+    walk_.emplace(*session_, book_, memory_, options_);
+    begun_ = walk_->Begin(*places_);
+  }
+
+  std::size_t Byte(const std::string& words) const { return text_.text.find(words); }
+
+  /// The tip on the letter of a byte, touching or not.
+  LoopSnapshot At(std::size_t source, bool touching = true) {
+    const auto found = Find(session_->text(), {source, {0.5, 0.5}});
+    if (session_->felt().index != found->page) session_->TurnTo(found->page);
+    LoopSnapshot now;
+    now.tip_P = glm::dvec3(found->p_P, 0);
+    now.page = session_->felt().number;
+    now.depth = touching ? 1e-4 : -1e-3;
+    return now;
+  }
+  /// A word said there, and what is said on arrival.
+  Lines Say(const std::string& line, const LoopSnapshot& at) {
+    const auto said = walk_->Obey(line, at);
+    if (!said) return {"not a word of the book"};
+    Lines lines;
+    for (const std::string& one : *said) {
+      if (!one.empty()) lines.push_back(one);
+    }
+    LoopSnapshot now = at;
+    now.page = session_->felt().number;
+    if (const auto arrival = places_->Arrived(now)) lines.push_back(arrival->sentence);
+    return lines;
+  }
+  static bool Begins(const Lines& lines, const std::string& first) {
+    return !lines.empty() && lines.front().rfind(first, 0) == 0;
+  }
+
+  FakeHid fake_{"moontrace-raw"};
+  std::istringstream in_;
+  std::ostringstream out_, err_;
+  Console console_{in_, out_, err_};
+  Document document_;
+  Transcription text_;
+  Book book_{document_, text_, "Tides"};
+  BookOptions options_;
+  BookMemory memory_;
+  std::optional<LoopSession> session_;
+  std::optional<PlaceWalk> places_;
+  std::optional<BookWalk> walk_;
+  Lines begun_;
+};
+
+constexpr const char* kTides =
+    "<h1>Tides</h1><p>High water comes twice a day<a href='#n1'>1</a> and ebbs. It is "
+    "<a href='http://far.away/'>far</a> out at noon.</p>"
+    "<h2>Moon<span epub:type='pagebreak' title='7'></span></h2><p>The moon draws the sea.</p>"
+    "<h2>Sun</h2><p>The sun helps at times.</p><p id='n1'>A day of the moon.</p>";
+
+TEST_F(BookWalkTest, TellsHeadingsAndThePrintedPageApartFromItsOwn) {
+  Open(kTides);
+  EXPECT_TRUE(begun_.empty());  // read for the first time
+  Lines lines = Say("where", At(Byte("draws")));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_NE(lines[0].find(", page "), std::string::npos) << lines[0];
+  EXPECT_EQ(lines[1], "Page 7 of the printed book.");
+  EXPECT_EQ(lines[2], "Heading Tides, below it Moon.");
+  lines = Say("where", At(Byte("High")));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[1], "Heading Tides.");
+}
+
+TEST_F(BookWalkTest, FollowsANoteAndComesBack) {
+  Open(kTides);
+  const LoopSnapshot call = At(Byte("[1]") + 1);
+  EXPECT_TRUE(Begins(Say("follow", call), "A day of the moon.: "));
+  const auto back = places_->Go({PlaceWord::kReturn, ""}, At(Byte("A day of")));
+  EXPECT_EQ(back, "");
+  LoopSnapshot now = At(Byte("[1]") + 1);
+  const auto arrival = places_->Arrived(now);
+  ASSERT_TRUE(arrival);
+  EXPECT_EQ(arrival->sentence.rfind("Back at 1: ", 0), 0U) << arrival->sentence;
+  EXPECT_EQ(Say("follow", At(Byte("water"))), Lines{say::NoLinkHere()});
+  EXPECT_EQ(Say("follow", At(Byte("far]"))),
+            Lines{"This leads out of the book, nothing is fetched: http://far.away/"});
+}
+
+TEST_F(BookWalkTest, LeadsByContentsPrintedPagesAndBookmarks) {
+  Open(kTides);
+  const Lines contents = Say("contents", At(0));
+  ASSERT_EQ(contents.size(), 3U);
+  EXPECT_EQ(contents[1].rfind("2: Moon, level 2, page ", 0), 0U) << contents[1];
+  EXPECT_TRUE(Begins(Say("contents 3", At(0)), "Sun: "));
+  EXPECT_EQ(Say("contents 4", At(0)), Lines{"No line 4 of the contents: they have 3."});
+  EXPECT_TRUE(Begins(Say("go to print 7", At(0)), "Page 7 of the printed book.: "));
+  EXPECT_EQ(Say("go to print 8", At(0)), Lines{"No printed page 8 is marked here."});
+  EXPECT_EQ(Say("mark", At(0)), Lines{say::NoMarks()});
+  EXPECT_TRUE(Begins(Say("bookmark Tea time", At(Byte("draws"))), "Bookmark set: Tea time, page "));
+  EXPECT_EQ(walk_->Marked({Byte("helps"), {0, 0}}).rfind("Bookmark set: mark 1, ", 0), 0U);
+  EXPECT_EQ(Say("bookmarks", At(0)).size(), 2U);
+  EXPECT_TRUE(Begins(Say("mark", At(0)), "Bookmark mark 1: "));
+  EXPECT_TRUE(Begins(Say("go to tea TIME", At(0)), "Bookmark Tea time: "));
+  EXPECT_EQ(Say("go to lunch", At(0)), Lines{say::NoMarkNamed("lunch")});
+  EXPECT_EQ(Say("word", At(Byte("draws"))), Lines{"draws."});
+  EXPECT_EQ(Say("spell", At(Byte("sea"))), Lines{"s, e, a, .."});
+  Again();
+  EXPECT_EQ(memory_.reading().marks.size(), 2U);  // whoever comes back has them
+}
+
+TEST_F(BookWalkTest, GoesOnAtTheLetterThatWasTouchedLast) {
+  Open(kTides);
+  const std::size_t letter = Byte("helps") + 2;
+  walk_->Look(At(letter));
+  walk_->Look(At(Byte("The sun"), false));  // in the air is not read
+  EXPECT_EQ(walk_->End().front().rfind("Kept: page ", 0), 0U);
+  Again();
+  EXPECT_EQ(memory_.known_by(), KnownBy::kContent);
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(letter));
+  ASSERT_GE(begun_.size(), 3U);
+  EXPECT_EQ(begun_[0].rfind("You go on: page ", 0), 0U) << begun_[0];
+  EXPECT_NE(begun_[0].find(", at l, in \"Tides\"."), std::string::npos) << begun_[0];
+  EXPECT_EQ(begun_[1], "Heading Tides, below it Sun.");
+  EXPECT_EQ(begun_[2], "Last read: The sun helps at times.");
+}
+
+TEST_F(BookWalkTest, KeepsThePlaceUntilTheHandHasComeToIt) {
+  Open(kTides);
+  const auto letter = static_cast<std::int64_t>(Byte("helps") + 2);
+  walk_->Look(At(static_cast<std::size_t>(letter)));
+  walk_->End();
+  Again();
+  walk_->Look(At(Byte("High")));  // where the hand happens to rest
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, letter);
+  walk_->Look(At(static_cast<std::size_t>(letter) - 1));  // led to the line, not yet as far
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, letter);
+  walk_->Look(At(static_cast<std::size_t>(letter) + 1));
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, letter + 1);
+}
+
+TEST_F(BookWalkTest, KnowsABookAgainThatMovedOrWasEdited) {
+  Open(kTides);
+  walk_->Look(At(Byte("helps")));
+  walk_->End();
+  Again("/elsewhere/tides.html");
+  EXPECT_EQ(memory_.known_by(), KnownBy::kMoved);
+  EXPECT_EQ(begun_[1], say::BookMoved());
+  walk_->End();
+  const std::string longer = std::string("<html><p>A preface, new.</p>") + kTides + "</html>";
+  document_ = ReadHtml(longer, "x");
+  text_ = Transcribe(document_);
+  Again("/elsewhere/tides.html");
+  EXPECT_EQ(memory_.known_by(), KnownBy::kPath);
+  EXPECT_EQ(begun_[1], say::BookEdited());
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("helps")));
+  walk_->End();
+  document_ = ReadHtml("<html><p>Quite another book.</p></html>", "x");
+  text_ = Transcribe(document_);
+  Again("/third.html");
+  EXPECT_EQ(memory_.known_by(), KnownBy::kNothing);
+}
+
+TEST_F(BookWalkTest, TurnsThePageBehindItsLastLetterIfAsked) {
+  options_ = {true, true};
+  Open(kTides);
+  const std::size_t pages = session_->text().set.pages.size();
+  ASSERT_GT(pages, 1U);
+  for (std::size_t page = 0; page < pages; ++page) {
+    ASSERT_EQ(session_->felt().index, page);
+    EXPECT_FALSE(walk_->ended());
+    LoopSnapshot now = At(session_->felt().set().glyphs.back().source_begin);
+    walk_->Look(now);
+    EXPECT_EQ(session_->felt().index, page) << "while it is felt";
+    now.depth = -0.001;
+    const Lines said = walk_->Look(now);
+    EXPECT_TRUE(Begins(said, page + 1 < pages ? "Page " : say::TheEnd()));
+  }
+  EXPECT_TRUE(walk_->ended());
+}
+
+}  // namespace
+}  // namespace moontrace
