@@ -169,7 +169,7 @@ struct LeftOutCount {
   std::string example;  ///< a name or a text, foreign; may be empty
 };
 
-enum class DocumentFormat : std::uint8_t { kText, kHtml, kEpub };
+enum class DocumentFormat : std::uint8_t { kText, kHtml, kEpub, kBrf, kEBraille };
 
 constexpr std::string_view NameOf(DocumentFormat format) {
   switch (format) {
@@ -179,6 +179,10 @@ constexpr std::string_view NameOf(DocumentFormat format) {
       return "HTML";
     case DocumentFormat::kEpub:
       return "EPUB";
+    case DocumentFormat::kBrf:
+      return "BRF";
+    case DocumentFormat::kEBraille:
+      return "eBraille";
   }
   return {};
 }

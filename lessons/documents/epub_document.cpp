@@ -64,19 +64,7 @@ class EpubReader {
 
  private:
   void ReadMeta() {
-    const std::optional<std::string> container = zip_.Read("META-INF/container.xml");
-    if (!container) {
-      throw InputError(name_ +
-                       ": is a zip archive, but no EPUB book (META-INF/container.xml is missing); "
-                       "save it as EPUB, HTML or text");
-    }
-    const std::optional<std::string> path = ReadContainer(Text(*container));
-    if (!path) {
-      throw InputError(
-          name_ +
-          ": is a damaged book (META-INF/container.xml in it names no package); get it "
-          "again");
-    }
+    const std::optional<std::string> path = PackagePath();
     const std::optional<std::string> package = zip_.Read(*path);
     if (!package) {
       throw InputError(name_ + ": is a damaged book (" + OneLine(*path) +
@@ -86,6 +74,28 @@ class EpubReader {
     if (!package_.titles.empty()) document_.title = package_.titles.front();
     document_.authors = package_.authors;
     document_.language = package_.language;
+  }
+
+  /// Where the package lies. In eBraille 1.0 it is "package.opf" at the root, and the container is
+  /// not needed.
+  std::optional<std::string> PackagePath() {
+    const std::optional<std::string> container = zip_.Read("META-INF/container.xml");
+    if (!container) {
+      constexpr const char* kOfBraille = "package.opf";
+      document_.format = DocumentFormat::kEBraille;
+      if (zip_.Read(kOfBraille)) return kOfBraille;
+      throw InputError(name_ +
+                       ": is a zip archive, but no EPUB book (META-INF/container.xml is missing); "
+                       "save it as EPUB, HTML or text");
+    }
+    std::optional<std::string> path = ReadContainer(Text(*container));
+    if (!path) {
+      throw InputError(
+          name_ +
+          ": is a damaged book (META-INF/container.xml in it names no package); get it "
+          "again");
+    }
+    return path;
   }
 
   void RefuseEncrypted() {

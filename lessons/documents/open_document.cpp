@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "lessons/documents/brf_document.h"
 #include "lessons/documents/encoding.h"
 #include "lessons/documents/epub_document.h"
 #include "lessons/documents/html_document.h"
@@ -37,6 +38,12 @@ bool IsHtml(std::string_view text, const std::string& path) {
   return ending == ".html" || ending == ".htm" || ending == ".xhtml" || ending == ".xht";
 }
 
+/// Cells look like any text: the name tells.
+bool IsBrfName(const std::string& path) {
+  const std::string ending = LowerCase(std::filesystem::path(path).extension().string());
+  return ending == ".brf" || ending == ".brl";
+}
+
 /// Kinds that people try, by how they begin.
 void RefuseKnown(std::string_view bytes, const std::string& name) {
   const char* kind = BeginsWith(bytes, "%PDF-")              ? "a PDF"
@@ -57,13 +64,18 @@ void RefuseKnown(std::string_view bytes, const std::string& name) {
 
 Document ReadText(std::string bytes, const std::string& name, const OpenOptions& options) {
   RefuseKnown(bytes, name);
-  DecodedText decoded = DecodeText(bytes, DeclaredEncoding(bytes));
-  bytes = {};
-  const bool html = IsHtml(decoded.text, name);
-  Document document =
-      html ? ReadHtml(decoded.text, name) : ReadPlainText(decoded.text, name, options.marks);
-  document.encoding = decoded.encoding;
-  NoteLeftOut(document, LeftOut::kBadByte, "", decoded.bad);
+  Document document;
+  if (IsBrfName(name)) {
+    document = ReadBrf(bytes, name);
+  } else {
+    DecodedText decoded = DecodeText(bytes, DeclaredEncoding(bytes));
+    bytes = {};
+    const bool html = IsHtml(decoded.text, name);
+    document =
+        html ? ReadHtml(decoded.text, name) : ReadPlainText(decoded.text, name, options.marks);
+    document.encoding = decoded.encoding;
+    NoteLeftOut(document, LeftOut::kBadByte, "", decoded.bad);
+  }
   if (document.blocks.empty()) {
     throw InputError(name + ": holds no text; name another file");
   }

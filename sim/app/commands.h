@@ -63,6 +63,7 @@ struct ReadOptions {
   bool text = false;
   std::string print;                 ///< empty: none
   std::optional<double> most_bytes;  ///< of the document, see DocumentLimits
+  std::string braille;               ///< table by which Braille is read; empty: the language's
   std::string learner, records;      ///< empty: the only one; the user's
   LiveOptions live;                  ///< device empty: the first one with motors
   std::optional<double> press;       ///< [N]

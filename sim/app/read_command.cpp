@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "lessons/documents/braille_text.h"
+#include "lessons/documents/brf_document.h"
 #include "lessons/documents/open_document.h"
 #include "lessons/documents/transcribe.h"
 #include "sim/app/commands.h"
@@ -41,12 +43,26 @@ std::string ReadInput(std::size_t most_bytes, Console& console) {
   return bytes;
 }
 
+/// Braille is read as what it says, unless its cells are to be felt.
+Document Understood(Document document, const ReadOptions& options, Console& console) {
+  const bool cells = options.style.script == "braille";
+  if (options.braille.empty() && !IsBraille(document)) return document;
+  if (cells && options.braille.empty()) return document;
+  const std::string table =
+      options.braille.empty() ? BrailleTableFor(document.language) : options.braille;
+  ReadPatterns(document, table);
+  console.Remark(say::BrailleReadBy(table));
+  return document;
+}
+
 Document Open(const ReadOptions& options, Console& console) {
   OpenOptions open;
   open.marks = options.style.structure;
   if (options.most_bytes) open.limits.most_bytes = static_cast<std::size_t>(*options.most_bytes);
-  if (options.file != "-") return OpenDocument(options.file, open);
-  return ReadDocument(ReadInput(open.limits.most_bytes, console), "standard input", open);
+  if (options.file != "-") return Understood(OpenDocument(options.file, open), options, console);
+  return Understood(
+      ReadDocument(ReadInput(open.limits.most_bytes, console), "standard input", open), options,
+      console);
 }
 
 /// A document as it was set; its pages are made again when they are drawn.
@@ -243,6 +259,7 @@ void AddOptions(CLI::App& app, ReadOptions& options) {
   constexpr double kMegabyte = 1 << 20;
   BeginGroup(app, help_group::kText);
   AddNumber(app, "--most-mb", options.most_bytes, 1, 1024, kMegabyte, say::help::kReadMost);
+  AddPath(app, "--braille", "TABLE", options.braille, say::help::kReadBraille);
   BeginGroup(app, help_group::kResults);
   AddFlag(app, "--text", options.text, say::help::kReadText);
   AddPath(app, "--print", "FILE", options.print, say::help::kReadPrint);

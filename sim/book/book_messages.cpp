@@ -30,6 +30,7 @@ std::string LastRead(std::string_view sentence) {
 
 std::string BelowHeadings(const std::vector<std::string>& headings) {
   std::vector<std::string> shown;
+  shown.reserve(headings.size());
   for (const std::string& heading : headings) shown.push_back(OneLine(heading, 60));
   return fmt::format("Heading {}.", Joined(shown, ", below it "));
 }

@@ -35,6 +35,11 @@ std::string TextAlone() {
 
 std::string SimulateAlone() { return "--simulate needs no device: leave out --device"; }
 
+std::string BrailleReadBy(std::string_view table) {
+  return fmt::format("Braille, read as print by the table {}; --script braille keeps its cells.",
+                     OneLine(table, 60));
+}
+
 std::string HowToFeelBook() {
   return "No device with motors: read by touch with --device NAME, or try the words with "
          "--device simulated.";

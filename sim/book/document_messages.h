@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "lessons/documents/document.h"
 
@@ -11,6 +12,8 @@ namespace moontrace::say {
 std::string NoDocument();
 std::string TextAlone();
 std::string SimulateAlone();
+/// `table`: of liblouis.
+std::string BrailleReadBy(std::string_view table);
 /// Where nothing is plugged in.
 std::string HowToFeelBook();
 /// Its title, otherwise its file's name.
@@ -28,7 +31,8 @@ std::string PrintedDocument(std::size_t pages, double size);  ///< [m]
 
 namespace help {
 inline constexpr const char* kRead =
-    "reads a book, a web page or a text: by touch, from where you left off; says what it holds, "
+    "reads a book, a web page, a text or a Braille file: by touch, from where you left off; says "
+    "what it holds, "
     "prints it";
 inline constexpr const char* kReadFile =
     "the document; - is standard input. Without one: what was read last.";
@@ -36,6 +40,9 @@ inline constexpr const char* kReader =
     "whose place is kept, a name of your choice. Default the only one in the records.";
 inline constexpr const char* kReadRecords =
     "file of the records. Default the one in your data folder.";
+inline constexpr const char* kReadBraille =
+    "table of liblouis by which Braille files are read. Default that of the book's language, else "
+    "en-ueb-g2.ctb; with --script braille their cells are felt as they are.";
 inline constexpr const char* kReadTurn = "turn each page as the tip leaves its last letter.";
 inline constexpr const char* kReadSimulate =
     "the simulated stylus reads, in real time, to the end of the text.";
