@@ -25,6 +25,9 @@ struct RecordedEvent {
   std::string kind, text;
 };
 
+/// The kind of an event whose text is the learner's own, for the word `my text`: the newest counts.
+inline constexpr std::string_view kOwnTextEvent = "text";
+
 /// A trial with what the records keep besides it.
 struct RecordedTrial {
   std::string course;  ///< id

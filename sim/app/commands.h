@@ -70,6 +70,7 @@ struct ReadOptions {
   std::uint64_t seed = 1;
   bool simulate = false;  ///< the simulated stylus reads on by itself
   bool turns = false;     ///< pages are turned behind their last letter
+  bool moon = false;      ///< answers are laid under the hand, see BookOptions
 };
 void AddOptions(CLI::App& app, ReadOptions& options);
 int Run(const ReadOptions& options, Console& console);

@@ -224,6 +224,7 @@ int Feel(const ReadOptions& options, const std::string& device, const Document& 
   book.learner = options.learner;
   book.records = RecordsPathOf(options.records);
   book.turns = options.turns;
+  book.moon = options.moon;
   book.alone = options.simulate;
   ReadBook(document, options.file, book, console);
   return exit_code::kGood;
@@ -252,6 +253,11 @@ void AddOptions(CLI::App& app, ReadOptions& options) {
   AddPath(app, "--records", "FILE", options.records, say::help::kReadRecords);
   AddFlag(app, "--turn", options.turns, say::help::kReadTurn);
   AddFlag(app, "--simulate", options.simulate, say::help::kReadSimulate);
+  const auto read_messages = [&options](const std::string& given) {
+    if (given != "moon" && given != "text") throw UsageError(say::NoSuchMessages(given));
+    options.moon = given == "moon";
+  };
+  AddValue(app, "--messages", "WORD", read_messages, say::help::kReadMessages);
   AddOptions(app, options.live);
   Redescribe(app, "--device", say::help::kReadDevice);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kLoopPress);

@@ -66,6 +66,16 @@ std::string BookMemory::Keep(std::string_view text, std::size_t letter, const st
   }
 }
 
+std::string BookMemory::KeepOwnText(const std::string& text) {
+  const auto now = static_cast<std::int64_t>(std::time(nullptr));
+  try {
+    records_->AddEvent(learner_, {now, std::string(kOwnTextEvent), text});
+    return {};
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
 std::string BookMemory::Mark(std::string_view text, std::size_t letter, std::string name) {
   std::vector<ReadMark>& marks = reading_.marks;
   for (std::size_t number = 1; name.empty(); ++number) {

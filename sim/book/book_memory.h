@@ -36,8 +36,11 @@ class BookMemory {
 
   /// The place, on disk when this returns; why not, where that fails: then the next one is tried.
   std::string Keep(std::string_view text, std::size_t letter, const std::string& where);
-  /// A bookmark with the place, likewise; one of that name moves. Without a name its number is one.
-  /// The name.
+  /// A text that lessons give the learner to read, by the word `my text`; why not, where it cannot
+  /// be kept.
+  std::string KeepOwnText(const std::string& text);
+  /// A bookmark, which the next Keep keeps; one of that name moves. Without a name it is given one.
+  /// Its name.
   std::string Mark(std::string_view text, std::size_t letter, std::string name);
   /// By its name, in whatever case; the newest for an empty one; null: there is none.
   const ReadMark* MarkNamed(std::string_view name) const;

@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <ctime>
 
+#include "sim/console/vocabulary.h"
 #include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
@@ -91,6 +94,23 @@ std::string NoMarkNamed(std::string_view name) {
   return fmt::format("No bookmark {}: bookmarks lists them.", OneLine(name, 16));
 }
 
+std::string MoonMenu() {
+  std::string menu;
+  for (const TypedWord& word : Vocabulary()) {
+    // what wants a text cannot be said by a stylus alone
+    constexpr std::array<std::string_view, 2> kAlone{"contents", "bookmark"};
+    const bool alone =
+        word.behind.empty() || std::find(kAlone.begin(), kAlone.end(), word.word) != kAlone.end();
+    if (!word.HoldsIn(WordPlace::kBook) || !alone || word.word == "stop") continue;
+    if (!menu.empty()) menu += '\n';
+    menu += word.word;
+  }
+  return menu;
+}
+
+std::string PassageTaken(std::string_view text) {
+  return fmt::format("Yours in lessons, by my text: {}", OneLine(text, 200));
+}
 std::string TheEnd() { return "This is the end of the text."; }
 std::string PlaceKept(std::string_view place) { return fmt::format("Kept: {}.", place); }
 std::string PlaceNotKept(std::string_view why) {

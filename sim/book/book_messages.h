@@ -49,6 +49,10 @@ std::string MarkIs(std::string_view name);
 std::string NoMarks();
 std::string NoMarkNamed(std::string_view name);
 
+/// The words that a stylus alone can say, a line each.
+std::string MoonMenu();
+/// It is for lessons.
+std::string PassageTaken(std::string_view text);
 std::string TheEnd();
 std::string PlaceKept(std::string_view place);
 std::string PlaceNotKept(std::string_view why);

@@ -8,6 +8,7 @@
 #include "sim/session/loop_messages.h"
 #include "sim/session/place_messages.h"
 #include "sim/session/tip_words.h"
+#include "textures/base/error.h"
 #include "textures/base/utf8.h"
 
 namespace moontrace {
@@ -40,9 +41,9 @@ BookWalk::BookWalk(LoopSession& session, const Book& book, BookMemory& memory,
 }
 
 std::string BookWalk::PlaceInWords(std::size_t letter) const {
-  const std::optional<FoundPlace> found = Find(session_.text(), {letter, kInLetter});
+  const std::optional<FoundPlace> found = Find(Text(), {letter, kInLetter});
   if (!found) return {};
-  return say::BookPlace(found->page, session_.text().set.pages.size(), found->line, found->letter);
+  return say::BookPlace(found->page, Text().set.pages.size(), found->line, found->letter);
 }
 
 std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
@@ -87,6 +88,7 @@ std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
     if (!near || !near->near) return Lines{say::NoWordHere()};
     return Lines{say::WordHere(near->word, name == "spell")};
   }
+  if (name == "my text") return Lines{TakePassage(said.behind, now)};
   if (name == "next" || name == "back" || PlaceCommandOf(name, "")) coming_ = false;
   return std::nullopt;
 }
@@ -187,6 +189,20 @@ std::string BookWalk::SetMark(std::size_t letter, const std::string& name) {
   return failure.empty() ? say::MarkSet(given, PlaceInWords(letter)) : failure;
 }
 
+/// Of where reading goes on it is the line's start: there the place stays.
+void BookWalk::Arrived(std::size_t source) {
+  if (!coming_) letter_ = source;
+}
+
+std::string BookWalk::TakePassage(const std::string& given, const LoopSnapshot& now) {
+  const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
+  if (given.empty() && !here) return say::NoPlaceHere();
+  const std::string text = given.empty() ? SentenceAt(book_.text.text, here->source) : given;
+  if (!memory_.remembers()) return say::ReadsWithoutName();
+  const std::string why = memory_.KeepOwnText(text);
+  return why.empty() ? say::PassageTaken(text) : say::PlaceNotKept(why);
+}
+
 std::string BookWalk::Marked(const LetterPlace& place) { return SetMark(place.source, ""); }
 
 std::vector<std::string> BookWalk::Bookmarks() const {
@@ -249,7 +265,66 @@ std::string BookWalk::Keep() {
   return std::exchange(told_failure_, true) ? std::string() : say::PlaceNotKept(why);
 }
 
+bool BookWalk::Lay(const std::string& text, bool menu, glm::dvec2 tip_P) {
+  TextRequest request = session_.request();
+  request.text.text = text;
+  request.style.structure = false;
+  request.book = false;
+  Message message = message_ ? *message_ : Message{session_.Lies(), tip_P, false};
+  message.menu = menu;
+  try {
+    session_.LayLine(std::move(request));
+  } catch (const InputError&) {
+    return false;  // the script cannot write it; it was said
+  }
+  message_ = std::move(message);
+  return true;
+}
+
+bool BookWalk::Answered(const std::vector<std::string>& lines, const LoopSnapshot& now) {
+  if (!options_.moon) return false;
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : " ") + line;
+  return Lay(text, false, now.tip_P);
+}
+
+bool BookWalk::ClearPage() {
+  if (!message_) return false;
+  Message message = *std::exchange(message_, std::nullopt);
+  session_.LayAgain(std::move(message.book), message.tip_P);
+  return true;
+}
+
+Companion::Press BookWalk::Pressed(bool twice, const LoopEvent& event) {
+  if (!options_.moon) return {};
+  if (message_ && message_->menu && !twice) return PressedInMenu(event);
+  if (ClearPage()) return {true, ""};
+  if (!twice) return {};  // where one is, which is answered
+  Lay(say::MoonMenu(), true, event.tip_P);
+  return {true, ""};
+}
+
+/// On a word: that word. Beside the words: the menu's next page, behind its last one the book.
+Companion::Press BookWalk::PressedInMenu(const LoopEvent& event) {
+  const FeltPage& felt = session_.felt();
+  const std::optional<NearLetter> near = LetterNear(felt, event.tip_P);
+  std::string word;
+  if (near && near->near) {
+    const std::size_t letter = LetterPlaceOf(felt, event.tip_P)->source;
+    const std::string& menu = felt.text->text;
+    const std::size_t end = std::min(menu.find('\n', letter), menu.size());
+    const std::size_t begin = letter == 0 ? std::string::npos : menu.rfind('\n', letter - 1);
+    const std::size_t first = begin == std::string::npos ? 0 : begin + 1;
+    word = menu.substr(first, end - first);
+  } else if (session_.Turn(true)) {
+    return {true, ""};
+  }
+  ClearPage();
+  return {true, std::move(word)};
+}
+
 std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
+  if (message_) return {};
   See(now);
   Lines lines = TurnBehindEnd(now);
   const bool stopped = now.stopped && !was_stopped_;

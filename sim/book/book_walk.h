@@ -22,6 +22,8 @@ struct Book {
 struct BookOptions {
   bool turns = false;  ///< the page is turned once the tip leaves its last letter
   bool ends = false;   ///< at the end of the last page
+  /// Answers are laid under the hand, and two presses give a menu of words: for who cannot hear.
+  bool moon = false;
 };
 
 /// Leads through a book in a session: its words, where one is, what is kept.
@@ -34,7 +36,11 @@ class BookWalk : public Companion {
   std::vector<std::string> Begin(PlaceWalk& walk) override;
   std::optional<std::vector<std::string>> Obey(std::string_view line,
                                                const LoopSnapshot& now) override;
+  void Arrived(std::size_t source) override;
   std::string Marked(const LetterPlace& place) override;
+  Press Pressed(bool twice, const LoopEvent& event) override;
+  bool Answered(const std::vector<std::string>& lines, const LoopSnapshot& now) override;
+  bool ClearPage() override;
   std::vector<std::string> Look(const LoopSnapshot& now) override;
   bool ended() const override { return ended_; }
 
@@ -43,7 +49,15 @@ class BookWalk : public Companion {
 
  private:
   using Lines = std::vector<std::string>;
-  std::size_t Letter() const { return letter_; }
+  /// What lies under the hand in place of the book.
+  struct Message {
+    LoopSession::Laid book;
+    glm::dvec2 tip_P{0, 0};  ///< where the hand was in it [m]
+    bool menu = false;
+  };
+  const TextSetup& Text() const { return message_ ? *message_->book.page.text : session_.text(); }
+  bool Lay(const std::string& text, bool menu, glm::dvec2 tip_P);
+  Press PressedInMenu(const LoopEvent& event);
   std::string PlaceInWords(std::size_t letter) const;
   Lines Where(const LoopSnapshot& now) const;
   Lines Contents(const std::string& number, const LoopSnapshot& now);
@@ -54,6 +68,7 @@ class BookWalk : public Companion {
   std::string SetMark(std::size_t letter, const std::string& name);
   std::string ToBlock(std::size_t block, std::string what, const LoopSnapshot& now, bool note);
   std::string Keep();
+  std::string TakePassage(const std::string& given, const LoopSnapshot& now);
   void See(const LoopSnapshot& now);
   Lines TurnBehindEnd(const LoopSnapshot& now);
 
@@ -69,6 +84,7 @@ class BookWalk : public Companion {
   bool last_touched_ = false;  ///< the last letter of the page
   std::optional<std::size_t> kept_;
   std::size_t kept_page_ = 0;
+  std::optional<Message> message_;
   bool was_stopped_ = false, ended_ = false, told_failure_ = false;
   std::chrono::steady_clock::time_point kept_at_{};
 };

@@ -40,6 +40,10 @@ std::string BrailleReadBy(std::string_view table) {
                      OneLine(table, 60));
 }
 
+std::string NoSuchMessages(std::string_view given) {
+  return fmt::format("--messages is \"{}\": choose text or moon", OneLine(given));
+}
+
 std::string HowToFeelBook() {
   return "No device with motors: read by touch with --device NAME, or try the words with "
          "--device simulated.";

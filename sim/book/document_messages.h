@@ -12,6 +12,7 @@ namespace moontrace::say {
 std::string NoDocument();
 std::string TextAlone();
 std::string SimulateAlone();
+std::string NoSuchMessages(std::string_view given);
 /// `table`: of liblouis.
 std::string BrailleReadBy(std::string_view table);
 /// Where nothing is plugged in.
@@ -43,6 +44,9 @@ inline constexpr const char* kReadRecords =
 inline constexpr const char* kReadBraille =
     "table of liblouis by which Braille files are read. Default that of the book's language, else "
     "en-ueb-g2.ctb; with --script braille their cells are felt as they are.";
+inline constexpr const char* kReadMessages =
+    "moon lays answers under the tip as a line of their own, a press takes them away, and two "
+    "presses give a menu of words: for readers without sight and hearing. Default text.";
 inline constexpr const char* kReadTurn = "turn each page as the tip leaves its last letter.";
 inline constexpr const char* kReadSimulate =
     "the simulated stylus reads, in real time, to the end of the text.";

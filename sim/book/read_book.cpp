@@ -84,7 +84,8 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   const std::string why_not = session.loop().not_realtime();
   if (session.device().felt() && !why_not.empty()) console.Remark(say::NotRealtime(why_not));
   SayBeginning(session, console);
-  BookWalk walk(session, book, memory, {options.turns || options.alone, options.alone});
+  BookWalk walk(session, book, memory,
+                {options.turns || options.alone, options.alone, options.moon});
   DriveOptions drive;
   drive.seconds = options.live.seconds;
   drive.companion = &walk;

@@ -21,6 +21,7 @@ struct ReadBookOptions {
   std::string learner;          ///< empty: the only one in the records
   std::string records;          ///< path
   bool turns = false;           ///< see BookOptions
+  bool moon = false;            ///< likewise
   bool alone = false;           ///< nobody turns pages: the simulated hand reads to the end
 };
 

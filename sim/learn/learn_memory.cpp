@@ -11,7 +11,7 @@ namespace moontrace {
 
 namespace {
 // Kinds and texts of events, in the records of all learners: never changed.
-constexpr std::string_view kSaidKind = "said", kTextKind = "text", kDeviceKind = "device";
+constexpr std::string_view kSaidKind = "said", kDeviceKind = "device";
 constexpr std::string_view kBriefText = "brief", kFullText = "full";
 }  // namespace
 
@@ -23,7 +23,7 @@ LearnMemory::LearnMemory(Records records, LearnerEntry learner, std::string cour
   if (fresh_) return;
   for (const RecordedEvent& event : records_->Events(learner_.pseudonym)) {
     if (event.kind == kSaidKind) brief_ = event.text == kBriefText;
-    if (event.kind == kTextKind) own_text_ = event.text;
+    if (event.kind == kOwnTextEvent) own_text_ = event.text;
     if (event.kind == kDeviceKind) device_ = event.text;
   }
 }
@@ -95,7 +95,7 @@ void LearnMemory::SetBrief(std::int64_t time, bool brief) {
 void LearnMemory::SetOwnText(std::int64_t time, const std::string& text) {
   if (text == own_text_) return;
   own_text_ = text;
-  Note(time, std::string(kTextKind), text);
+  Note(time, std::string(kOwnTextEvent), text);
 }
 
 void LearnMemory::SetDevice(std::int64_t time, const std::string& name) {

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
@@ -71,6 +73,7 @@ class Driver : private LoopListener {
 
   void Say(const std::string& line) {
     if (line.empty()) return;
+    answer_.push_back(line);
     console_.Result(line);
     if (options_.view != nullptr) options_.view->ShowLine(line);
   }
@@ -115,13 +118,22 @@ class Driver : private LoopListener {
     if (const auto arrival = walk_.Arrived(poll_.newest())) {
       Say(arrival->sentence);
       LeadTo(*arrival);
+      if (options_.companion != nullptr) options_.companion->Arrived(arrival->source);
+    }
+    if (pending_ && poll_.newest().page == session_.felt().number) {
+      Obey(*std::exchange(pending_, std::nullopt));
     }
     if (led_ && (poll_.newest().guidance_done || Clock::now() > led_until_)) LetGo();
     if (options_.view != nullptr) options_.view->Look(session_.felt(), poll_);
   }
 
   void Happened(const LoopEvent& event, const std::string& sentence) override {
-    if (event.kind == LoopEventKind::kSay) Say(WhereNow());
+    if (Taken(event)) return;
+    if (event.kind == LoopEventKind::kSay) {
+      answer_.clear();
+      Say(WhereNow());
+      Answer();
+    }
     if (event.kind == LoopEventKind::kBookmark) {
       if (const auto place = LetterPlaceOf(session_.felt(), event.tip_P)) mark_ = place;
       if (options_.companion != nullptr && mark_) return Say(options_.companion->Marked(*mark_));
@@ -130,6 +142,38 @@ class Driver : private LoopListener {
   }
 
   void Reported(const std::string& sentence, bool /*urgent*/) override { Say(sentence); }
+
+  /// Whether a press was for the companion.
+  bool Taken(const LoopEvent& event) {
+    const bool twice = event.kind == LoopEventKind::kBookmark;
+    if (options_.companion == nullptr || (!twice && event.kind != LoopEventKind::kSay)) {
+      return false;
+    }
+    Companion::Press press = options_.companion->Pressed(twice, event);
+    if (!press.line.empty()) pending_ = std::move(press.line);
+    return press.taken;
+  }
+
+  /// What was said since it was cleared goes to the companion.
+  void Answer() {
+    if (options_.companion == nullptr || answer_.empty() || quit_) return;
+    if (options_.companion->Answered(answer_, poll_.newest())) Buzz();
+  }
+
+  /// A short tremble, without a push.
+  void Buzz() {
+    if (!session_.device().felt() || poll_.newest().stopped) return;
+    constexpr std::chrono::milliseconds kLong{300};
+    constexpr glm::dvec3 kFarOff{1, 1, 0};  // [m] off every page, so that all of it is off the way
+    GuidancePlan plan;
+    plan.mode = GuidanceMode::kCorridor;
+    plan.gains = GuidanceTable::Shipped().GainsOf(plan.mode, kMostHelp);
+    plan.path = MakeRecordedPath({0, 1}, {kFarOff, kFarOff + glm::dvec3(0.01, 0, 0)},
+                                 session_.text().set.style.width);
+    session_.loop().Guide(std::make_shared<const GuidancePlan>(std::move(plan)));
+    led_until_ = Clock::now() + kLong;
+    led_ = true;
+  }
 
   void Stands(const LoopSnapshot& newest) override {
     if (options_.view == nullptr) return;
@@ -219,7 +263,18 @@ class Driver : private LoopListener {
     Say(say::ViewColoursHelp());
   }
 
+  /// What lies there besides the text goes first: words are about the text.
   void Obey(const std::string& line) {
+    if (options_.companion != nullptr && options_.companion->ClearPage()) {
+      pending_ = line;
+      return;
+    }
+    answer_.clear();
+    ObeyWord(line);
+    Answer();
+  }
+
+  void ObeyWord(const std::string& line) {
     if (options_.view != nullptr) {
       if (const std::optional<std::string> done = options_.view->Obey(line)) return Say(*done);
     }
@@ -271,7 +326,9 @@ class Driver : private LoopListener {
   bool led_ = false;
   Clock::time_point led_until_;
   std::optional<LetterPlace> mark_;
-  bool spoken_;  ///< a line has come, or may come from a terminal
+  std::vector<std::string> answer_;     ///< said since the last word
+  std::optional<std::string> pending_;  ///< a word that waits for the page
+  bool spoken_;                         ///< a line has come, or may come from a terminal
   bool quit_ = false;
 };
 

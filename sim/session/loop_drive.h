@@ -26,8 +26,20 @@ class Companion {
   /// none: it is no word of its own.
   virtual std::optional<std::vector<std::string>> Obey(std::string_view line,
                                                        const LoopSnapshot& now) = 0;
+  /// The page of a place that was gone to lies under the hand: a byte of the text.
+  virtual void Arrived(std::size_t source) = 0;
   /// Two presses at a place: what is said.
   virtual std::string Marked(const LetterPlace& place) = 0;
+  /// A press, or two, of the button, at a place: whether it is taken, before all else.
+  struct Press {
+    bool taken = false;
+    std::string line;  ///< to be obeyed as if it were typed; empty: nothing
+  };
+  virtual Press Pressed(bool twice, const LoopEvent& event) = 0;
+  /// What was answered to a line or a press; whether it was laid under the hand.
+  virtual bool Answered(const std::vector<std::string>& lines, const LoopSnapshot& now) = 0;
+  /// Takes from under the hand what does not belong to the text; false: there was nothing.
+  virtual bool ClearPage() = 0;
   /// At each look: what is to be said.
   virtual std::vector<std::string> Look(const LoopSnapshot& now) = 0;
   /// Nothing more is to come.

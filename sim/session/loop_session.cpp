@@ -163,14 +163,38 @@ void LoopSession::ChangeText(TextRequest request, bool blank, std::size_t most_p
   request.room = request_.room;
   request.feel = request_.feel;
   request.model_page = request_.model_page;
-  const std::size_t number = felt_.number - felt_.index + text().set.pages.size();
   const std::shared_ptr<const TextSetup> next = SetUp(request);
   if (next->set.pages.size() > most_pages) {
     throw InputError(say::MorePagesThan(next->set.pages.size(), most_pages));
   }
-  Show(FeltPageOf(next, 0, blank, static_cast<std::uint32_t>(number)), std::nullopt);
+  Show(FeltPageOf(next, 0, blank, FirstFree()), std::nullopt);
   form_ = request.form.value_or(form_);
   request_ = std::move(request);
+}
+
+/// The number of the first page of a text that comes next.
+std::uint32_t LoopSession::FirstFree() const {
+  return static_cast<std::uint32_t>(felt_.number - felt_.index + text().set.pages.size());
+}
+
+void LoopSession::LayLine(TextRequest request) {
+  constexpr glm::dvec2 kInLetter{0.25, 0.5};  // [em], where a hand finds it
+  request.room = request_.room;
+  const std::shared_ptr<const TextSetup> next = SetUp(request);
+  const FeltPage page = FeltPageOf(next, 0, false, FirstFree());
+  PageAnchor anchor;
+  if (!page.set().glyphs.empty()) {
+    anchor.to_P = page.set().glyphs.front().origin_P + next->set.style.size * kInLetter;
+  }
+  Show(page, anchor);
+  request_ = std::move(request);
+}
+
+void LoopSession::LayAgain(Laid laid, glm::dvec2 at_P) {
+  laid.page.number = static_cast<std::uint32_t>(FirstFree() + laid.page.index);
+  Show(std::move(laid.page), PageAnchor{{0, 0}, at_P, 0});
+  request_ = std::move(laid.request);
+  form_ = laid.form;
 }
 
 void LoopSession::GoOn() {

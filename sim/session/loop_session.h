@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -55,6 +56,18 @@ class LoopSession {
   /// `most_pages`.
   void ChangeText(TextRequest request, bool blank,
                   std::size_t most_pages = std::numeric_limits<std::size_t>::max());
+  /// A line that is not of the text, such as an answer: its first letter lies under the tip. As
+  /// ChangeText.
+  void LayLine(TextRequest request);
+  /// A text as it lies, to be laid again behind another one.
+  struct Laid {
+    TextRequest request;
+    FeltPage page;
+    PageForm form;
+  };
+  Laid Lies() const { return {request_, felt_, form_}; }
+  /// The point `at_P` [m] of its page comes to lie under the tip.
+  void LayAgain(Laid laid, glm::dvec2 at_P);
   /// Force again after a stop. A simulated hand has run on meanwhile, and begins the page anew.
   void GoOn();
   /// The page raised at its far edge [rad], see PageChange::tilt; a simulated hand begins it anew,
@@ -68,6 +81,7 @@ class LoopSession {
   Scene SetFirst(bool blank);
   std::shared_ptr<const TextSetup> SetUp(const TextRequest& request);
   void SetAnew(TextRequest request, glm::dvec2 tip_P);
+  std::uint32_t FirstFree() const;
   void Show(FeltPage page, const std::optional<PageAnchor>& anchor);
   void LetFeel(const FeltPage& page, const std::optional<PageAnchor>& anchor,
                std::optional<double> tilt);

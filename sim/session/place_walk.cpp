@@ -300,8 +300,8 @@ std::optional<PlaceWalk::Arrival> PlaceWalk::Arrived(const LoopSnapshot& now) {
   std::optional<glm::dvec2> way_P;
   if (!session_.device().simulated()) way_P = found->p_P - glm::dvec2(now.tip_P);
   const std::size_t pages = session_.text().set.pages.size();
-  return Arrival{say::PlaceIs(target.what, found->page, pages, found->line, way_P), now.tip_P,
-                 found->p_P};
+  return Arrival{say::PlaceIs(target.what, found->page, pages, found->line, way_P),
+                 target.place.source, now.tip_P, found->p_P};
 }
 
 std::shared_ptr<const GuidancePath> PathTo(const PlaceWalk::Arrival& arrival, double width) {

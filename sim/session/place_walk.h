@@ -55,6 +55,7 @@ class PlaceWalk {
 
   struct Arrival {
     std::string sentence;       ///< what is there, and the way
+    std::size_t source = 0;     ///< byte of the letter
     glm::dvec3 tip_P{0, 0, 0};  ///< from where [m]
     glm::dvec2 place_P{0, 0};   ///< [m]
   };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <sstream>
 
 #include "lessons/documents/html_document.h"
@@ -179,6 +180,86 @@ TEST_F(BookWalkTest, KeepsThePlaceUntilTheHandHasComeToIt) {
   walk_->Look(At(static_cast<std::size_t>(letter) + 1));
   walk_->End();
   EXPECT_EQ(memory_.reading().place.letter, letter + 1);
+}
+
+TEST_F(BookWalkTest, IsAtThePlaceThatWasGoneToBeforeItIsTouched) {
+  Open(kTides);
+  walk_->Arrived(Byte("helps"));
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("helps")));
+}
+
+TEST_F(BookWalkTest, GivesItsSentenceToLessons) {
+  Open(kTides);
+  EXPECT_TRUE(Begins(Say("my text", At(Byte("draws"))), "Yours in lessons, by my text: The moon"));
+  walk_->End();
+  memory_ = BookMemory();
+  const std::vector<RecordedEvent> events = Records::OpenToRead(In("records.sqlite")).Events("owl");
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].kind, kOwnTextEvent);
+  EXPECT_EQ(events[0].text, "The moon draws the sea.");
+}
+
+/// A press at a place of what lies there.
+LoopEvent PressAt(glm::dvec2 p_P, LoopEventKind kind) {
+  LoopEvent event;
+  event.kind = kind;
+  event.tip_P = glm::dvec3(p_P, 0);
+  return event;
+}
+
+TEST_F(BookWalkTest, LaysAnswersUnderTheHandAndThePlaceBackAgain) {
+  options_.moon = true;
+  Open(kTides);
+  const LoopSnapshot now = At(Byte("draws"));
+  walk_->Look(now);
+  const std::size_t page = session_->felt().index;
+  EXPECT_FALSE(walk_->Pressed(false, PressAt(now.tip_P, LoopEventKind::kSay)).taken);
+  EXPECT_TRUE(walk_->Answered({"At d, line 1.", "Heading Moon."}, now));
+  EXPECT_EQ(session_->text().text, "At d, line 1. Heading Moon.");
+  LoopSnapshot there = now;
+  there.page = session_->felt().number;
+  EXPECT_TRUE(walk_->Look(there).empty());  // it is no place of the book
+  const Companion::Press press = walk_->Pressed(false, PressAt({0.05, 0.05}, LoopEventKind::kSay));
+  EXPECT_TRUE(press.taken);
+  EXPECT_EQ(press.line, "");
+  EXPECT_EQ(session_->text().text, text_.text);
+  EXPECT_EQ(session_->felt().index, page);
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("draws")));
+}
+
+TEST_F(BookWalkTest, HasAMenuForAStylusAlone) {
+  options_.moon = true;
+  Open(kTides);
+  const LoopSnapshot now = At(Byte("draws"));
+  std::set<std::string> words;
+  for (std::size_t row = 0; row < 100; ++row) {
+    EXPECT_TRUE(walk_->Pressed(true, PressAt(now.tip_P, LoopEventKind::kBookmark)).taken);
+    // to the row's page by presses beside the words
+    std::size_t rows = 0;
+    std::optional<glm::dvec2> at_P;
+    while (!at_P) {
+      for (const PlacedGlyph& glyph : session_->felt().set().glyphs) {
+        if (rows + glyph.line == row) at_P = glyph.origin_P + glm::dvec2(0.003, 0.006);
+      }
+      if (at_P) break;
+      rows += session_->felt().set().lines;
+      ASSERT_TRUE(walk_->Pressed(false, PressAt({-0.5, -0.5}, LoopEventKind::kSay)).taken);
+      if (session_->text().text == text_.text) break;  // behind the last page: the book
+    }
+    if (!at_P) break;
+    const Companion::Press press = walk_->Pressed(false, PressAt(*at_P, LoopEventKind::kSay));
+    words.insert(press.line);  // a long word may have two rows
+    EXPECT_EQ(session_->text().text, text_.text);
+  }
+  for (const char* word : {"next", "back", "where", "next line", "next heading", "next link",
+                           "follow", "return", "bookmark", "mark", "contents", "quit"}) {
+    EXPECT_EQ(words.count(word), 1U) << word;
+  }
+  for (const std::string& word : words) {
+    EXPECT_NE(ReadLine(word, WordPlace::kBook).word, nullptr) << word;
+  }
 }
 
 TEST_F(BookWalkTest, KnowsABookAgainThatMovedOrWasEdited) {
