@@ -153,11 +153,11 @@ std::string BrailleTableFor(const std::string& language) {
   return "en-ueb-g2.ctb";
 }
 
-void ReadPatterns(Document& document, const std::string& name) {
-  const BrailleTable table(name);
-  for (Block& block : document.blocks) ReadBlock(table, block);
-  for (ContentsEntry& entry : document.contents) entry.title = Read(table, entry.title);
-  document.title = Read(table, document.title);
+void ReadPatterns(Document& document, const std::string& table) {
+  const BrailleTable reader(table);
+  for (Block& block : document.blocks) ReadBlock(reader, block);
+  for (ContentsEntry& entry : document.contents) entry.title = Read(reader, entry.title);
+  document.title = Read(reader, document.title);
 }
 
 }  // namespace moontrace

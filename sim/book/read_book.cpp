@@ -52,8 +52,10 @@ BookMemory MemoryOf(const ReadBookOptions& options, const Book& book, const std:
   return {};
 }
 
-SessionRequest RequestOf(const ReadBookOptions& options, std::string text) {
+SessionRequest RequestOf(const ReadBookOptions& options, const std::string& file,
+                         std::string text) {
   SessionRequest request;
+  request.input_taken = file == "-";
   request.text.text.text = std::move(text);
   request.text.style = options.style;
   request.text.style.structure = true;
@@ -73,7 +75,7 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   const Transcription text = Transcribe(document);
   const Book book{document, text, say::DocumentName(document, file)};
   BookMemory memory = MemoryOf(options, book, file, console);
-  LoopSession session(RequestOf(options, text.text), console);
+  LoopSession session(RequestOf(options, file, text.text), console);
   const std::size_t pages = session.text().set.pages.size();
   console.Result(say::DocumentSummary(document, file, &pages));
   if (memory.known_by() != KnownBy::kContent) {  // else it was told before

@@ -31,6 +31,7 @@ LoopSession::LoopSession(const SessionRequest& request, Console& console)
     : console_(console),
       rate_(request.rate()),
       centred_(request.centred),
+      input_taken_(request.input_taken),
       request_(request.text),
       device_(request, console) {
   request_.feel.scene.tick = 1 / rate_;

@@ -33,7 +33,7 @@ class LoopSession {
   /// What the present text was made of.
   const TextRequest& request() const { return request_; }
   /// Standard input gave the text, so that no words can come from it.
-  bool text_was_input() const { return request_.text.text == "-"; }
+  bool text_was_input() const { return input_taken_ || request_.text.text == "-"; }
   double rate() const { return rate_; }                              ///< [Hz]
   double force_bound() const { return force_bound_; }                ///< see ForceBound [N]
   double carried_press() const { return carried_press_; }            ///< of the first page [N]
@@ -88,7 +88,7 @@ class LoopSession {
 
   Console& console_;
   double rate_ = 1000;  ///< [Hz]
-  bool centred_ = false;
+  bool centred_ = false, input_taken_ = false;
   TextRequest request_;
   LiveDevice device_;
   FeltPage felt_;

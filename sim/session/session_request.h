@@ -19,6 +19,8 @@ struct SessionRequest {
   bool blank = false;
   /// A text of one line lies in the sheet's middle, not at its upper left.
   bool centred = false;
+  /// Standard input gave the text, so that no words can come from it.
+  bool input_taken = false;
   std::uint64_t seed = 1;  ///< of the simulated hand
   /// Of the device "mouse", where a window's mouse means the tip to be, frame P; none: no window.
   std::shared_ptr<Mailbox<StylusAim>> aims = {};

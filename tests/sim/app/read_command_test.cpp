@@ -17,6 +17,7 @@
 #include "lessons/documents/zip_archive.h"
 #include "lessons/records/records.h"
 #include "sim/app/commands.h"
+#include "sim/session/loop_messages.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/source_path.h"
 
@@ -146,6 +147,14 @@ TEST_F(ReadCommand, ReadsOnWithoutPlacesWhereNobodyIsNamed) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("Your place is not kept: "), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out.find("Kept: "), std::string::npos) << outcome.out;
+}
+
+TEST_F(ReadCommand, ReadsStandardInputByTouchWithoutWords) {
+  const Outcome outcome = RunLine(
+      {"read", "-", "--device", "simulated", "--seconds", "0.2", "--records", In("r.sqlite")},
+      "some words\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find(say::CannotSpeak()), std::string::npos) << outcome.err;
 }
 
 class SlowReadCommand : public ReadCommand {};
