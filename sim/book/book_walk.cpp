@@ -137,7 +137,8 @@ std::vector<std::string> BookWalk::Contents(const std::string& number, const Loo
     const ContentsEntry& entry = contents[i];
     std::optional<FoundPlace> found;
     if (entry.block != kNoBlock) {
-      found = Find(session_.text(), {book_.text.begins[entry.block], kInLetter});
+      const auto letter = LetterFrom(session_.text(), book_.text.begins[entry.block]);
+      if (letter) found = Find(session_.text(), {*letter, kInLetter});
     }
     lines.push_back(say::NumberedContents(i + 1, entry, found ? found->page : 0));
   }

@@ -125,7 +125,7 @@ TEST_F(ReadCommand, IsReadByWordsAndGoesOnWhereItWasLeft) {
   EXPECT_EQ(first.code, 0) << first.err;
   ExpectTextFace(first.out);
   for (const char* said : {"owl reads for the first time; places are kept.\n",
-                           "\"The Lighthouse\" by ", "\n1: First light, page 2.\n", "\nParagraph ",
+                           "\"The Lighthouse\" by ", "\n1: First light, page 3.\n", "\nParagraph ",
                            "\nBookmark set: tea, page 3 of ", "\nKept: page 3 of "}) {
     EXPECT_NE(first.out.find(said), std::string::npos) << said << first.out;
   }

@@ -132,6 +132,13 @@ TEST_F(BookWalkTest, LeadsByContentsPrintedPagesAndBookmarks) {
   const Lines contents = Say("contents", At(0));
   ASSERT_EQ(contents.size(), 3U);
   EXPECT_EQ(contents[1].rfind("2: Moon, level 2, page ", 0), 0U) << contents[1];
+  for (std::size_t i = 0; i < 3; ++i) {  // the page told is the page that it leads to
+    const Lines led = Say("contents " + std::to_string(i + 1), At(0));
+    ASSERT_FALSE(led.empty());
+    const std::string page = contents[i].substr(contents[i].rfind(", page ") + 2);
+    EXPECT_NE(led[0].find(page.substr(0, page.size() - 1) + " of "), std::string::npos)
+        << contents[i] << " " << led[0];
+  }
   EXPECT_TRUE(Begins(Say("contents 3", At(0)), "Sun: "));
   EXPECT_EQ(Say("contents 4", At(0)), Lines{"No line 4 of the contents: they have 3."});
   EXPECT_TRUE(Begins(Say("go to print 7", At(0)), "Page 7 of the printed book.: "));
