@@ -137,7 +137,8 @@ std::string StepLine(const Course& course, const Step& step, std::size_t number)
   if (step.size) size = fmt::format(" At {} mm.", Short(kMillimetres * *step.size, 2));
   if (step.one_page) size += " On one page.";
   if (step.sure_sizes) size = fmt::format(" Until sure at {} sizes.", *step.sure_sizes);
-  return fmt::format("Step {}, {}: {}.{}", number, Doing(step), what, size);
+  const bool ends = what.find_last_of(".!?") == what.size() - 1;  // a text has its own mark
+  return fmt::format("Step {}, {}: {}{}{}", number, Doing(step), what, ends ? "" : ".", size);
 }
 
 std::string StepSays(std::string_view text) { return fmt::format("Says: {}", InOneLine(text)); }

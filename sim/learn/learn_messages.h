@@ -26,7 +26,7 @@ inline constexpr const char* kLearnDevice =
 inline constexpr const char* kLearnSeconds = "ends after so many seconds. Default: when you quit.";
 inline constexpr const char* kLearnSeed = "of the choice of signs, a whole number. Default 1.";
 inline constexpr const char* kPrint =
-    "instead: write the pages of a lesson for swell paper, .svg or .pdf, in true size.";
+    "instead: write the pages of a lesson for swell paper, .svg, .pdf or .png, in true size.";
 inline constexpr const char* kPrintLesson = "with --print, the lesson. Default the first.";
 inline constexpr const char* kPrintSize =
     "with --print, height of the letters in mm. Default the "

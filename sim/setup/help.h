@@ -53,7 +53,7 @@ inline constexpr const char* kBench = "measures speed and accuracy against other
 inline constexpr const char* kDemo = "traces a word at four sizes and leaves pictures";
 
 inline constexpr const char* kGallery =
-    "draws every script and option, gathered in one page with words";
+    "draws each kind of script and setting, gathered in one page with words";
 inline constexpr const char* kDevices =
     "says which devices are there and what they can do, or tries one: devices test NAME";
 inline constexpr const char* kDevicesWords = "nothing, or: test NAME.";

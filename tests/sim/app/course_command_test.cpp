@@ -160,6 +160,8 @@ TEST_F(CourseCommand, ShowsALessonByItsNumberOrName) {
   }
   EXPECT_EQ(RunLine({"course", "show", folder_.string(), "2"}).out.rfind("two: A. ", 0), 0U);
   EXPECT_EQ(RunLine({"course", "show", "5", "--json"}).Json()["lessons"].size(), 1U);
+  // a text keeps its own full stop
+  EXPECT_EQ(RunLine({"course", "show", "15"}).out.find(".."), std::string::npos);
   const Outcome none = RunLine({"course", "show", "99"});
   EXPECT_EQ(none.code, 2);
   EXPECT_EQ(none.err, "no such lesson: 99; moontrace course show lists them\n");
