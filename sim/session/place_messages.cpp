@@ -37,12 +37,10 @@ std::string Occurrence(std::string_view wanted, std::size_t number, std::size_t 
 }
 
 std::string HeadingIs(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of("# "), line.size()));
   return fmt::format("Heading {}", OneLine(line, 24));
 }
 
 std::string ParagraphIs(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of("#> "), line.size()));
   return fmt::format("Paragraph {}", OneLine(line, 20));
 }
 

@@ -4,10 +4,14 @@
 #include <array>
 #include <charconv>
 #include <glm/geometric.hpp>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "sim/session/place_messages.h"
 #include "textures/base/utf8.h"
+#include "textures/typeset/fold.h"
+#include "textures/typeset/structure.h"
 
 namespace moontrace {
 
@@ -73,12 +77,27 @@ double DistanceToWay(glm::dvec2 p, glm::dvec2 from, glm::dvec2 to) {
   return glm::distance(p, from + share * way);
 }
 
-/// The line of the source that a byte stands in.
-std::string_view LineAround(std::string_view text, std::size_t source) {
+/// The line of the source that a byte stands in, as it is read: without its marks of structure.
+std::string LineAround(const TextSetup& setup, std::size_t source) {
+  const std::string_view text = setup.text;
   const std::size_t end = std::min(text.find('\n', source), text.size());
   const std::size_t begin = text.rfind('\n', source);
   const std::size_t first = begin == std::string_view::npos || begin > source ? 0 : begin + 1;
-  return text.substr(first, end - first);
+  const std::string_view line = text.substr(first, end - first);
+  if (!setup.set.style.structure.read) return std::string(line);
+  std::vector<FoldedChar> characters;
+  for (std::size_t i = 0; i < line.size();) {
+    FoldedChar one;
+    one.begin = static_cast<std::uint32_t>(i);
+    i += std::max<std::size_t>(1, Decode(line.substr(i), one.code));
+    one.end = static_cast<std::uint32_t>(i);
+    if (one.code == ' ') one.kind = FoldedChar::Kind::kSpace;
+    characters.push_back(one);
+  }
+  TakeMarks(line, characters);
+  std::string read;
+  for (const FoldedChar& one : characters) read += line.substr(one.begin, one.end - one.begin);
+  return read;
 }
 
 }  // namespace
@@ -224,7 +243,8 @@ std::string PlaceWalk::NextRow(bool heading, const LoopSnapshot& now) {
   const auto row = RowBehind(session_.text(), from->page, from->line, fits);
   if (!row) return heading ? say::NoHeadingBehind() : say::NoLineBehind();
   const std::size_t source = row->glyph->source_begin;
-  return GoTo({{source, kInLetter}, heading ? say::HeadingIs(LineAround(text_, source)) : ""});
+  return GoTo(
+      {{source, kInLetter}, heading ? say::HeadingIs(LineAround(session_.text(), source)) : ""});
 }
 
 /// Paragraphs have a blank line between them.
@@ -240,7 +260,7 @@ std::string PlaceWalk::NextParagraph(const LoopSnapshot& now) {
   if (begin == std::string::npos) return say::NoParagraphBehind();
   const std::optional<std::size_t> letter = LetterFrom(session_.text(), begin);  // behind its mark
   if (!letter) return say::NoParagraphBehind();
-  return GoTo({{*letter, kInLetter}, say::ParagraphIs(LineAround(text_, *letter))});
+  return GoTo({{*letter, kInLetter}, say::ParagraphIs(LineAround(session_.text(), *letter))});
 }
 
 std::string PlaceWalk::NextLink(const LoopSnapshot& now) {
