@@ -27,6 +27,8 @@ std::string PlaceIs(std::string_view what, std::size_t page, std::size_t pages, 
   std::string place = pages > 1 ? fmt::format("page {} of {}, ", page + 1, pages) : "";
   place += fmt::format("line {}", line + 1);
   if (way_P) place += ", " + Way(*way_P);
+  // a sentence leaves its own full stop for that of the whole
+  while (what.ends_with('.')) what.remove_suffix(1);
   if (!what.empty()) return fmt::format("{}: {}.", what, place);
   place[0] = static_cast<char>(place[0] - 'a' + 'A');
   return place + ".";

@@ -115,7 +115,7 @@ TEST_F(BookWalkTest, TellsHeadingsAndThePrintedPageApartFromItsOwn) {
 TEST_F(BookWalkTest, FollowsANoteAndComesBack) {
   Open(kTides);
   const LoopSnapshot call = At(Byte("[1]") + 1);
-  EXPECT_TRUE(Begins(Say("follow", call), "A day of the moon.: "));
+  EXPECT_TRUE(Begins(Say("follow", call), "A day of the moon: "));
   const auto back = places_->Go({PlaceWord::kReturn, ""}, At(Byte("A day of")));
   EXPECT_EQ(back, "");
   LoopSnapshot now = At(Byte("[1]") + 1);
@@ -141,7 +141,7 @@ TEST_F(BookWalkTest, LeadsByContentsPrintedPagesAndBookmarks) {
   }
   EXPECT_TRUE(Begins(Say("contents 3", At(0)), "Sun: "));
   EXPECT_EQ(Say("contents 4", At(0)), Lines{"No line 4 of the contents: they have 3."});
-  EXPECT_TRUE(Begins(Say("go to print 7", At(0)), "Page 7 of the printed book.: "));
+  EXPECT_TRUE(Begins(Say("go to print 7", At(0)), "Page 7 of the printed book: "));
   EXPECT_EQ(Say("go to print 8", At(0)), Lines{"No printed page 8 is marked here."});
   EXPECT_EQ(Say("mark", At(0)), Lines{say::NoMarks()});
   EXPECT_TRUE(Begins(Say("bookmark Tea time", At(Byte("draws"))), "Bookmark set: Tea time, page "));
