@@ -40,6 +40,9 @@ int main(int argc, char** argv) {
   moontrace::Console console(std::cin, std::cout, std::cerr, &stop_asked);
   console.SetColumns([] { return moontrace::TerminalColumns(STDOUT_FILENO); },
                      [] { return moontrace::TerminalColumns(STDERR_FILENO); });
+  // The launcher tells how it was called: it is what its user can type again.
+  const char* called = std::getenv("MOONTRACE_CALLED");
+  console.SetCalled(called == nullptr ? "" : called, moontrace::TypedAfterName());
   const int code = moontrace::RunCli(std::vector<std::string>(argv + 1, argv + argc), console);
   if (moontrace::ViewWindow::DisplayWasLost()) {
     std::cout.flush();

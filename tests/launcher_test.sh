@@ -56,7 +56,7 @@ new_tree() {
         case $* in *TESTS=ON*) echo MOONTRACE_TESTS:BOOL=ON >build/release/CMakeCache.txt ;; esac ;;
       --build) [ ! -f broken ] || { echo "main.cpp:1: error: broken"; exit 1; }
         mkdir -p build/release/sim
-        printf "#!/usr/bin/env bash\necho ran \"\$@\" in \$PWD\nexit 7\n" >build/release/sim/moontrace
+        printf "#!/usr/bin/env bash\necho ran \"\$@\" in \$PWD\necho called \"\$MOONTRACE_CALLED\"\nexit 7\n" >build/release/sim/moontrace
         chmod +x build/release/sim/moontrace ;;
     esac'
   tool ctest <<<'
@@ -79,6 +79,22 @@ expect 'the first start builds the program alone' called 'cmake --build .*--targ
 expect 'installed packages are left alone' not called apt-get
 expect 'the program gets arguments and folder' said "ran trace hello in $work"
 expect 'the exit code of the program passes through' code_is 7
+
+expect 'the program learns how it was called' said "^called $tree/moontrace$"
+for call in "cd $tree && ./moontrace" "cd $tree/sim && ../moontrace"; do
+  PATH=$work/tools bash -c "$call page" >"$work/said" 2>&1 </dev/null
+  expect "called as it was typed: $call" said "^called ${call##* }$"
+done
+(cd "$tree" && PATH=$work/tools bash moontrace page) >"$work/said" 2>&1 </dev/null
+expect 'given to bash it is called from its folder' said '^called ./moontrace$'
+ln -s "$tree/moontrace" "$work/tools/moontrace"
+ln -s "$(command -v readlink)" "$work/tools/readlink"
+PATH=$work/tools bash -c 'moontrace page' >"$work/said" 2>&1 </dev/null
+expect 'found by its name it is called by it' said '^called moontrace$'
+mkdir "$work/my files"
+ln -s "$tree/moontrace" "$work/my files/moontrace"
+PATH=$work/tools "$work/my files/moontrace" page >"$work/said" 2>&1 </dev/null
+expect 'a path with a blank can be typed' grep -qF "called $work/my\ files/moontrace" "$work/said"
 
 start page
 expect 'a second start asks no tool at all' not grep -q . "$calls"

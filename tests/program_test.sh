@@ -42,6 +42,15 @@ expect 'a picture beyond the limit lacks room' code_is 4
 expect 'a picture beyond the limit gives one line' one_line
 expect 'a picture beyond the limit leaves nothing' nothing_left
 
+# What is to be typed begins as the program was called, which the launcher tells.
+called() { grep -q "^$1 demo: " "$work/said" && ! grep -q "^moontrace $2" "$work/said"; }
+MOONTRACE_CALLED=./moontrace "$program" >"$work/said" 2>&1
+code=$?
+expect 'through the launcher its lines name the launcher' called ./moontrace .
+"$program" >"$work/said" 2>&1
+code=$?
+expect 'by itself they name the program' called moontrace nothing
+
 mkfifo "$work/pipe"
 exec 3<>"$work/pipe" 4>"$work/pipe" 3>&-  # a pipe that nobody reads
 "$program" page IT >&4 2>"$work/said"

@@ -233,6 +233,12 @@ int Dispatch(const Args& args, Console& console) {
 
 }  // namespace
 
+std::vector<std::string> TypedAfterName() {
+  std::vector<std::string> words{"help", "version", "COMMAND"};
+  for (const Command& command : kCommands) words.emplace_back(command.card.name);
+  return words;
+}
+
 int RunCli(const std::vector<std::string>& args, Console& console) {
   const auto refuse = [&console](std::string_view line, int code) {
     console.out().flush();

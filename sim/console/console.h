@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace moontrace {
 
@@ -68,6 +69,10 @@ class Console {
     err_columns_ = std::move(err);
   }
 
+  /// How the program was called, as typed in a shell: lines that name a command line, "moontrace"
+  /// and one of `commands`, show it thus, so that it can be typed as it stands. Empty: "moontrace".
+  void SetCalled(std::string_view called, std::vector<std::string> commands);
+
   void Result(std::string_view line);  ///< on stdout, wrapped at words
   void Help(std::string_view lines);   ///< likewise, several lines; with `--json` too
   /// On stdout, wrapped: progress, which is no result. Not with `--quiet`.
@@ -96,12 +101,16 @@ class Console {
 
  private:
   void Spoke();
+  std::string AsTyped(std::string_view lines) const;
+  std::string Shown(std::string_view lines, const Columns& columns) const;
 
   std::istream& in_;
   std::ostream& out_;
   std::ostream& err_;
   const std::atomic<bool>* stop_;
   Columns out_columns_, err_columns_;
+  std::string called_ = "moontrace";
+  std::vector<std::string> commands_;
   bool json_ = false;
   bool quiet_ = false;
   double last_spoke_;  ///< [s], of a clock that never goes back; <chrono> takes long to compile
