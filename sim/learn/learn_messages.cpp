@@ -268,6 +268,8 @@ std::vector<std::string> LearningWithoutDevice() {
       "paper in true size.",
       "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "
       "--sound. Nothing is felt and nothing counts.",
+      "With a tutor: moontrace learn --tutor --device simulated --learner NAME, and in a second "
+      "terminal moontrace tutor.",
       "To see which devices this machine knows: moontrace devices."};
 }
 std::string AskDemonstration() {

@@ -26,6 +26,7 @@ TEST_F(LearnCommand, WithoutADeviceSaysSoFirstAndWhatWorks) {
   EXPECT_EQ(lines[0], "No force device is here: nothing can be felt.");
   EXPECT_TRUE(Holds(outcome.out, "--device simulated"));
   EXPECT_TRUE(Holds(outcome.out, "--print"));
+  EXPECT_TRUE(Holds(outcome.out, "--tutor --device simulated --learner NAME"));
   EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
   EXPECT_FALSE(Holds(outcome.err, "orce device")) << "said already: " << outcome.err;
   ExpectTextFace(outcome.out);
