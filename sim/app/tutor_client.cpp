@@ -18,6 +18,7 @@
 #include "sim/tutor/tutor_messages.h"
 #include "sim/tutor/tutor_socket.h"
 #include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
 
 namespace moontrace {
 
@@ -37,14 +38,15 @@ FileDescriptor Connected(const std::string& learner_given) {
   if (learner.empty()) {
     const std::vector<std::string> live = LearnersWithTutorSockets(folder);
     if (live.size() > 1) throw LackError(say::SeveralLessons(live));
-    if (live.empty()) throw LackError(say::NoLessonRuns(""));
+    if (live.empty()) throw LackError(say::NoLessonRuns("", ""));
     learner = live.front();
   }
   const std::string path = folder + "/" + TutorSocketName(learner);
   FileDescriptor fd = ConnectTo(path);
   const int error = errno;
   if (!fd && (error == ENOENT || error == ECONNREFUSED)) {
-    throw LackError(say::NoLessonRuns(learner));
+    const std::string nearest = NearestWord(learner, LearnersWithTutorSockets(folder));
+    throw LackError(say::NoLessonRuns(learner, nearest));
   }
   if (!fd) throw LackError(say::LessonRefused(path, std::generic_category().message(error)));
   if (!PeerIsOwner(fd.get())) throw LackError(say::LessonRefused(path, "it is another user's"));

@@ -60,9 +60,11 @@ std::string CannotOpenSocket(std::string_view path, std::string_view cause) {
                      OneLine(path, 300));
 }
 
-std::string NoLessonRuns(std::string_view learner) {
-  return fmt::format("no lesson{} runs here with a tutor: start one with moontrace learn --tutor",
-                     learner.empty() ? std::string() : fmt::format(" of {}", OneLine(learner)));
+std::string NoLessonRuns(std::string_view learner, std::string_view nearest) {
+  return fmt::format("no lesson{} runs here with a tutor: {}",
+                     learner.empty() ? std::string() : fmt::format(" of {}", OneLine(learner)),
+                     nearest.empty() ? "start one with moontrace learn --tutor"
+                                     : fmt::format("did you mean {}?", OneLine(nearest)));
 }
 
 std::string SeveralLessons(const std::vector<std::string>& learners) {

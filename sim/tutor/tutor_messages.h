@@ -35,7 +35,8 @@ std::string FolderOpenToOthers(std::string_view folder);
 std::string CannotOpenSocket(std::string_view path, std::string_view cause);
 
 // The tutor's own program.
-std::string NoLessonRuns(std::string_view learner);
+/// `nearest`: whose lesson runs with a tutor and was perhaps meant; empty: nobody's.
+std::string NoLessonRuns(std::string_view learner, std::string_view nearest);
 std::string SeveralLessons(const std::vector<std::string>& learners);
 std::string LessonRefused(std::string_view path, std::string_view cause);
 std::string LessonEnded();

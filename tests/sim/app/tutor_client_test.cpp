@@ -102,6 +102,19 @@ TEST_F(TutorCommandLine, SaysInOneLineThatNoLessonRuns) {
             "no lesson of bob runs here with a tutor: start one with moontrace learn --tutor\n");
 }
 
+// As report and records do: a name in another case, or with a slip, is not found but named.
+TEST_F(TutorCommandLine, NamesTheLearnerWhoWasPerhapsMeant) {
+  const Lesson lesson("Ada");
+  for (const std::string given : {"ada", "Adq"}) {
+    const Outcome outcome = RunLine({"tutor", "--learner", given});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_EQ(outcome.err,
+              "no lesson of " + given + " runs here with a tutor: did you mean Ada?\n");
+  }
+  EXPECT_EQ(RunLine({"tutor", "--learner", "bob"}).err,
+            "no lesson of bob runs here with a tutor: start one with moontrace learn --tutor\n");
+}
+
 TEST_F(TutorCommandLine, AsksWhichOfSeveralLessons) {
   const Lesson ada("ada"), bob("bob");
   const Outcome outcome = RunLine({"tutor"}, "where\n");
