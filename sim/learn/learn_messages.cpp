@@ -259,18 +259,22 @@ std::string DeviceProblem(std::string_view name, std::string_view problem) {
   return fmt::format("There, but not usable: {}: {}", OneLine(name), OneLine(problem, 300));
 }
 std::string NoForceDevice() { return "No force device is here: nothing can be felt."; }
-std::vector<std::string> LearningWithoutDevice() {
-  return {
+std::vector<std::string> LearningWithoutDevice(bool window) {
+  std::vector<std::string> lines{
       "A demonstration works: moontrace learn --device simulated. It takes nine minutes, is told "
-      "in "
-      "words, and keeps nothing.",
+      "in words, and keeps nothing.",
       "Printing works: moontrace learn --print lesson.svg writes a lesson's pages for swell "
-      "paper in true size.",
-      "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "
-      "--sound. Nothing is felt and nothing counts.",
+      "paper in true size."};
+  if (window) {
+    lines.emplace_back(
+        "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "
+        "--sound. Nothing is felt and nothing counts.");
+  }
+  lines.emplace_back(
       "With a tutor: moontrace learn --tutor --device simulated --learner NAME, and in a second "
-      "terminal moontrace tutor.",
-      "To see which devices this machine knows: moontrace devices."};
+      "terminal moontrace tutor.");
+  lines.emplace_back("To see which devices this machine knows: moontrace devices.");
+  return lines;
 }
 std::string AskDemonstration() {
   return "Shall the demonstration begin? Type yes, or Enter for no.";

@@ -142,7 +142,8 @@ std::string CannotShow(std::string_view text, std::string_view why);
 // Without a device.
 std::string NoForceDevice();
 std::string DeviceProblem(std::string_view name, std::string_view problem);
-std::vector<std::string> LearningWithoutDevice();
+/// `window`: one can be opened, as far as is known.
+std::vector<std::string> LearningWithoutDevice(bool window);
 /// At a terminal, where there is no device.
 std::string AskDemonstration();
 std::string DemonstrationIs();

@@ -10,6 +10,7 @@
 #include "lessons/guide/guidance_path.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/session/device_choice.h"
+#include "sim/view/view_window.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -41,18 +42,28 @@ SessionRequest EmptyPage(const StageOptions& options) {
   return request;
 }
 
+bool WindowMayOpen() {
+  try {
+    ViewWindow::RequireDisplayNamed();
+    return true;
+  } catch (const LackError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::string DeviceForLearning(const std::string& named, Console& console) {
   if (!named.empty()) {
     if (!IsSimulated(named) && !IsMouse(named)) RequireThere(named, ProfilesFolder());
+    if (IsMouse(named)) ViewWindow::RequireDisplayNamed();
     return named;
   }
   const std::optional<DeviceEntry> first = FirstForceDevice();
   if (first && first->problem.empty()) return first->name;
   console.Result(say::NoForceDevice());
   if (first) console.Result(say::DeviceProblem(first->name, first->problem));
-  for (const std::string& line : say::LearningWithoutDevice()) console.Result(line);
+  for (const std::string& line : say::LearningWithoutDevice(WindowMayOpen())) console.Result(line);
   return {};
 }
 

@@ -117,15 +117,21 @@ bool IsDown(GLFWwindow* window, int left, int right) {
 
 }  // namespace
 
+void ViewWindow::RequireDisplayNamed() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
+    const char* display = std::getenv(name);
+    if (display != nullptr && *display != '\0') return;
+  }
+  throw LackError("no display for a window: set DISPLAY, or write pictures instead");
+}
+
 void ViewWindow::State::Open(const std::string& title, int wanted_width, int wanted_height) {
   if (glfwInit() != GLFW_TRUE) {
+    RequireDisplayNamed();
     const char* display = std::getenv("DISPLAY");
-    if (display == nullptr || *display == '\0') {
-      throw LackError("no display for a window: set DISPLAY, or write pictures instead");
-    }
-    throw LackError(
-        fmt::format("no display answers at {}: set DISPLAY anew, or write pictures instead",
-                    OneLine(display, 30)));
+    throw LackError(fmt::format(
+        "no display answers at {}: set DISPLAY anew, or write pictures instead",
+        OneLine(display == nullptr || *display == '\0' ? "WAYLAND_DISPLAY" : display, 30)));
   }
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DOUBLEBUFFER, GLFW_TRUE);
@@ -258,6 +264,9 @@ int ViewWindow::width() const { return 0; }
 int ViewWindow::height() const { return 0; }
 void ViewWindow::SetTitle(const std::string& /*title*/) {}
 void ViewWindow::Swap() {}
+void ViewWindow::RequireDisplayNamed() {
+  throw LackError("this build opens no window: install libglfw3-dev and build again");
+}
 bool ViewWindow::DisplayWasLost() noexcept { return false; }
 
 #endif

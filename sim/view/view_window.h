@@ -33,6 +33,10 @@ class ViewWindow {
   /// Shows what was drawn.
   void Swap();
 
+  /// Throws LackError, as the constructor would: no display is named in the environment, or built
+  /// without. That one is named does not mean that it answers. Any thread.
+  static void RequireDisplayNamed();
+
   /// The display of a window went away in this program. The thread that stands still holds a lock
   /// of Xlib's, for which libraries wait when they are unloaded: such a program must end by
   /// std::_Exit, behind what is to be flushed. Any thread.

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <tuple>
 
 #include "devices/catalogue/catalogue.h"
 #include "lessons/records/records.h"
+#include "sim/view/view_window.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/sim/learn_fixture.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 namespace {
@@ -42,6 +45,32 @@ TEST_F(LearnCommand, RefusesADeviceThatIsNotThereBeforeItAsksWhoLearns) {
     EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
     ExpectOnly({"course"});
   }
+}
+
+TEST_F(LearnCommand, OffersNoMouseWithoutADisplayAndRefusesItBeforeItAsksWhoLearns) {
+  const char* display = std::getenv("DISPLAY");
+  const std::string kept = display == nullptr ? "" : display;
+  unsetenv("WAYLAND_DISPLAY");
+  setenv("DISPLAY", ":0", 1);
+  bool opens = true;  // not where the program was built without windows
+  try {
+    ViewWindow::RequireDisplayNamed();
+  } catch (const LackError&) {
+    opens = false;
+  }
+  const Outcome with = RunLine({"learn", "--course", In("course"), "--learner", "ann"});
+  unsetenv("DISPLAY");
+  const Outcome without = RunLine({"learn", "--course", In("course"), "--learner", "ann"});
+  const Outcome mouse = RunLine({"learn", "--course", In("course"), "--records",
+                                 In("records.sqlite"), "--device", "mouse", "--view"},
+                                "ann\nquit\n");
+  if (display != nullptr) setenv("DISPLAY", kept.c_str(), 1);
+  EXPECT_EQ(Holds(with.out, "--device mouse"), opens);
+  EXPECT_FALSE(Holds(without.out, "--device mouse"));
+  EXPECT_EQ(mouse.code, 4);
+  EXPECT_EQ(mouse.out, "");
+  EXPECT_EQ(Lines(mouse.err).size(), 1U) << mouse.err;
+  ExpectOnly({"course"});
 }
 
 TEST_F(LearnCommand, SaysThatASimulatedLearnerIsNotKeptWithoutRecords) {
