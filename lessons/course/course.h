@@ -48,6 +48,7 @@ struct Step {
   StepKind kind = StepKind::kExplore;
   Question question = Question::kName;
   std::string say;                 ///< said when it begins; may be empty
+  std::string say_held;            ///< in its place where the tip cannot be lifted; empty: `say`
   std::vector<std::string> items;  ///< not for kExplore, kRead; empty: the lesson's new ones
   std::string text;                ///< for kExplore and kRead: the text on the page
   /// Size of this step's letters [m]; none: the learner's present size, by mastery.

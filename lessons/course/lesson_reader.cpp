@@ -114,7 +114,7 @@ Step ReadStep(const TomlTable& table, std::size_t index, Lesson& lesson, FaultLi
     ReadKind(table, step);
     has_kind = true;
   });
-  for (const char* key : {"question", "say", "items", "text", "size_mm"}) {
+  for (const char* key : {"question", "say", "say_held", "items", "text", "size_mm"}) {
     if (table.Has(key)) lesson.places[KeyOf(index, key)] = PlaceIn(table, key);
   }
   if (has_kind) {  // what belongs to a step depends on its kind
@@ -124,6 +124,11 @@ Step ReadStep(const TomlTable& table, std::size_t index, Lesson& lesson, FaultLi
   }
   faults.Try([&] {
     if (table.Has("say")) step.say = ReadCourseText(table, "say", kMostCourseText);
+  });
+  faults.Try([&] {
+    if (!table.Has("say_held")) return;
+    step.say_held = ReadCourseText(table, "say_held", kMostCourseText);
+    if (!table.Has("say")) table.Fail("say_held", "only beside say; add what is said elsewhere");
   });
   faults.Try([&] { ReadStepSize(table, step); });
   faults.Try([&] { ReadStepSizes(table, step); });

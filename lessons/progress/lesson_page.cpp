@@ -241,7 +241,7 @@ void Ask(Turn& turn) {
     case StepKind::kDemonstrate:
       return Say(turn, Sentence::kLedAlong, state.item);
     case StepKind::kTrace:
-      Say(turn, Sentence::kTraceIt, state.item);
+      SayCount(turn, Sentence::kTraceIt, state.item, state.held ? 1 : 0, 0);
       if (state.probe) Say(turn, Sentence::kProbe);
       return;
     case StepKind::kRecognise:

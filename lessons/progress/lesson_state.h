@@ -88,7 +88,7 @@ enum class Sentence {
   kAskName,      ///< what is it?
   kAskPick,      ///< is it text or other?
   kAskSame,      ///< two side by side: same or different?
-  kTraceIt,      ///< text: item
+  kTraceIt,      ///< text: item; number: 1 where the tip cannot be lifted
   kProbe,        ///< this one without help
   kRight,        ///< text: item
   kWrong,        ///< text: item, other: answer
@@ -189,6 +189,8 @@ struct LessonState {
   lesson_action::Await await = lesson_action::Await::kNext;
   /// Copied into every trial of this session; the caller of StartLesson sets them.
   bool scaled = false, simulated = false;
+  /// The tip cannot be lifted off a paper that is felt; likewise set by the caller.
+  bool held = false;
 };
 
 }  // namespace moontrace

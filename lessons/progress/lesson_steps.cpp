@@ -45,7 +45,8 @@ void Announce(Turn& turn, const Lesson& lesson, const Step& step) {
              lesson.optional ? 0 : static_cast<int>(LessonsInOrder(turn.course)));
   }
   if (state.practising) return Say(turn, Sentence::kTestAgain);
-  if (!step.say.empty()) Say(turn, Sentence::kCourseText, step.say);
+  const std::string& said = state.held && !step.say_held.empty() ? step.say_held : step.say;
+  if (!said.empty()) Say(turn, Sentence::kCourseText, said);
   if (step.kind == StepKind::kTest) {
     const auto asked = Unfinished(turn.course, state.progress).size();
     if (asked > 0) SayCount(turn, Sentence::kTestBegins, {}, static_cast<int>(asked), 0);

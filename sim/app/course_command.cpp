@@ -163,6 +163,7 @@ int Check(const CourseOptions& options, Console& console) {
 
 Json StepJson(const Step& step) {
   Json json{{"kind", std::string(NameOf(step.kind))}, {"say", step.say}};
+  if (!step.say_held.empty()) json["say_held"] = step.say_held;
   if (step.kind == StepKind::kRecognise || step.kind == StepKind::kTest) {
     json["question"] = std::string(NameOf(step.question));
   }
@@ -203,7 +204,9 @@ void SayLesson(const Course& course, const Lesson& lesson, Console& console) {
   }
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     console.Result(say::StepLine(course, lesson.steps[i], i + 1));
-    if (!lesson.steps[i].say.empty()) console.Result(say::StepSays(lesson.steps[i].say));
+    const Step& step = lesson.steps[i];
+    if (!step.say.empty()) console.Result(say::StepSays(step.say));
+    if (!step.say_held.empty()) console.Result(say::StepSaysHeld(step.say_held));
   }
 }
 

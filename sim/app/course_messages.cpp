@@ -141,6 +141,9 @@ std::string StepLine(const Course& course, const Step& step, std::size_t number)
   return fmt::format("Step {}, {}: {}{}{}", number, Doing(step), what, ends ? "" : ".", size);
 }
 
+std::string StepSaysHeld(std::string_view text) {
+  return fmt::format("Says where the tip cannot be lifted: {}", InOneLine(text));
+}
 std::string StepSays(std::string_view text) { return fmt::format("Says: {}", InOneLine(text)); }
 
 }  // namespace moontrace::say

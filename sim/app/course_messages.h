@@ -35,6 +35,7 @@ std::string LessonNeeds(const Lesson& lesson);
 std::string HintLine(const Course& course, const std::string& item, std::string_view hint);
 std::string StepLine(const Course& course, const Step& step, std::size_t number);
 std::string StepSays(std::string_view text);
+std::string StepSaysHeld(std::string_view text);
 
 namespace help {
 inline constexpr const char* kCourseCommand =

@@ -139,7 +139,8 @@ int Learn(LearnOptions options, Course course, Console& console) {
   LearnStage stage({options.live, options.press, options.seed, aims, memory.keeps_tracks()},
                    console);
   const LearnParts parts{course, memory, stage, teller};
-  LearnSession session(parts, options.seed, keys ? say::KeysHelp(*keys) : say::LearnHelp());
+  LearnSession session(parts, options.seed,
+                       keys ? say::KeysHelp(*keys, stage.lifts()) : say::LearnHelp(stage.lifts()));
   const std::unique_ptr<TutorDesk> tutor = DeskFor(options, parts, session, feed.get());
   SayBeginning(stage, options, keys.has_value(), memory.brief() || options.brief,
                teller);  // once nothing can be refused any more

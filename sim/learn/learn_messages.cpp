@@ -20,10 +20,12 @@ std::string LedNow() { return "Let your hand be led to the end."; }
 
 std::string ProgramTraces() { return "The program's hand traces; next leaves the sign."; }
 
-std::string Awaited(lesson_action::Await await, Question question, std::string_view between) {
+std::string Awaited(lesson_action::Await await, Question question, std::string_view between,
+                    bool lifts) {
   switch (await) {
     case lesson_action::Await::kTrace:
-      return "Your turn: trace, then lift or say done; next leaves it.";
+      return lifts ? "Your turn: trace, then lift or say done; next leaves it."
+                   : "Your turn: trace, then say done; next leaves it.";
     case lesson_action::Await::kAnswer:
       if (question == Question::kPick) return fmt::format("Asked: is it {}?", between);
       return question == Question::kSame ? "Asked: same or different?" : "Asked: what is it?";
@@ -37,9 +39,12 @@ std::string Awaited(lesson_action::Await await, Question question, std::string_v
 
 namespace {
 
-constexpr const char* kTraceEnds =
-    "A trace has ended when you have followed it all and lift for half a second, when you say "
-    "done, or press the button twice. The word next leaves a sign for later.";
+std::string TraceEnds(bool lifts) {
+  return fmt::format(
+      "A trace has ended when {}you say done, or press the button twice. The word next leaves a "
+      "sign for later.",
+      lifts ? "you have followed it all and lift for half a second, when " : "");
+}
 constexpr const char* kButton = "One press tells where you are; held, it stops.";
 
 }  // namespace
@@ -67,17 +72,17 @@ bool IsForLater(LearnWord word) {
 
 }  // namespace
 
-std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys) {
+std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys, bool lifts) {
   std::vector<std::string> words;
   words.reserve(keys.size());
   for (const auto& [key, word] : keys) words.push_back(fmt::format("{} {}", key, word));
   return {fmt::format("One key a word, without Enter: {}.", Joined(words, ", ")),
           "While something is asked, signs, numbers and names are answers, with Enter behind them; "
           "a word then begins with / and has Enter behind it: /again. Escape always stops.",
-          kTraceEnds, kButton};
+          TraceEnds(lifts), kButton};
 }
 
-std::vector<std::string> LearnHelp() {
+std::vector<std::string> LearnHelp(bool lifts) {
   std::vector<std::string> words, later;
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     const std::string& word = LearnWords()[i];
@@ -94,7 +99,7 @@ std::vector<std::string> LearnHelp() {
           "my text and a text of your own lays it under your hand: my text the cat sat.",
           "find and a word says the way to it on the page: find cat.",
           "So do find next, next line and next heading; return leads back.",
-          kTraceEnds,
+          TraceEnds(lifts),
           kButton,
           "An empty line tells what is waited for."};
 }
@@ -221,7 +226,9 @@ std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));
 }
 std::string NotFelt() {
-  return "Nothing is felt: this device has no motors. What you do here makes no letter sure.";
+  return "Nothing is felt: this device has no motors. Where a lesson speaks of feeling, the sound "
+         "of --sound and the picture of --view stand for it. What you do here makes no letter "
+         "sure.";
 }
 std::string LearnScaled() {
   return "Letters are not in true size: what you do here makes none sure.";

@@ -56,15 +56,16 @@ std::string Called(const Course& course, std::string_view item);
 
 /// What the lesson waits for, as a person asks for it; said on an empty line.
 /// `between`: the two of a question of which it is.
-std::string Awaited(lesson_action::Await await, Question question, std::string_view between);
+std::string Awaited(lesson_action::Await await, Question question, std::string_view between,
+                    bool lifts);
 /// The same while a hand is led, or the program's own traces.
 std::string LedNow();
 std::string ProgramTraces();
 
 // What words are answered by.
 /// What ? gives: of words, of single keys (key -> word).
-std::vector<std::string> LearnHelp();
-std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys);
+std::vector<std::string> LearnHelp(bool lifts);
+std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys, bool lifts);
 std::string AlreadyStopped();
 std::string NotStopped();
 /// `felt`: a hand can be pushed here.

@@ -71,6 +71,7 @@ void LearnSession::Take(decltype(Event::what) what) {
   const Trial flags = Flags({});
   state_.scaled = flags.scaled;
   state_.simulated = flags.simulated;
+  state_.held = !stage_.lifts();
   LessonTurn turn = Advance(course_, std::move(state_), {Now(), std::move(what)});
   state_ = std::move(turn.state);
   // what is told as done must be on disk first

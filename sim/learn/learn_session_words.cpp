@@ -128,7 +128,7 @@ std::string LearnSession::Awaited() const {
   const auto& [first, second] = std::minmax(state_.item, state_.mate);
   const std::string between =
       fmt::format("{} or {}", say::Called(course_, first), say::Called(course_, second));
-  return say::Awaited(await_, state_.question, between);
+  return say::Awaited(await_, state_.question, between, stage_.lifts());
 }
 
 void LearnSession::GoToLesson(const std::string& given) {

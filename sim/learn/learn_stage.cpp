@@ -27,6 +27,15 @@ constexpr double kSmaller = 0.8;
 /// Ours.
 constexpr double kCloser = 0.05, kClosest = 0.84;
 
+/// Without a height of its own, the tip goes down and up by a lever or a button.
+bool HasLever(const std::string& device) {
+  if (!PluginPathOf(device).empty()) return false;
+  for (const DeviceEntry& entry : ListDevices(ProfilesFolder())) {
+    if (entry.name == device) return entry.profile.stick.press != StickMap::Press::kSetting;
+  }
+  return false;
+}
+
 /// What lies there before the first page: nothing, at any size.
 SessionRequest EmptyPage(const StageOptions& options) {
   SessionRequest request;
@@ -77,6 +86,8 @@ double SmallestFelt(const std::string& device, double press) {
 
 LearnStage::LearnStage(const StageOptions& options, Console& console)
     : options_(options), session_(EmptyPage(options), console), gains_(GuidanceTable::Shipped()) {
+  const LiveDevice& device = session_.device();
+  lifts_ = simulated() || (pushes() && (device.limits().measures.z || HasLever(device.name())));
   Restart();
 }
 

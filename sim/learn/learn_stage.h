@@ -70,6 +70,8 @@ class LearnStage {
   const LearnTrace& trace() const { return *trace_; }
   /// A hand can be pushed here.
   bool pushes() const;
+  /// The tip can be lowered onto a paper that is felt, and lifted off it.
+  bool lifts() const { return lifts_; }
   bool simulated() const { return session_.device().simulated(); }
   LoopSession& session() { return session_; }
   const LoopSession& session() const { return session_; }
@@ -94,7 +96,7 @@ class LearnStage {
   std::shared_ptr<const GuidancePath> led_path_;  ///< of Lead
   double led_speed_ = 1;
   PageForm form_;
-  bool shrunk_ = false;
+  bool shrunk_ = false, lifts_ = true;
   std::unique_ptr<LearnTrace> trace_;
   std::function<void(const LoopSample&)> tap_, watch_;
 };

@@ -107,6 +107,7 @@ std::string OfTask(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kAskSame:
       return "Two signs: same or different?";
     case Sentence::kTraceIt:
+      if (sentence.number > 0) return fmt::format("Trace {}; say done at its end.", text);
       return fmt::format("Trace {}; lift when done.", text);
     case Sentence::kProbe:
       return "This one without help.";

@@ -136,6 +136,8 @@ TEST_F(CourseReader, EachBrokenLessonGivesOneLineWithPlaceCauseAndNearestKey) {
             "one.toml:10:9: items: not of explore and read; give a text instead\n");
   EXPECT_EQ(LessonWith("text = \"it\"", "text = \"it\"\nsize_mm = -3"),
             "one.toml:10:11: size_mm: not from 1 to 300 mm; correct it\n");
+  EXPECT_EQ(LessonWith("text = \"it\"", "text = \"it\"\nsay_held = \"Now.\""),
+            "one.toml:10:12: say_held: only beside say; add what is said elsewhere\n");
   EXPECT_EQ(LessonWith("i = \"upright\"", "j = \"upright\""),
             "one.toml:4:5: j: a hint for an item that is not in new; add it there\n");
   EXPECT_EQ(LessonWith("\"i\", \"t\"", "\"i\", \"t t\""),

@@ -142,6 +142,20 @@ TEST_F(LearnCommand, EndsAtTheSmallestSizeThatTheDeviceRenders) {
   EXPECT_FALSE(Holds(learn("moontrace-raw"), "Letters end at"));
 }
 
+// A stick that always presses has no height; an arm has one.
+TEST_F(LearnCommand, TellsWhoCannotLiftTheTipToSayDone) {
+  const auto learn = [this](const char* kind) {
+    const FakeHid fake(kind);
+    return RunLine({"learn", "--course", In("course"), "--learner", "ann", "--records",
+                    In("records.sqlite")},
+                   "?\nquit\n")
+        .out;
+  };
+  const std::string lifts = "followed it all and lift";
+  EXPECT_FALSE(Holds(learn("pid"), lifts));
+  EXPECT_TRUE(Holds(learn("moontrace-raw"), lifts));
+}
+
 TEST_F(LearnCommand, SaysThatADeviceWithoutMotorsIsNotFelt) {
   const FakeHid fake("spacemouse");
   const std::string name = ListDevices(ProfilesFolder()).at(0).name;

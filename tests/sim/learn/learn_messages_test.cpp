@@ -72,7 +72,7 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
   }
   for (const auto await : {lesson_action::Await::kTrace, lesson_action::Await::kAnswer,
                            lesson_action::Await::kNext, lesson_action::Await::kEnd}) {
-    ExpectOutcomeFirst(say::Awaited(await, Question::kName, "i or t"));
+    ExpectOutcomeFirst(say::Awaited(await, Question::kName, "i or t", true));
   }
 }
 
@@ -85,7 +85,7 @@ TEST(LearnMessages, ItemsAreCalledByTheirNames) {
 }
 
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
-  const std::vector<std::string> help = say::LearnHelp();
+  const std::vector<std::string> help = say::LearnHelp(true);
   const std::string words = help[0] + help[1];
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     EXPECT_NE(words.find(std::to_string(i + 1) + " " + LearnWords()[i]), std::string::npos);
@@ -93,7 +93,7 @@ TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
 }
 
 TEST(LearnMessages, HelpMarksWordsThatAFirstLessonDoesWithout) {
-  const std::vector<std::string> help = say::LearnHelp();
+  const std::vector<std::string> help = say::LearnHelp(true);
   EXPECT_EQ(help[1].rfind("For later, ", 0), 0U) << help[1];
   // what lesson 1 names in its own texts is not for later
   for (const char* word :
@@ -126,7 +126,7 @@ TEST(LearnMessages, BriefSaysOutcomesAndQuestionsButNoExplanation) {
 
 TEST(LearnMessages, SayWhatIsAskedAsItWasAsked) {
   const auto asked = [](Question question) {
-    return say::Awaited(lesson_action::Await::kAnswer, question, "i or t");
+    return say::Awaited(lesson_action::Await::kAnswer, question, "i or t", true);
   };
   EXPECT_EQ(asked(Question::kName), "Asked: what is it?");
   EXPECT_EQ(asked(Question::kPick), "Asked: is it i or t?");
@@ -185,7 +185,7 @@ TEST(LearnMessages, HaveNoJargon) {
 }
 
 TEST(LearnMessages, HelpWithKeysNamesEveryKeyWithItsWord) {
-  const std::string words = say::KeysHelp(UsualKeys()).front();
+  const std::string words = say::KeysHelp(UsualKeys(), true).front();
   for (const auto& [key, word] : UsualKeys()) {
     EXPECT_NE(words.find(key + " " + word), std::string::npos) << key;
   }

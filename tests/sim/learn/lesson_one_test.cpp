@@ -17,7 +17,11 @@ using lesson_action::Await;
 /// A learner who is right but for the second answer, and loses the first line once.
 class Transcript {
  public:
-  Transcript() : run_(LoadCourse(ResourcePath("lessons/courses/learn-moon"))) {}
+  /// `held`: by a stick whose tip cannot be lifted.
+  explicit Transcript(bool held = false)
+      : run_(LoadCourse(ResourcePath("lessons/courses/learn-moon"))) {
+    run_.state.held = held;
+  }
 
   std::string Told() {
     run_.Begin();
@@ -68,6 +72,18 @@ TEST(LessonOne, IsToldAsItWasReadAndKept) {
   const std::string kept = ReadAll(SourcePath("tests/data/lesson-1.txt"));
   if (told != kept) WriteAll(testing::TempDir() + "lesson-1.txt", told);
   EXPECT_EQ(told, kept) << "what was told is in " << testing::TempDir() << "lesson-1.txt";
+}
+
+// A stick's learner heard "lower it until something firm holds it" and "lift when done".
+TEST(LessonOne, OfATipThatCannotBeLiftedSaysDone) {
+  const std::string told = Transcript(true).Told();
+  const std::string kept = ReadAll(SourcePath("tests/data/lesson-1-held.txt"));
+  if (told != kept) WriteAll(testing::TempDir() + "lesson-1-held.txt", told);
+  EXPECT_EQ(told, kept) << "what was told is in " << testing::TempDir() << "lesson-1-held.txt";
+  for (const char* word : {"lift", "ower it", "stylus", "pencil"}) {
+    EXPECT_EQ(told.find(word), std::string::npos) << word;
+  }
+  EXPECT_NE(told.find("Trace t; say done"), std::string::npos) << told;
 }
 
 TEST(LessonOne, SaysHowToAnswerOnce) {
