@@ -23,7 +23,7 @@ namespace moontrace {
 /// limits.silence, or sends reports that its descriptor does not know.
 ///
 /// `tick` [s]. `autocentre`, if given, receives one sentence about the device's own centring
-/// spring. Blocks while opening. Throws DeviceError.
+/// spring; empty where there is none to switch off. Blocks while opening. Throws DeviceError.
 std::unique_ptr<Device> MakePidDevice(const HidInfo& info, const DeviceProfile& profile,
                                       double tick, double press, std::string* autocentre = nullptr);
 

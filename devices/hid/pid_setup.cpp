@@ -107,8 +107,7 @@ class Setup {
     const int first = out_.blocks[0] != 0 ? out_.blocks[0] : out_.blocks[1];
     const auto least = static_cast<int>(layout_.load.block.least);
     if (!layout_.create.report.IsThere() || least < 1 || first != least + 1) {
-      out_.autocentre = "The stick has no centring spring that can be switched off.";
-      return;
+      return;  // nothing to switch off, and nothing that a person could do about it
     }
     Send(EncodeOperation(layout_, least, pid::kStop));
     if (!layout_.state.block.IsThere() || !layout_.state.playing.IsThere()) {

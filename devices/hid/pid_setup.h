@@ -13,7 +13,8 @@ namespace moontrace {
 struct PidSetup {
   std::array<int, 2> blocks{};  ///< of HID's X, Y; 0: no motor there
   PidState state;               ///< last reported; all in order if nothing was
-  std::string autocentre;       ///< what became of its own centring spring, one sentence
+  std::string
+      autocentre;  ///< what became of its own centring spring, one sentence; empty: it has none
 };
 
 /// An effect ends by itself after this time unless it is started again [s].
