@@ -186,6 +186,17 @@ TEST(LearnMoon, HasALineOfOnesOwnToReadByTheTenthLetter) {
   FAIL() << "no line";
 }
 
+// A page is what is turned under the hand, and what a print counts: a text may have several.
+TEST(LearnMoon, NumbersNoPagesOfItsOwn) {
+  for (const Lesson& lesson : LoadCourse("learn-moon").lessons) {
+    for (const Step& step : lesson.steps) {
+      for (const char* words : {"Page ", "pages"}) {
+        EXPECT_EQ(step.say.find(words), std::string::npos) << lesson.id << ": " << step.say;
+      }
+    }
+  }
+}
+
 TEST(LearnMoon, BidsNobodyLiftWhoCannot) {
   for (const Lesson& lesson : LoadCourse("learn-moon").lessons) {
     for (const Step& step : lesson.steps) {
