@@ -134,8 +134,8 @@ struct CourseFault {
 std::string LineOf(const CourseFault& fault);
 
 /// Items or letters used before they are taught, lessons that cannot be reached, needs in a cycle,
-/// items taught twice or without a form in the script, sizes below `smallest` [m] that a device
-/// renders. Empty: sound.
+/// items taught twice or without a form in the script, no size of at least `smallest` [m] that a
+/// device renders. Empty: sound.
 std::vector<CourseFault> CheckCourse(const Course& course, double smallest);
 
 /// Of these faults only the lessons that cannot be reached, each with the reason; empty if all can.

@@ -25,27 +25,17 @@ std::string DidYouMean(std::string_view word, const std::vector<std::string>& kn
   return nearest.empty() ? "leave it out" : fmt::format("did you mean {}?", Quoted(nearest));
 }
 
-/// Sizes below the smallest that a device renders.
+/// A course none of whose sizes the device renders. Smaller sizes than it renders are no fault
+/// where there is a larger one: lessons end at that (EndSizesAt).
 void CheckSizes(const Course& course, double smallest, CourseFaults& faults) {
   if (std::isinf(smallest)) {
     faults.Add("sizes_mm[0]", "the device renders letters of no size; choose another device");
     return;
   }
-  const auto too_small = [smallest](double size) {
-    return fmt::format("{:.3g} mm is below the {:.3g} mm that the device renders; make it larger",
-                       kMillimetres * size, kMillimetres * smallest);
-  };
-  for (std::size_t i = 0; i < course.sizes.size(); ++i) {
-    if (course.sizes[i] >= smallest) continue;
-    faults.Add(fmt::format("sizes_mm[{}]", i), too_small(course.sizes[i]));
-  }
-  for (const Lesson& lesson : course.lessons) {
-    for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
-      const std::optional<double>& size = lesson.steps[k].size;
-      if (!size || *size >= smallest) continue;
-      faults.Add(lesson, fmt::format("steps[{}].size_mm", k), too_small(*size));
-    }
-  }
+  if (course.sizes.empty() || course.sizes.front() >= smallest) return;
+  faults.Add("sizes_mm[0]",
+             fmt::format("{:.3g} mm is below the {:.3g} mm that the device renders; make it larger",
+                         kMillimetres * course.sizes.front(), kMillimetres * smallest));
 }
 
 /// Why a lesson is never reached.

@@ -73,7 +73,8 @@ struct Checked {
   Target target;
   Course course;
   std::vector<CourseFault> faults;
-  bool read = true;  ///< all files could be read, so that what is taught when was looked at
+  bool read = true;    ///< all files could be read, so that what is taught when was looked at
+  double ends_at = 0;  ///< letters end at this size on the device asked for [m]; 0: at the course's
 };
 
 Checked CheckTarget(const std::string& given, double smallest) {
@@ -94,6 +95,8 @@ Checked CheckTarget(const std::string& given, double smallest) {
     std::erase_if(checked.faults, elsewhere);
   }
   checked.course = std::move(reading.course);
+  Course ended = checked.course;
+  if (checked.faults.empty() && EndSizesAt(ended, smallest)) checked.ends_at = ended.sizes.back();
   return checked;
 }
 
@@ -117,10 +120,12 @@ Json FaultJson(const CourseFault& fault) {
 Json CheckedJson(const Checked& checked) {
   Json faults = Json::array();
   for (const CourseFault& fault : checked.faults) faults.push_back(FaultJson(fault));
-  return Json{{"name", checked.target.name},        {"sound", checked.faults.empty()},
-              {"all_read", checked.read},           {"lessons", checked.course.lessons.size()},
-              {"items", ItemCount(checked.course)}, {"steps", StepCount(checked.course)},
-              {"faults", std::move(faults)}};
+  Json json{{"name", checked.target.name},        {"sound", checked.faults.empty()},
+            {"all_read", checked.read},           {"lessons", checked.course.lessons.size()},
+            {"items", ItemCount(checked.course)}, {"steps", StepCount(checked.course)},
+            {"faults", std::move(faults)}};
+  if (checked.ends_at > 0) json["ends_at_mm"] = kMillimetres * checked.ends_at;
+  return json;
 }
 
 void SayChecked(const Checked& checked, Console& console) {
@@ -137,6 +142,7 @@ void SayChecked(const Checked& checked, Console& console) {
     console.Result(say::CourseSound(checked.course.id, checked.course.lessons.size(),
                                     ItemCount(checked.course), StepCount(checked.course)));
   }
+  if (checked.ends_at > 0) console.Result(say::CourseEndsAt(checked.ends_at));
 }
 
 int Check(const CourseOptions& options, Console& console) {

@@ -141,6 +141,11 @@ std::string StepLine(const Course& course, const Step& step, std::size_t number)
   return fmt::format("Step {}, {}: {}{}{}", number, Doing(step), what, ends ? "" : ".", size);
 }
 
+std::string CourseEndsAt(double size) {
+  return fmt::format(
+      "Letters end at {} mm on this device: smaller ones of the course are shown at that.",
+      Short(kMillimetres * size, 1));
+}
 std::string StepSaysHeld(std::string_view text) {
   return fmt::format("Says where the tip cannot be lifted: {}", InOneLine(text));
 }

@@ -34,6 +34,8 @@ std::string LessonLine(const Course& course, const Lesson& lesson);
 std::string LessonNeeds(const Lesson& lesson);
 std::string HintLine(const Course& course, const std::string& item, std::string_view hint);
 std::string StepLine(const Course& course, const Step& step, std::size_t number);
+/// Letters end at `size` [m] on the device asked for, above the smallest of the course.
+std::string CourseEndsAt(double size);
 std::string StepSays(std::string_view text);
 std::string StepSaysHeld(std::string_view text);
 

@@ -94,12 +94,12 @@ TEST_F(CourseCheck, HoldsToTheOrderOfNeedsNotOfTheList) {
   EXPECT_EQ(Faults(), "");
 }
 
-TEST_F(CourseCheck, FindsSizesBelowWhatADeviceRenders) {
-  EXPECT_EQ(Faults(0.012),
-            "course.toml:4:17: 10 mm is below the 12 mm that the device renders; make it larger\n");
-  EXPECT_EQ(Faults(0.016),
-            "course.toml:4:17: 10 mm is below the 16 mm that the device renders; make it larger\n"
-            "two.toml:8:11: 15 mm is below the 16 mm that the device renders; make it larger\n");
+// Smaller sizes were faults, though lessons end at the smallest one that is rendered.
+TEST_F(CourseCheck, FindsACourseOfWhoseSizesADeviceRendersNone) {
+  EXPECT_EQ(Faults(0.016), "");
+  EXPECT_EQ(
+      Faults(0.25),
+      "course.toml:4:13: 20 mm is below the 250 mm that the device renders; make it larger\n");
   EXPECT_EQ(Faults(std::numeric_limits<double>::infinity()),
             "course.toml:4:13: the device renders letters of no size; choose another device\n");
 }

@@ -106,6 +106,10 @@ TEST_F(CourseCommand, KnowsWhatSizesADeviceRenders) {
       RunLine({"course", "check", folder_.string(), "--device", "sidewinder-ff2"});
   EXPECT_EQ(outcome.code, 3) << outcome.out;
   EXPECT_NE(outcome.out.find("device renders"), std::string::npos) << outcome.out;
+  // 13.4 mm: lessons end at 20 of 20 and 10 mm, and that is no fault of theirs.
+  const Outcome ends = RunLine({"course", "check", folder_.string(), "--device", "openffboard"});
+  EXPECT_EQ(ends.code, 0) << ends.out;
+  EXPECT_NE(ends.out.find("Letters end at 20 mm on this device: "), std::string::npos) << ends.out;
   const Outcome unknown = RunLine({"course", "check", "learn-moon", "--device", "openfboard"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_EQ(unknown.err, "--device: no profile 'openfboard'; did you mean openffboard?\n");
