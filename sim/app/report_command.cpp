@@ -17,6 +17,7 @@
 #include "sim/html_report/report_page.h"
 #include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_messages.h"
+#include "sim/learn/learn_stage.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/metrics_json.h"
@@ -28,6 +29,14 @@ namespace moontrace {
 namespace {
 
 constexpr std::size_t kMostSaid = 7;  // days in words; a page has them all
+
+/// The smallest letter on the newest of these devices that is felt [m]; 0: nothing is known.
+double SmallestOn(const std::vector<std::string>& devices) {
+  for (auto device = devices.rbegin(); device != devices.rend(); ++device) {
+    if (const double smallest = SmallestByProfile(*device); smallest > 0) return smallest;
+  }
+  return 0;
+}
 
 /// The course asked for, otherwise that of the newest trial; as its learner has it, with the own
 /// name among its words.
@@ -153,11 +162,12 @@ int Run(const ReportOptions& options, Console& console) {
   if (!options.html.empty() && !options.csv.empty()) throw UsageError(say::TwoReportFiles());
   const Records records = Records::OpenToRead(RecordsPathOf(options.records));
   const LearnerEntry learner = KnownLearner(records, options.learner);
-  const Course course = CourseOf(options, learner, records);
+  Course course = CourseOf(options, learner, records);
   const std::vector<Trial> trials = records.Trials(learner.pseudonym, course.id);
   if (trials.empty()) throw InputError(say::NoTrialsOf(learner.pseudonym, course.id));
-  const ReportFacts facts = FactsOf(course, trials);
   const std::vector<std::string> devices = DevicesOf(records.Events(learner.pseudonym));
+  EndSizesAt(course, SmallestOn(devices));
+  const ReportFacts facts = FactsOf(course, trials);
   const std::vector<std::string> head = Head(learner, course, facts, devices);
   const std::string file = options.html.empty() ? options.csv : options.html;
   if (!options.csv.empty()) {

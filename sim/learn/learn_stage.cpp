@@ -84,6 +84,17 @@ double SmallestFelt(const std::string& device, double press) {
   return 0;
 }
 
+double SmallestByProfile(const std::string& device) {
+  const std::size_t dash = device.rfind('-');
+  const bool numbered = dash != std::string::npos && dash + 1 < device.size() &&
+                        device.find_first_not_of("0123456789", dash + 1) == std::string::npos;
+  const std::string kind = numbered ? device.substr(0, dash) : device;
+  for (const DeviceProfile& profile : LoadProfiles(ProfilesFolder())) {
+    if (profile.name == device || profile.name == kind) return SmallestLetter(profile);
+  }
+  return 0;
+}
+
 LearnStage::LearnStage(const StageOptions& options, Console& console)
     : options_(options), session_(EmptyPage(options), console), gains_(GuidanceTable::Shipped()) {
   const LiveDevice& device = session_.device();

@@ -22,6 +22,10 @@ std::string DeviceForLearning(const std::string& named, Console& console);
 /// nothing is felt, or nothing is known of it. Opens a plug-in, and closes it.
 double SmallestFelt(const std::string& device, double press);
 
+/// Likewise at the usual press, by the shipped profiles: the device need not be there. Of several
+/// ("openffboard-2") each is of one kind. 0: no such profile.
+double SmallestByProfile(const std::string& device);
+
 struct StageOptions {
   LiveOptions live;
   std::optional<double> press;                    ///< [N]

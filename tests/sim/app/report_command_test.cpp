@@ -76,6 +76,21 @@ class ReportCommand : public CliTest {
   const std::string path_ = In("records.sqlite");
 };
 
+// A joystick renders 13.4 mm (SmallestLetter): its lessons end at 20 of 20 and 10 mm, and so are
+// judged by that.
+TEST_F(ReportCommand, JudgesByTheSmallestSizeOfTheNewestDeviceThatIsFelt) {
+  const auto worked_with = [this](std::int64_t time, const char* device) {
+    Records::Open(path_).AddEvent("bat", {time, "device", device});
+    return Report({"bat"}).out;
+  };
+  const auto holds = [](const std::string& out, const char* words) {
+    return out.find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(holds(worked_with(kNoon, "openffboard-2"), "20 mm, the smallest size."));
+  EXPECT_TRUE(holds(worked_with(kNoon + 1, "mouse"), "20 mm, the smallest size."));
+  EXPECT_TRUE(holds(worked_with(kNoon + 2, "moontrace-raw"), "10 mm, the smallest size."));
+}
+
 TEST_F(ReportCommand, TellsAllInPlainLines) {
   const Outcome outcome = Report({"bat"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
