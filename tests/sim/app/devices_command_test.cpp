@@ -202,7 +202,8 @@ TEST(SlowDevicesCommand, TestHomesAnArmByWords) {
   const Outcome outcome = RunLine({"devices", "test", "woodenhaptics"}, "yes\nno\n");
   EXPECT_EQ(outcome.code, exit_code::kGood) << outcome.err;
   EXPECT_TRUE(Has(outcome.out, "Step 1: homing."));
-  EXPECT_TRUE(Has(outcome.out, "No fault found, but not all was tried: 2 steps good, 3 left out.")) << outcome.out;
+  EXPECT_TRUE(Has(outcome.out, "No fault found, but not all was tried: 2 steps good, 3 left out."))
+      << outcome.out;
 }
 
 }  // namespace
