@@ -29,8 +29,8 @@ bool InWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
 /// Whether what was read before belongs to the name that follows, as in "./moontrace".
 bool IsGlued(std::string_view before) {
-  return !before.empty() &&
-         (InWord(before.back()) || std::string_view("/_-.").find(before.back()) != before.npos);
+  return !before.empty() && (InWord(before.back()) || std::string_view("/_-.").find(
+                                                          before.back()) != std::string_view::npos);
 }
 
 bool BeginsWithOneOf(std::string_view text, const std::vector<std::string>& words) {
@@ -60,7 +60,7 @@ void Console::SetCalled(std::string_view called, std::vector<std::string> comman
 std::string Console::AsTyped(std::string_view lines) const {
   std::string typed;
   std::size_t done = 0;
-  for (std::size_t at = 0; (at = lines.find(kUsuallyCalled, at)) != lines.npos;) {
+  for (std::size_t at = 0; (at = lines.find(kUsuallyCalled, at)) != std::string_view::npos;) {
     const std::size_t end = at + kUsuallyCalled.size();
     const std::string_view rest = lines.substr(end);
     const bool is_typed = !IsGlued(lines.substr(0, at)) && !rest.empty() && rest.front() == ' ' &&
