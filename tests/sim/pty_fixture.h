@@ -9,8 +9,11 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "sim/app/cli.h"
@@ -31,6 +34,27 @@ inline bool HasTerminals() {
 #define SKIP_WITHOUT_TERMINALS() \
   if (!HasTerminals()) GTEST_SKIP() << "no pseudo-terminals here: /dev/pts is missing"
 
+/// Waits until every other thread of this process waits. A fork at a moment when one of them is
+/// within malloc leaves that locked in the child, where a sanitizer's allocator never opens it.
+inline void AwaitOtherThreadsAtRest() {
+  const auto at_rest = [] {
+    const std::string own = std::to_string(gettid());
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+      if (task.path().filename() == own) continue;
+      std::ifstream file(task.path() / "stat");
+      std::string stat;
+      std::getline(file, stat);  // "number (name) state ..."
+      const std::size_t name = stat.rfind(") ");
+      if (name != std::string::npos && stat.substr(name + 2, 1) != "S") return false;
+    }
+    return true;
+  };
+  for (int times = 0, tries = 0; times < 3 && tries < 1000; ++tries) {
+    times = at_rest() ? times + 1 : 0;  // three times in a row, since one may be between two waits
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 /// A command line that runs in a process of its own at a pseudo-terminal, as a person's does.
 class PtySession {
  public:
@@ -39,6 +63,7 @@ class PtySession {
     EXPECT_EQ(openpty(&master_, &slave_, nullptr, nullptr, &size), 0);
     tcgetattr(slave_, &usual_);
     std::cout.flush();  // or the child would write it again
+    AwaitOtherThreadsAtRest();
     child_ = fork();
     if (child_ != 0) return;
     setsid();
