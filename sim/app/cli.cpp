@@ -48,6 +48,13 @@ std::string NearestOption(const CLI::App& app, std::string_view given) {
   return nearest.empty() ? nearest : "--" + nearest;
 }
 
+bool TakesText(const CLI::App& app) {
+  const auto options = app.get_options();
+  return std::any_of(options.begin(), options.end(), [](const CLI::Option* option) {
+    return option->get_positional() && option->get_single_name() == "TEXT";
+  });
+}
+
 /// What CLI11 did not know: an option (named with its nearest) or an argument too many.
 void RefuseSpare(const CLI::App& app) {
   bool options_ended = false;
@@ -57,7 +64,7 @@ void RefuseSpare(const CLI::App& app) {
       continue;
     }
     if (options_ended || given.size() < 2 || given[0] != '-') {
-      throw UsageError(say::SpareArgument(given, app.get_name()));
+      throw UsageError(say::SpareArgument(given, app.get_name(), TakesText(app)));
     }
     const std::string name = given.substr(0, given.find('='));
     throw UsageError(say::UnknownOption(name, app.get_name(), NearestOption(app, name)));
@@ -193,6 +200,9 @@ const Command& FindCommand(const std::string& name) {
   std::vector<CommandCard> cards = Cards();
   cards.push_back({"help", "", {}, "", "commands manual man usage"});
   cards.push_back({"version", "", {}, "", "about -v -V"});
+  // the launcher's own words, which it takes before the program starts
+  cards.push_back({"test", "", {}, "", "tests"});
+  cards.push_back({"packages", "", {}, "", "package install"});
   throw UsageError(say::UnknownCommand(name, NearestCommand(name, cards)));
 }
 

@@ -14,6 +14,7 @@
 #include "sim/app/messages.h"
 #include "sim/loop/clock.h"
 #include "sim/session/device_check.h"
+#include "sim/session/device_choice.h"
 #include "sim/session/devices_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
@@ -212,10 +213,12 @@ int Run(const DevicesOptions& options, Console& console) {
     console.out() << UdevFile(LoadProfiles(ProfilesFolder()));
     return exit_code::kGood;
   }
-  if (words.empty()) return List(options, console);
+  if (words.empty() || (words.size() == 1 && words[0] == "list")) return List(options, console);
+  if (words[0] == "list") throw UsageError(say::SpareArgument(words[1], "devices list", false));
   if (words[0] != "test") throw UsageError(say::UnknownDevicesWord(words[0]));
   if (words.size() < 2 || words[1].empty()) throw UsageError(say::NoDeviceNamed());
-  if (words.size() > 2) throw UsageError(say::SpareArgument(words[2], "devices test NAME"));
+  if (IsSimulated(words[1])) throw UsageError(say::NothingToTest());
+  if (words.size() > 2) throw UsageError(say::SpareArgument(words[2], "devices test NAME", false));
   return Test(words[1], options, console);
 }
 

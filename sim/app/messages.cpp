@@ -27,9 +27,12 @@ std::string UnknownOption(std::string_view given, std::string_view command,
                      OneLine(given), DidYouMean(nearest), command);
 }
 
-std::string SpareArgument(std::string_view given, std::string_view command) {
-  return fmt::format("one argument too many for {}: {}; put a text of several words in quotes",
-                     command, Quoted(given));
+std::string SpareArgument(std::string_view given, std::string_view command, bool takes_text) {
+  const std::string mend =
+      takes_text ? "put a text of several words in quotes"
+                 : fmt::format("\"moontrace help {}\" tells what it takes",
+                               command.substr(0, command.find(' ')));
+  return fmt::format("one argument too many for {}: {}; {}", command, Quoted(given), mend);
 }
 
 std::string ValueMissing(std::string_view option) {
@@ -85,6 +88,10 @@ std::string LinesLeftOut(std::size_t count) {
   return fmt::format("And {}; --json lists all.", Counted(count, "more line", "more lines"));
 }
 
+std::string PageNext() { return "To see or print it, add --picture page.pdf."; }
+std::string TraceNext() {
+  return "To see the way, add --picture way.svg; to keep it for replay, --record DIR.";
+}
 std::string PictureIn() { return "Picture:"; }
 std::string RecordIn() { return "Record:"; }
 

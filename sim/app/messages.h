@@ -20,7 +20,8 @@ std::string UnknownCommand(std::string_view given, std::string_view nearest);
 std::string LaunchersWord(std::string_view word);
 std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest);
-std::string SpareArgument(std::string_view given, std::string_view command);
+/// `takes_text`: the command takes one, which quotes would keep together.
+std::string SpareArgument(std::string_view given, std::string_view command, bool takes_text);
 std::string ValueMissing(std::string_view option);
 std::string NotAPng(std::string_view option, std::string_view given);
 std::string NoFolder();
@@ -36,6 +37,8 @@ std::string LetterShape(const TypeStyle& style);
 std::string Paper(const PageSpec& page);
 std::string PageLine(std::size_t page, std::size_t pages, std::size_t line, std::string_view signs);
 std::string LinesLeftOut(std::size_t count);
+std::string PageNext();   ///< where no picture was asked for
+std::string TraceNext();  ///< where neither picture nor record was
 std::string PictureIn();
 std::string RecordIn();
 

@@ -244,7 +244,7 @@ int Run(const PageOptions& options, Console& console) {
            [&console](const std::string& line) { console.Result(line); });
   SayLines(book, console);
   if (back) SayReadBack(*back, console);
-  if (!pictures.empty()) console.Result(say::PictureIn());
+  console.Result(pictures.empty() ? say::PageNext() : say::PictureIn());
   for (const std::string& picture : pictures) console.Path(picture);
   return exit_code::kGood;
 }

@@ -219,11 +219,12 @@ std::string NearestCommand(std::string_view word, const std::vector<CommandCard>
   std::vector<std::string> names(cards.size());
   std::transform(cards.begin(), cards.end(), names.begin(),
                  [](const CommandCard& card) { return card.name; });
-  std::string nearest = NearestWord(meant, names);
+  // half a short word's letters changed would make nearly any word a command
+  std::string nearest = NearestWord(meant, names, 3);
   if (!nearest.empty()) return nearest;
   names.clear();
   for (const auto& [also, name] : known) names.push_back(also);
-  nearest = NearestWord(meant, names);
+  nearest = NearestWord(meant, names, 3);
   return nearest.empty() ? nearest : known.at(nearest);
 }
 

@@ -36,7 +36,7 @@ void CheckUse(const RecordsOptions& options) {
     throw UsageError(say::NotARecordsAction(action, NearestWord(action, kActions)));
   }
   if (action == "list" ? !options.subject.empty() : options.subject.empty()) {
-    throw UsageError(action == "list" ? say::SpareArgument(options.subject, "records list")
+    throw UsageError(action == "list" ? say::SpareArgument(options.subject, "records list", false)
                                       : say::NoSubject(action));
   }
   const bool consent = action == "consent";
@@ -44,7 +44,7 @@ void CheckUse(const RecordsOptions& options) {
     throw UsageError(say::NoConsentAnswer());
   }
   if (!consent && !options.answer.empty()) {
-    throw UsageError(say::SpareArgument(options.answer, "records " + action));
+    throw UsageError(say::SpareArgument(options.answer, "records " + action, false));
   }
   const auto only = [&](bool given, const char* option, const char* with) {
     if (given && action != with) throw UsageError(say::OnlyWith(option, with));

@@ -288,6 +288,8 @@ int TraceOneLabel(const TraceOptions& options, Console& console) {
   } else {
     SayTrace(traced.trace, all, say::Time(all), console);
     if (feed) SayView(*feed, options.view, console);
+    const bool kept = feed || !options.picture.empty() || !options.record.empty();
+    if (!kept) console.Result(say::TraceNext());
   }
   if (all.faults > 0) throw WorkFailed(say::Faults(all));
   if (feed) RequireView(*feed, options.live.device);

@@ -58,8 +58,9 @@ std::string NoHidapi() {
 }
 
 std::string WithoutDevice() {
-  return "Without one, a simulated stylus does the work: demo, trace and loop; page and probe need "
-         "none. An arm with a driver of its own can be used as --device plugin:PATH; "
+  return "Without one, a simulated stylus does the work. Begin with \"moontrace demo\", or "
+         "\"moontrace learn --device simulated\". devices/README.md tells which to buy or to build. "
+         "An arm with a driver of its own is used as --device plugin:PATH; "
          "devices/moontrace_device.h tells how.";
 }
 
@@ -155,9 +156,15 @@ std::string NoDeviceNamed() {
   return "devices test needs the name of a device: \"moontrace devices\" lists them";
 }
 
+std::string NothingToTest() {
+  return "simulated is the program's own hand, with nothing to test: \"moontrace trace moon\" shows "
+         "what it does";
+}
+
 std::string UnknownDevicesWord(std::string_view given) {
-  return fmt::format("devices takes nothing, or test and a name, not {}{}", Quoted(given),
-                     NearestListed(given, "test").empty() ? "" : ": did you mean test?");
+  const std::string nearest = NearestListed(given, "list, test");
+  return fmt::format("devices takes nothing, list, or test and a name, not {}{}", Quoted(given),
+                     nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest));
 }
 
 std::string TestBegins(std::string_view name, std::string_view title) {

@@ -34,6 +34,7 @@ std::string DeviceLetsGo(const DeviceProfile& profile);
 std::string DeviceGuarded(const DeviceEntry& entry);
 std::string TryDevice(std::string_view name);
 std::string NoDeviceNamed();
+std::string NothingToTest();
 std::string UnknownDevicesWord(std::string_view given);
 
 // The test, step by step.

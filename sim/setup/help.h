@@ -56,7 +56,7 @@ inline constexpr const char* kGallery =
     "draws each kind of script and setting, gathered in one page with words";
 inline constexpr const char* kDevices =
     "says which devices are there and what they can do, or tries one: devices test NAME";
-inline constexpr const char* kDevicesWords = "nothing, or: test NAME.";
+inline constexpr const char* kDevicesWords = "nothing or list, or: test NAME.";
 inline constexpr const char* kUdev = "print the udev rules that the device profiles make.";
 inline constexpr const char* kText = "the text; - reads standard input.";
 inline constexpr const char* kFile = "read the text from this file; - is standard input.";

@@ -3,21 +3,24 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace moontrace {
 namespace {
 
 std::size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> above, row(b.size() + 1), next(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
+    next[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+      const std::size_t replaced = row[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      next[j] = std::min({replaced, row[j] + 1, next[j - 1] + 1});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) next[j] = std::min(next[j], above[j - 2] + 1);
     }
+    above = row;
+    std::swap(row, next);
   }
   return row.back();
 }
@@ -25,12 +28,12 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
 // Longer words come from broken files, not from slips of the finger; this bounds the time.
 constexpr std::size_t kLongestWord = 64;
 
-/// The first of those within `longest` bytes that take the fewest edits, empty if all take too
-/// many.
+/// The first of those within `longest` bytes that take the fewest edits, empty if all take more
+/// than `most`.
 std::string FewestEdits(std::string_view word, const std::vector<std::string>& candidates,
-                        std::size_t longest) {
+                        std::size_t longest, std::size_t most) {
   std::string nearest;
-  std::size_t best = word.size() / 2 + 1;
+  std::size_t best = most + 1;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest) continue;
     const std::size_t distance = EditDistance(word, candidate);
@@ -44,19 +47,21 @@ std::string FewestEdits(std::string_view word, const std::vector<std::string>& c
 
 }  // namespace
 
-std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates) {
+std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates,
+                        std::size_t bytes_an_edit) {
   std::string nearest;
   if (word.empty() || word.size() > kLongestWord) return nearest;
   for (const std::string& candidate : candidates) {
     if (candidate.compare(0, word.size(), word) != 0) continue;
     if (nearest.empty() || candidate.size() < nearest.size()) nearest = candidate;
   }
-  return nearest.empty() ? FewestEdits(word, candidates, kLongestWord) : nearest;
+  return nearest.empty() ? FewestEdits(word, candidates, kLongestWord, word.size() / bytes_an_edit)
+                         : nearest;
 }
 
 std::string NearestName(std::string_view word, const std::vector<std::string>& names) {
   if (word.size() > kLongestWord) return {};
-  return FewestEdits(word, names, std::string::npos);
+  return FewestEdits(word, names, std::string::npos, word.size() / 2);
 }
 
 }  // namespace moontrace

@@ -119,7 +119,8 @@ TEST(Cli, WordsThatMeanACommandNameIt) {
       {"braille", "page"},  {"label", "trace"},   {"mujoco", "trace"},     {"print", "page"},
       {"font", "script"},   {"fonts", "script"},  {"device", "devices"},   {"window", "view"},
       {"teacher", "tutor"}, {"halp", "help"},     {"experiment", "study"}, {"-v", "version"},
-      {"xyzzyx", ""}};
+      {"tset", "test"},     {"tests", "test"},    {"package", "packages"}, {"quit", ""},
+      {"exit", ""},         {"stop", ""},         {"xyzzyx", ""}};
   for (const auto& [word, command] : meant) {
     const Outcome outcome = RunLine({word});
     EXPECT_EQ(outcome.code, 2) << word;
@@ -131,6 +132,14 @@ TEST(Cli, WordsThatMeanACommandNameIt) {
   EXPECT_NE(RunLine({"help", "test"}).out.find("quick tests"), std::string::npos);
   EXPECT_EQ(RunLine({"help", "version"}).out, RunLine({"help"}).out);
   EXPECT_NE(RunLine({"help", "pgae"}).err.find("did you mean page?"), std::string::npos);
+}
+
+TEST(Cli, AnArgumentTooManyIsNoMissingQuoteWhereNoTextIsTaken) {
+  const Outcome demo = RunLine({"demo", "here"});
+  EXPECT_EQ(demo.code, 2);
+  EXPECT_EQ(demo.err.find("quotes"), std::string::npos) << demo.err;
+  EXPECT_NE(demo.err.find("moontrace help demo"), std::string::npos) << demo.err;
+  EXPECT_NE(RunLine({"page", "good", "morning"}).err.find("quotes"), std::string::npos);
 }
 
 TEST(Cli, WrongChoicesNameTheNearest) {

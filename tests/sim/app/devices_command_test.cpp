@@ -23,8 +23,16 @@ TEST(DevicesCommand, SaysPlainlyThatThereIsNoneAndWhatWorksWithout) {
   EXPECT_EQ(outcome.code, exit_code::kGood);
   EXPECT_EQ(outcome.out.rfind("no device found", 0), 0u);
   EXPECT_TRUE(Has(outcome.out, "simulated stylus"));
+  EXPECT_TRUE(Has(outcome.out, "moontrace learn --device simulated"));
+  EXPECT_EQ(RunLine({"devices", "list"}).out, outcome.out);
   ExpectTextFace(outcome.out);
   EXPECT_EQ(RunLine({"devices", "--json"}).Json()["devices"].size(), 0u);
+}
+
+TEST(DevicesCommand, TheProgramsOwnHandHasNothingToTest) {
+  const Outcome outcome = RunLine({"devices", "test", "simulated"});
+  EXPECT_EQ(outcome.code, exit_code::kUsage);
+  EXPECT_TRUE(Has(outcome.err, "the program's own hand")) << outcome.err;
 }
 
 // The files of devices/profiles, whatever is plugged in.

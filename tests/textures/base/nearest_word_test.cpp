@@ -22,6 +22,16 @@ TEST(NearestWord, IsEmptyWhenMoreThanHalfMustChange) {
   EXPECT_EQ(NearestWord("", {"page"}), "");
 }
 
+TEST(NearestWord, CountsTwoNeighboursSwappedAsOneEdit) {
+  EXPECT_EQ(NearestWord("tset", {"view", "text", "test"}, 3), "test");
+  EXPECT_EQ(NearestWord("leanr", {"lean-to", "learn"}, 3), "learn");
+}
+
+TEST(NearestWord, TakesFewerEditsWhereTheCallerAsks) {
+  EXPECT_EQ(NearestWord("quit", {"gui"}), "gui");  // two of four
+  EXPECT_EQ(NearestWord("quit", {"gui"}, 3), "");
+}
+
 TEST(NearestName, TakesTheFewestChanges) {
   EXPECT_EQ(NearestName("polehm", {"openffboard", "polhem", "spacemouse"}), "polhem");
   EXPECT_EQ(NearestName("rate", {"rat", "gate", "rate"}), "rate");
