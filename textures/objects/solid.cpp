@@ -143,12 +143,27 @@ Face UsualFace(const Solid& solid) noexcept {
   return flat ? Face::kTop : Face::kRound;
 }
 
+namespace {
+
+/// Whether a point is beside neither the other faces of a box nor the round one of a cylinder.
+bool IsWithin(const Solid& solid, int axis, const glm::dvec3& p) noexcept {
+  if (solid.kind == SolidKind::kCylinder) return std::hypot(p.x, p.y) <= solid.half.x;
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  return std::abs(p[a]) <= solid.half[a] && std::abs(p[b]) <= solid.half[b];
+}
+
+}  // namespace
+
 void Remember(const Solid& solid, double thin, glm::dvec3 p_O, Sides& sides) noexcept {
   const bool box = solid.kind == SolidKind::kBox;
   if (!box && solid.kind != SolidKind::kCylinder) return;
   for (int axis = box ? 0 : 2; axis < 3; ++axis) {
     const double half = box ? solid.half[axis] : solid.half.y;
-    if (half < thin && std::abs(p_O[axis]) > half) sides.of[axis] = p_O[axis] < 0 ? -1 : 1;
+    if (!(half < thin) || !(std::abs(p_O[axis]) > half)) continue;
+    const double side = p_O[axis] < 0 ? -1 : 1;
+    // right behind it: pressed through, not gone round
+    const bool pressed = sides.of[axis] == -side && IsWithin(solid, axis, p_O);
+    if (!pressed) sides.of[axis] = side;
   }
 }
 

@@ -74,6 +74,30 @@ TEST(CarriedPress, IsHeldForLongOnPaperAndInAGrooveAtEverySize) {
   }
 }
 
+// A plate of a millimetre carries what a page of its stiffness does: what is behind it is not felt.
+TEST(CarriedPress, IsHeldByAPlateThinnerThanItIsDeep) {
+  const std::string plate =
+      "<mujoco><custom><text name='moontrace:plate' data='{}'/></custom><worldbody>"
+      "<geom name='plate' type='box' size='0.06 0.03 0.0005' pos='0 0 -0.0005' contype='0' "
+      "conaffinity='0'/></worldbody></mujoco>";
+  const TextureField field = GrooveAlongY();
+  for (const double x : {0.0, 0.02}) {
+    Scene scene = Scene::FromXml(plate, "plate", {});
+    scene.SetField(&field);
+    const double carried = scene.carried_press();
+    EXPECT_NEAR(carried, CarriedPress(scene.options().surface, field), 1e-12);
+    for (const double press : {1.0, 2.0, carried}) {
+      scene.Reset({x, 0.01, 0.001});
+      PressingHand hand({x, 0.01, 0.001});
+      EXPECT_FALSE(PressFor(scene, hand, press, 3000).through) << press;
+      EXPECT_NEAR(hand.Press(scene, press).force_W.z, press, 0.01) << press;
+    }
+    PressingHand hand({x, 0.01, 0.001});
+    scene.Reset({x, 0.01, 0.001});
+    EXPECT_TRUE(PressFor(scene, hand, 5, 600).through);
+  }
+}
+
 // A press above it: once through, no force, no throw on the way back, and the page is felt again.
 TEST(CarriedPress, BeyondItTheTipIsThroughAndComesBackWithoutAPush) {
   const SamplePage page = MakePage("i", 0.012, Relief::kEngraved);

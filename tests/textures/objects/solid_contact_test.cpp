@@ -239,7 +239,11 @@ TEST(SolidContact, AThinPlateIsFeltFromTheSideItWasEntered) {
   const glm::dvec3 deep(0.01, 0, -0.0005);
   EXPECT_NEAR(TouchSolid(law, plate, {}, deep, sides).force_O.z, 1.5, 1e-12);
   EXPECT_NEAR(TouchSolid(law, plate, {}, deep).force_O.z, -0.5, 1e-12);
-  Remember(plate, 0.008, {0.01, 0, -0.002}, sides);
+  // pressed out at its back: 2.5 mm below the upper face
+  Remember(plate, 0.008, {0.01, 0, -0.0015}, sides);
+  EXPECT_NEAR(TouchSolid(law, plate, {}, {0.01, 0, -0.0015}, sides).force_O.z, 2.5, 1e-12);
+  // round its edge and to the back
+  Remember(plate, 0.008, {0.051, 0, -0.002}, sides);
   EXPECT_EQ(TouchSolid(law, plate, {}, {0.01, 0, -0.002}, sides).force_O, glm::dvec3(0));
   EXPECT_LT(TouchSolid(law, plate, {}, {0.01, 0, -0.0005}, sides).force_O.z, 0);
 }
