@@ -57,6 +57,8 @@ class Reader {
   static std::vector<double> AllSizes(const ReaderKnowledge& knowledge);
   bool StartAnew();
   ReaderAction Act(const Felt& felt);
+  bool Falls(const Felt& felt) const;
+  void ComeBack(const Felt& felt);
   void FlyTo(glm::dvec2 to, Phase then);
   ReaderAction Fly(const Felt& felt);
   void SweepAlong(std::vector<glm::dvec2> way, Errand errand);
@@ -113,6 +115,9 @@ class Reader {
   // flying
   Phase then_ = Phase::kSweep;
   glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
+  double rise_ = 0;           ///< before it moves aside [s]
+  glm::dvec2 carried_{0, 0};  ///< where the paper carried it last [m]
+  int falls_ = 0;             ///< on this way
   // sweeping
   Errand errand_ = Errand::kFirstLine;
   bool in_gap_ = false;  ///< looks through a gap
