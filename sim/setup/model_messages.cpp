@@ -42,11 +42,15 @@ std::string NoLabelHasText(std::string_view model) {
   return fmt::format("{}: no label has a text: write text='...' in one", model);
 }
 
-std::string LabelHasNoRoom(std::string_view model, std::string_view label, glm::dvec2 text) {
+std::string LabelHasNoRoom(std::string_view model, std::string_view label, double size,
+                           glm::dvec2 text, std::size_t pages) {
+  const std::string extent = fmt::format("{} by {} mm", Short(kMillimetres * text.x, 0),
+                                         Short(kMillimetres * text.y, 0));
   return fmt::format(
-      "{}: label on '{}': its text of {} by {} mm has no room there: make size_mm smaller or move "
-      "it",
-      model, OneLine(label), Short(kMillimetres * text.x, 0), Short(kMillimetres * text.y, 0));
+      "{}: label on '{}': its text has no room there: with size_mm {} it takes {}; make size_mm "
+      "smaller or move it",
+      model, OneLine(label), Short(kMillimetres * size, 1),
+      pages > 1 ? fmt::format("{} pages, the first of {}", pages, extent) : extent);
 }
 
 std::string LabelsLieTogether(std::string_view model, std::string_view a, std::string_view b) {

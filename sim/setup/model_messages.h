@@ -19,8 +19,10 @@ std::string NoSuchLabel(std::string_view model, std::string_view label, std::str
 std::string LabelNeedsModel();
 std::string OneLabelOnly();
 std::string NoLabelHasText(std::string_view model);
-/// Text that is larger than what is left of its geom. `text`: its size [m].
-std::string LabelHasNoRoom(std::string_view model, std::string_view label, glm::dvec2 text);
+/// Text that is larger than what is left of its geom. `size`: of its letters [m]; `text`: what they
+/// take [m], of `pages` the first.
+std::string LabelHasNoRoom(std::string_view model, std::string_view label, double size,
+                           glm::dvec2 text, std::size_t pages);
 std::string LabelsLieTogether(std::string_view model, std::string_view a, std::string_view b);
 /// `error`: a share.
 std::string LengthsErr(std::string_view label, double error);

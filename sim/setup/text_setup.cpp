@@ -102,7 +102,8 @@ void CheckRoom(const std::string& file, const ModelPage& model, std::size_t numb
   const Label& label = model.labels[number];
   if (!IsOnePage(model, number) || !(text_P.min.x <= text_P.max.x)) return;
   if (set.pages.size() > 1 || !HasRoom(label, model.solids[number], Grown(text_P, kEdge))) {
-    throw InputError(say::LabelHasNoRoom(file, NameOf(label), text_P.max - text_P.min));
+    throw InputError(say::LabelHasNoRoom(file, NameOf(label), set.style.size,
+                                         text_P.max - text_P.min, set.pages.size()));
   }
 }
 

@@ -114,7 +114,10 @@ TEST_F(LabelsOfAModel, AreRefusedInOneLineEach) {
             "label on 'ball': that geom has no face top; take round\n");
   const std::string large =
       Refused(Model(Label("plate", "text='A LONG NAME FOR IT', middle_mm=[0,0]"), kPlate));
-  EXPECT_EQ(large.rfind("label on 'plate': its text of", 0), 0U) << large;
+  EXPECT_EQ(large.rfind("label on 'plate': its text has no room there: with size_mm ", 0), 0U)
+      << large;
+  // a text that goes on over pages is not told as large as its first
+  EXPECT_NE(large.find(" pages, the first of "), std::string::npos) << large;
   const std::string together = Refused(
       Model(Label("ball", "text='AB'") + Label("ball:2", "text='C', middle_mm=[5,0]"), kBall));
   EXPECT_EQ(together, "labels 'ball:2' and 'ball' lie on one place: move one of them\n");
