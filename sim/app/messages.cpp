@@ -28,10 +28,9 @@ std::string UnknownOption(std::string_view given, std::string_view command,
 }
 
 std::string SpareArgument(std::string_view given, std::string_view command, bool takes_text) {
-  const std::string mend =
-      takes_text ? "put a text of several words in quotes"
-                 : fmt::format("\"moontrace help {}\" tells what it takes",
-                               command.substr(0, command.find(' ')));
+  const std::string mend = takes_text ? "put a text of several words in quotes"
+                                      : fmt::format("\"moontrace help {}\" tells what it takes",
+                                                    command.substr(0, command.find(' ')));
   return fmt::format("one argument too many for {}: {}; {}", command, Quoted(given), mend);
 }
 

@@ -44,8 +44,8 @@ std::string NoLabelHasText(std::string_view model) {
 
 std::string LabelHasNoRoom(std::string_view model, std::string_view label, double size,
                            glm::dvec2 text, std::size_t pages) {
-  const std::string extent = fmt::format("{} by {} mm", Short(kMillimetres * text.x, 0),
-                                         Short(kMillimetres * text.y, 0));
+  const std::string extent =
+      fmt::format("{} by {} mm", Short(kMillimetres * text.x, 0), Short(kMillimetres * text.y, 0));
   return fmt::format(
       "{}: label on '{}': its text has no room there: with size_mm {} it takes {}; make size_mm "
       "smaller or move it",
