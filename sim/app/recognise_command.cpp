@@ -132,7 +132,7 @@ struct Reading {
 constexpr double kGreatestTurn = 3 * kDegree;
 /// The hand is put on the text's upper left corner, to within so many sizes.
 constexpr double kPutWithin = 0.5;
-constexpr double kFromEdge = 0.002;  ///< at least, of a geom [m]
+constexpr double kFromEdge = 0.006;  ///< at least, of a geom [m]
 
 /// A profile that gives a reader depth, and pushes it back.
 DeviceProfile ReadableProfile(const std::string& name) {

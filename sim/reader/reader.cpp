@@ -18,6 +18,9 @@ constexpr double kGivesUp = 300;       ///< after so long without a sign or a li
 constexpr double kSteady = 0.10;       ///< for the hand to come to rest above where it lands [s]
 constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
 constexpr double kFallen = 0.003;      ///< below a groove's floor [m]
+constexpr double kNoPaper = 0.030;     ///< below where the hand was put [m]
+constexpr int kMostFalls = 30;         ///< on one way
+constexpr double kLeftOut = 0.30;      ///< of a way, more each time
 constexpr double kAway = 0.015;        ///< from an edge that it fell over, to rise beside it [m]
 constexpr double kClimb = 0.5;         ///< back above the paper [s]
 constexpr double kSearchShare = 0.85;  ///< of the speed at which a groove's wall just holds
@@ -72,7 +75,8 @@ ReaderAction Reader::Step(const ReaderInput& input) {
 
 /// Whether the tip is beside what carries the page, or went through it.
 bool Reader::Falls(const Felt& felt) const {
-  if (!sense_.level_known() || felt.touching || action_.press <= 0) return false;
+  if (felt.touching || action_.press <= 0) return false;
+  if (!sense_.level_known()) return felt.tip.z < put_ - kNoPaper;
   return felt.tip.z < sense_.level() - knowledge_.depth - kFallen;
 }
 
@@ -86,14 +90,16 @@ void Reader::ComeBack(const Felt& felt) {
     first_direction_ = follower_.Departure();
     FlyTo(entry_, Phase::kFollow);
   } else {
-    for (double step = 0.3 * size_ * falls_; step > 0 && next_ < way_.size();) {
+    for (double step = kLeftOut * size_ * falls_; step > 0 && next_ < way_.size();) {
       const double left = glm::distance(aim_, way_[next_]);
       aim_ = left > step ? aim_ + step / left * (way_[next_] - aim_) : way_[next_++];
       step -= left;
     }
-    if (next_ >= way_.size() && falls_ > 0) return crossing_ ? Think() : Missed();
-    ++falls_;
-    FlyTo(aim_, Phase::kSweep);
+    if (next_ < way_.size() && ++falls_ <= kMostFalls) {
+      FlyTo(aim_, Phase::kSweep);
+    } else {
+      crossing_ ? Think() : Missed();
+    }
   }
   if (length > 0) fly_from_ += kAway / length * over;
   rise_ = kClimb;
@@ -103,7 +109,8 @@ ReaderAction Reader::Act(const Felt& felt) {
   if (Falls(felt)) ComeBack(felt);
   switch (phase_) {
     case Phase::kStart:
-      start_ = glm::dvec2(felt.tip);
+      start_ = carried_ = glm::dvec2(felt.tip);
+      put_ = felt.tip.z;
       SearchFirstLine();
       return Fly(felt);
     case Phase::kFly:
@@ -136,7 +143,7 @@ ReaderAction Reader::Fly(const Felt& felt) {
   const double t = now_ - since_;
   const double there = rise_ + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
   const double felt_there = there + knowledge_.delay + knowledge_.lag;
-  const double height = sense_.level_known() ? sense_.level() + kLift : felt.tip.z;
+  const double height = sense_.level_known() ? sense_.level() + kLift : put_;
   if (t < rise_) return {{fly_from_.x, fly_from_.y, height}, 0};
   if (t < there) return {{fly_to_.x, fly_to_.y, height}, 0};
   const bool rests = sense_.level_known() && sense_.resting_for() > 0.03;

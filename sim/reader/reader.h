@@ -117,7 +117,7 @@ class Reader {
   glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
   double rise_ = 0;           ///< before it moves aside [s]
   glm::dvec2 carried_{0, 0};  ///< where the paper carried it last [m]
-  int falls_ = 0;             ///< on this way
+  int falls_ = 0;             ///< off the paper, on this way
   // sweeping
   Errand errand_ = Errand::kFirstLine;
   bool in_gap_ = false;  ///< looks through a gap
@@ -143,6 +143,7 @@ class Reader {
   int crossings_ = 0, tries_ = 0, circles_ = 0;
   // the page
   glm::dvec2 start_{0, 0};  ///< where the hand was put [m]
+  double put_ = 0;          ///< and how high [m]
   int restarts_ = 0, skips_ = 0;
   std::size_t unknowns_ = 0;        ///< signs in a row
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign
