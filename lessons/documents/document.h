@@ -108,19 +108,24 @@ struct ContentsEntry {
   std::string title;
   int level = 1;
   std::size_t block = kNoBlock;  ///< where it leads; kNoBlock: nowhere in this document
+  /// It names the lines below it and has no link of its own: it leads where the first of them does.
+  bool group = false;
 };
 
 /// What a document shows and its blocks lack, or have otherwise.
 enum class LeftOut : std::uint8_t {
-  kHiddenPart,      ///< made invisible by its author: not read
-  kPicture,         ///< without alternative text
-  kMedia,           ///< sound, video, programs, pages within the page
-  kReading,         ///< small characters beside others that tell how they are spoken
-  kBadByte,         ///< of no character in its encoding: U+FFFD stands there
-  kUnknownEntity,   ///< "&name;" of an unknown name: left as it is
-  kDeepElement,     ///< nested too deep: its text is kept, its kind is not
-  kBrokenPart,      ///< not well-formed: read as web pages are
-  kMissingPart,     ///< named by the book and not in it
+  kHiddenPart,     ///< made invisible by its author: not read
+  kPicture,        ///< without alternative text
+  kDrawing,        ///< made of lines (SVG): its words are read, its lines are not felt
+  kMedia,          ///< sound, video, programs, pages within the page
+  kReading,        ///< small characters beside others that tell how they are spoken
+  kBadByte,        ///< of no character in its encoding: U+FFFD stands there
+  kUnknownEntity,  ///< "&name;" of an unknown name: left as it is
+  kDeepElement,    ///< nested too deep: its text is kept, its kind is not
+  kFaultyPart,   ///< its names are faulty as XML (namespaces, attributes twice): read all the same
+  kBrokenPart,   ///< not well-formed: read as web pages are
+  kMissingPart,  ///< named by the book and not in it
+  kStandIn,      ///< a chapter made by a script: its stand-in is read
   kUnreadablePart,  ///< a chapter that is no text, and nothing stands in for it
   kOutsidePart,     ///< its address leaves the book
   kEncryptedPart,   ///< a picture or the like: not needed
@@ -134,6 +139,8 @@ constexpr std::string_view NameOf(LeftOut what) {
       return "hidden";
     case LeftOut::kPicture:
       return "picture";
+    case LeftOut::kDrawing:
+      return "drawing";
     case LeftOut::kMedia:
       return "media";
     case LeftOut::kReading:
@@ -144,10 +151,14 @@ constexpr std::string_view NameOf(LeftOut what) {
       return "unknown entity";
     case LeftOut::kDeepElement:
       return "deep element";
+    case LeftOut::kFaultyPart:
+      return "faulty part";
     case LeftOut::kBrokenPart:
       return "broken part";
     case LeftOut::kMissingPart:
       return "missing part";
+    case LeftOut::kStandIn:
+      return "stand-in";
     case LeftOut::kUnreadablePart:
       return "unreadable part";
     case LeftOut::kOutsidePart:

@@ -134,8 +134,17 @@ class EpubReader {
     return kNone;
   }
 
+  /// What is read for an item: another one where scripts make its text and its maker gave one.
+  std::size_t StandIn(std::size_t item) {
+    if (!HasWord(package_.items[item].properties, "scripted")) return Readable(item);
+    const std::size_t other = Readable(ById(package_.items[item].fallback));
+    if (other == kNone) return Readable(item);
+    NoteLeftOut(document_, LeftOut::kStandIn, package_.items[item].address);
+    return other;
+  }
+
   void ReadItem(const EpubSpineItem& spine) {
-    std::size_t index = Readable(spine.item);
+    std::size_t index = StandIn(spine.item);
     const bool typed = index != kNone;
     if (!typed) index = spine.item;
     const EpubItem& item = package_.items[index];
@@ -153,6 +162,9 @@ class EpubReader {
       return;
     }
     if (!spine.linear) NoteLeftOut(document_, LeftOut::kLaterPart, *item.path);
+    if (const auto& named = package_.items[spine.item].path; named && *named != *item.path) {
+      reader_.AlsoAt(*named);
+    }
     ReadChapter(*item.path, *bytes);
   }
 
@@ -198,9 +210,21 @@ class EpubReader {
     if (!navigation) return;
     for (const EpubTarget& target : navigation->contents) {
       if (target.title.empty()) continue;
-      document_.contents.push_back({target.title, target.level, PlaceOf(target).block});
+      document_.contents.push_back(
+          {target.title, target.level, PlaceOf(target).block, target.group});
     }
+    LeadGroups();
     MarkPages(navigation->pages);
+  }
+
+  /// A group leads where the first line below it does.
+  void LeadGroups() {
+    std::vector<ContentsEntry>& lines = document_.contents;
+    for (std::size_t i = lines.size(); i > 0; --i) {
+      ContentsEntry& line = lines[i - 1];
+      if (!line.group || i == lines.size() || lines[i].level <= line.level) continue;
+      line.block = lines[i].block;
+    }
   }
 
   DocumentPlace PlaceOf(const EpubTarget& target) const {

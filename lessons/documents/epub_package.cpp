@@ -146,7 +146,7 @@ void ReadSpine(pugi::xml_node spine, EpubPackage& package) {
 }
 
 EpubTarget Target(std::string title, int level, std::string_view base, std::string_view address) {
-  EpubTarget target{std::move(title), level, {}, {}};
+  EpubTarget target{std::move(title), level, {}, {}, address.empty()};
   if (!address.empty()) {
     target.path = ResolvePath(base, address, &target.id).value_or(std::string());
   }
@@ -228,13 +228,15 @@ std::optional<std::string> ReadContainer(const std::string& xml) {
   pugi::xml_document document;
   const std::optional<pugi::xml_node> root = Root(document, xml);
   if (!root) return std::nullopt;
+  std::optional<std::string> other;  // of another type than it should have
   for (const pugi::xml_node node : Child(*root, "rootfiles").children()) {
     if (LocalName(node) != "rootfile") continue;
     const std::string_view type = Attribute(node, "media-type");
-    if (!type.empty() && type != "application/oebps-package+xml") continue;
-    return ResolvePath("", Attribute(node, "full-path"));
+    std::optional<std::string> path = ResolvePath("", Attribute(node, "full-path"));
+    if (type.empty() || type == "application/oebps-package+xml") return path;
+    if (!other && path && path->ends_with(".opf")) other = std::move(path);
   }
-  return std::nullopt;
+  return other;
 }
 
 EpubPackage ReadPackage(const std::string& xml, const std::string& path, const std::string& name) {

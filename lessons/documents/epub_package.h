@@ -43,6 +43,7 @@ struct EpubTarget {
   int level = 1;
   std::string path;  ///< within the archive; empty: leads nowhere
   std::string id;
+  bool group = false;  ///< has no link
 };
 
 /// A book's tables of contents and of printed pages.

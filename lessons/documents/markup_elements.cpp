@@ -69,7 +69,9 @@ const RoleTable& NamedRoles() {
                        {"rp", Role::kReading},
                        {"sup", Role::kRaised},
                        {"sub", Role::kLowered},
-                       {"input", Role::kInput}};
+                       {"input", Role::kInput},
+                       {"switch", Role::kSwitch},
+                       {"epub:switch", Role::kSwitch}};
     for (const std::string_view block :
          {"address",  "article",    "aside",  "body",   "center",   "details",  "dialog", "div",
           "fieldset", "figcaption", "figure", "footer", "form",     "frameset", "header", "hgroup",
@@ -96,6 +98,28 @@ ElementRole RoleOf(std::string_view name, const MarkupAttributes& attributes) {
   if (role == "math" && name != "math") return Role::kInline;
   const auto found = NamedRoles().find(name);
   return found == NamedRoles().end() ? Role::kInline : found->second;
+}
+
+bool FitsInSwitch(std::string_view name, const MarkupAttributes& attributes,
+                  std::string_view language) {
+  const std::size_t colon = name.find(':');
+  const std::string_view local = colon == std::string_view::npos ? name : name.substr(colon + 1);
+  if (local == "case") {
+    const std::string_view elements = attributes["required-namespace"];
+    return elements == "http://www.w3.org/1999/xhtml" ||
+           elements == "http://www.w3.org/1998/Math/MathML";
+  }
+  if (!attributes["requiredExtensions"].empty()) return false;
+  const std::string wanted = LowerCase(attributes["systemLanguage"]);
+  if (wanted.empty()) return true;
+  const std::string own = LowerCase(language.substr(0, language.find('-')));
+  for (std::size_t at = 0; !own.empty() && at < wanted.size();) {
+    const std::size_t end = std::min(wanted.find(',', at), wanted.size());
+    const std::string one = WithoutBlanks(std::string_view(wanted).substr(at, end - at));
+    if (one.substr(0, one.find('-')) == own) return true;
+    at = end + 1;
+  }
+  return false;
 }
 
 bool IsHiddenElement(std::string_view name, const MarkupAttributes& attributes) {

@@ -46,6 +46,8 @@ class MarkupSink {
   virtual void Close() = 0;
   /// "&name;" of a name that nobody knows; it comes as text too.
   virtual void UnknownEntity(std::string_view name) = 0;
+  /// What is wrong with names in an XML file, in words: the first such fault of it.
+  virtual void Fault(std::string_view what) = 0;
 };
 
 /// What an element is to a reader by touch.
@@ -82,11 +84,17 @@ enum class ElementRole : std::uint8_t {
   kReading,  ///< of ruby
   kRaised,   ///< superscript
   kLowered,
-  kInput
+  kInput,
+  kSwitch  ///< of its children one is read
 };
 
 /// By name, and by `role` where that says more.
 ElementRole RoleOf(std::string_view name, const MarkupAttributes& attributes);
+
+/// Whether a child of a switch can be read: a case of `epub:switch` in elements of XHTML or MathML,
+/// its default, what a drawing has for readers of `language`, or for all.
+bool FitsInSwitch(std::string_view name, const MarkupAttributes& attributes,
+                  std::string_view language);
 
 /// Whether its author made it invisible to everybody, or to readers who do not see.
 bool IsHiddenElement(std::string_view name, const MarkupAttributes& attributes);

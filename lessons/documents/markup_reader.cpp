@@ -33,6 +33,7 @@ bool IsBlock(Role role) {
     case Role::kRaised:
     case Role::kLowered:
     case Role::kInput:
+    case Role::kSwitch:
       return false;
     case Role::kBlock:
     case Role::kHead:
@@ -126,6 +127,10 @@ void MarkupReader::BeginPart(std::string_view path) {
   anchors_.push_back({path_ + "#", writer_.place()});
 }
 
+void MarkupReader::AlsoAt(std::string_view path) {
+  anchors_.push_back({std::string(path) + "#", writer_.place()});
+}
+
 void MarkupReader::EndPart() {
   while (!frames_.empty()) Close();
   writer_.End();
@@ -159,6 +164,7 @@ void MarkupReader::LeadLinks() const {
         std::string id;
         const auto path = ResolvePath(document.parts[part].path, mark.value, &id);
         const DocumentPlace* place = path ? Find(*path, id) : nullptr;
+        if (path && place == nullptr) place = Find(*path, "");
         if (place != nullptr && place->block < document.blocks.size()) mark.target = place->block;
       }
     }
@@ -173,6 +179,16 @@ void MarkupReader::SetLanguage(Frame& frame, const MarkupAttributes& attributes)
   ValueOf(frame.state, MarkKind::kLanguage) = tag == language_ ? 0 : writer_.Value(tag);
 }
 
+/// Whether an element is a child of a switch that another one is read for.
+bool MarkupReader::PassedOver(std::string_view name, const MarkupAttributes& attributes) {
+  if (frames_.empty() || frames_.back().role != Role::kSwitch) return false;
+  Frame& parent = frames_.back();
+  const std::string& language = language_.empty() ? writer_.document().language : language_;
+  if (parent.taken || !FitsInSwitch(name, attributes, language)) return true;
+  parent.taken = true;
+  return false;
+}
+
 /// True where nothing in the element is read.
 bool MarkupReader::OpenSilent(Frame& frame, std::string_view name,
                               const MarkupAttributes& attributes) {
@@ -183,7 +199,8 @@ bool MarkupReader::OpenSilent(Frame& frame, std::string_view name,
   }
   if (frame.role == Role::kHead) frame.in_head = true;
   frame.silent = frame.hidden || frame.in_head || frame.role == Role::kSilent ||
-                 frame.role == Role::kReading || (frame.role == Role::kTitle && !frame.drawing);
+                 frame.role == Role::kReading ||
+                 (frame.role == Role::kTitle && (!frame.drawing || frames_.back().labelled));
   return frame.silent;
 }
 
@@ -193,11 +210,14 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
     NoteLeftOut(writer_.document(), LeftOut::kDeepElement, name);
     return;
   }
+  const bool passed_over = PassedOver(name, attributes);
   Frame frame;
   if (!frames_.empty()) {
     frame = frames_.back();
     frame.label = 0;
+    frame.taken = frame.labelled = frame.apart = false;
   }
+  frame.silent = frame.silent || passed_over;
   frame.role = RoleOf(name, attributes);
   frame.written = writer_.written();
   if (frame.silent || frame.page) {
@@ -329,6 +349,7 @@ void MarkupReader::OpenText(Frame& frame, std::string_view name,
       OpenInput(frame, attributes);
       return;
     default:
+      if (frame.drawing) return OpenDrawn(frame, name, attributes);
       if (name == "button" && attributes.Has("aria-label")) {
         labels_.emplace_back(attributes["aria-label"]);
         frame.label = static_cast<std::uint32_t>(labels_.size() - 1);
@@ -411,6 +432,8 @@ void MarkupReader::OpenImage(const Frame& frame, const MarkupAttributes& attribu
     ValueOf(state, MarkKind::kPicture) = writer_.Value(file);
     state.verbatim = false;
     Say(words, state);
+    const bool drawing = LowerCase(file).ends_with(".svg");
+    if (drawing) NoteLeftOut(writer_.document(), LeftOut::kDrawing, words);
   } else if (!attributes.Has("alt")) {  // an empty one says that it only decorates
     writer_.Point(MarkKind::kPicture, file);
     NoteLeftOut(writer_.document(), LeftOut::kPicture, file);
@@ -418,9 +441,26 @@ void MarkupReader::OpenImage(const Frame& frame, const MarkupAttributes& attribu
 }
 
 void MarkupReader::OpenDrawing(Frame& frame, const MarkupAttributes& attributes) {
+  const bool inner = frame.drawing;
   frame.drawing = true;
-  ValueOf(frame.state, MarkKind::kPicture) = writer_.Value("");
-  Say(attributes["aria-label"], frame.state);
+  if (!inner) {
+    ValueOf(frame.state, MarkKind::kPicture) = writer_.Value("");
+    drawing_title_.clear();
+  }
+  OpenDrawn(frame, "svg", attributes);
+}
+
+/// An element in a drawing: its words stand apart from those of others, as they do on paper.
+void MarkupReader::OpenDrawn(Frame& frame, std::string_view name,
+                             const MarkupAttributes& attributes) {
+  const std::string_view label = attributes["aria-label"];
+  frame.labelled = !IsBlank(label);
+  frame.apart = frame.labelled || name == "title" || name == "desc" || name == "text";
+  if (frame.apart) Say(" ", frame.state);
+  if (!frame.labelled) return;
+  if (drawing_title_.empty()) drawing_title_ = label;
+  Say(label, frame.state);
+  Say(" ", frame.state);
 }
 
 void MarkupReader::OpenMath(Frame& frame, const MarkupAttributes& attributes) {
@@ -470,6 +510,9 @@ void MarkupReader::Text(std::string_view utf8) {
     return;
   } else if (math_) {
     math_->Text(utf8);
+  } else if (frame.drawing && frame.role == Role::kTitle) {
+    if (drawing_title_.empty()) drawing_title_ = utf8;
+    Say(utf8, frame.state);
   } else if (frame.role == Role::kLowered) {
     Say(Shifted(utf8, false), frame.state);
   } else if (frame.role == Role::kRaised ||
@@ -482,6 +525,10 @@ void MarkupReader::Text(std::string_view utf8) {
 
 void MarkupReader::UnknownEntity(std::string_view name) {
   NoteLeftOut(writer_.document(), LeftOut::kUnknownEntity, name);
+}
+
+void MarkupReader::Fault(std::string_view what) {
+  NoteLeftOut(writer_.document(), LeftOut::kFaultyPart, what);
 }
 
 void MarkupReader::CloseTable() {
@@ -516,7 +563,10 @@ void MarkupReader::CloseLink(const Frame& frame) {
 }
 
 void MarkupReader::CloseDrawing(const Frame& frame) {
-  if (writer_.written() != frame.written) return;
+  if (!frames_.empty() && frames_.back().drawing) return;  // within another
+  if (writer_.written() != frame.written) {
+    return NoteLeftOut(writer_.document(), LeftOut::kDrawing, drawing_title_);
+  }
   writer_.Point(MarkKind::kPicture, "");
   NoteLeftOut(writer_.document(), LeftOut::kPicture, "svg");
 }
@@ -558,6 +608,7 @@ void MarkupReader::Close() {
     tables_.back().EndCell(writer_.place().block);
   }
   if (frame.role == Role::kQuote) Say("\xE2\x80\x9D", frame.state);
+  if (frame.apart) Say(" ", frame.state);
   if (frame.role == Role::kDrawing) CloseDrawing(frame);
   CloseLink(frame);
 }

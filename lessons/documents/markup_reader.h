@@ -24,12 +24,15 @@ class MarkupReader : public MarkupSink {
 
   /// `path` of the part within the book, for places that are named in it.
   void BeginPart(std::string_view path);
+  /// Another path that leads to where the next part begins: of what it stands in for.
+  void AlsoAt(std::string_view path);
   void EndPart();
 
   void Open(std::string_view name, const MarkupAttributes& attributes) override;
   void Text(std::string_view utf8) override;
   void Close() override;
   void UnknownEntity(std::string_view name) override;
+  void Fault(std::string_view what) override;
 
   /// Behind the last part: what the document's links lead to within it.
   void LeadLinks() const;
@@ -45,7 +48,10 @@ class MarkupReader : public MarkupSink {
     ElementRole role = ElementRole::kInline;
     WritingState state;
     bool silent = false, hidden = false, drawing = false, in_head = false;
-    bool page = false;  // its text is the name of a print page
+    bool page = false;      // its text is the name of a print page
+    bool taken = false;     // of a switch: one of its children is read
+    bool labelled = false;  // of a drawing: its title would say the same again
+    bool apart = false;     // words of their own in a drawing
 
     std::uint32_t label = 0;  // of a link, in labels_
     std::size_t written = 0;  // when it began
@@ -62,6 +68,7 @@ class MarkupReader : public MarkupSink {
     DocumentPlace place;
   };
 
+  bool PassedOver(std::string_view name, const MarkupAttributes& attributes);
   bool OpenSilent(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   void OpenPrintPage(Frame& frame, const MarkupAttributes& attributes);
   void OpenText(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
@@ -71,6 +78,7 @@ class MarkupReader : public MarkupSink {
   void OpenCell(Frame& frame, const MarkupAttributes& attributes);
   void OpenImage(const Frame& frame, const MarkupAttributes& attributes);
   void OpenDrawing(Frame& frame, const MarkupAttributes& attributes);
+  void OpenDrawn(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   void OpenMath(Frame& frame, const MarkupAttributes& attributes);
   void OpenInput(const Frame& frame, const MarkupAttributes& attributes);
   void OpenLink(Frame& frame, const MarkupAttributes& attributes);
@@ -91,6 +99,7 @@ class MarkupReader : public MarkupSink {
   std::optional<MathText> math_;
   std::size_t math_depth_ = 0;
   std::string title_, language_, page_name_;
+  std::string drawing_title_;  // of the drawing that is open
   bool has_title_ = false;
   bool hidden_noted_ = false;
   std::vector<std::string> labels_{""};

@@ -145,6 +145,54 @@ std::string_view AttributeName(std::string_view name) {
   return name;
 }
 
+/// More than this are not told apart, so that time is bounded.
+constexpr std::size_t kMostPrefixes = 100;
+
+/// Prefixes of names that are declared where one is (Namespaces in XML 1.0).
+class Prefixes {
+ public:
+  /// What is wrong with the names of an element that opens; empty: nothing.
+  std::string Open(pugi::xml_node node) {
+    begins_.push_back(declared_.size());
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const std::string_view name = attribute.name();
+      if (name.substr(0, 6) == "xmlns:") declared_.push_back(name.substr(6));
+    }
+    std::string fault = FaultOf(node.name());
+    std::size_t count = 0;
+    for (pugi::xml_attribute one = node.first_attribute(); one && fault.empty() && ++count <= 60;
+         one = one.next_attribute()) {
+      fault = FaultOf(one.name());
+      for (auto other = node.first_attribute(); other != one; other = other.next_attribute()) {
+        if (std::string_view(other.name()) == one.name()) {
+          fault = std::string("attribute ") + one.name() + " twice";
+        }
+      }
+    }
+    return fault;
+  }
+  void Close() {
+    declared_.resize(begins_.back());
+    begins_.pop_back();
+  }
+
+ private:
+  std::string FaultOf(std::string_view name) const {
+    const std::size_t colon = name.find(':');
+    if (colon == kNone) return {};
+    const std::string_view prefix = name.substr(0, colon);
+    if (prefix.empty() || name.find(':', colon + 1) != kNone || colon + 1 == name.size()) {
+      return "name " + std::string(name);
+    }
+    const bool known = declared_.size() > kMostPrefixes || prefix == "xml" || prefix == "xmlns" ||
+                       std::find(declared_.rbegin(), declared_.rend(), prefix) != declared_.rend();
+    return known ? std::string() : "undeclared prefix " + std::string(prefix);
+  }
+
+  std::vector<std::string_view> declared_;
+  std::vector<std::size_t> begins_;
+};
+
 class Walk {
  public:
   Walk(const std::string& name, MarkupSink& sink) : name_(name), sink_(sink), references_(sink) {}
@@ -162,15 +210,12 @@ class Walk {
         continue;
       }
       while (!node.next_sibling()) {
-        if (node.type() == pugi::node_element) sink_.Close();
+        if (node.type() == pugi::node_element) Close();
         if (node == root) return;
         node = node.parent();
-        if (node == root) {
-          sink_.Close();
-          return;
-        }
+        if (node == root) return Close();
       }
-      if (node.type() == pugi::node_element) sink_.Close();
+      if (node.type() == pugi::node_element) Close();
       if (node == root) return;
       node = node.next_sibling();
       Enter(node);
@@ -201,12 +246,28 @@ class Walk {
       if (count == values_.size()) break;
       attributes_.Add(AttributeName(attribute.name()), values_[count++]);
     }
+    CheckNames(node);
     sink_.Open(LowerCase(LocalName(node.name())), attributes_);
+  }
+
+  void Close() {
+    if (!faulty_) prefixes_.Close();
+    sink_.Close();
+  }
+
+  /// Until the first fault.
+  void CheckNames(pugi::xml_node node) {
+    if (faulty_) return;
+    const std::string fault = prefixes_.Open(node);
+    faulty_ = !fault.empty();
+    if (faulty_) sink_.Fault(fault);
   }
 
   const std::string& name_;
   MarkupSink& sink_;
   References references_;
+  Prefixes prefixes_;
+  bool faulty_ = false;
   std::size_t elements_ = 0;
   std::vector<std::string> values_;
   MarkupAttributes attributes_;

@@ -50,6 +50,27 @@ struct ZipArchive::State {
 
 namespace {
 
+/// Books are stored or deflated; of one that is packed otherwise nothing may be shown (EPUB reading
+/// systems 3.3, 4.2.2).
+void RequireUsualPacking(zip_t* zip, const std::string& name) {
+  const zip_int64_t count = zip_get_num_entries(zip, 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    zip_stat_t stat;
+    zip_stat_init(&stat);
+    if (zip_stat_index(zip, static_cast<zip_uint64_t>(i), 0, &stat) != 0 ||
+        (stat.valid & ZIP_STAT_COMP_METHOD) == 0 || stat.comp_method == ZIP_CM_STORE ||
+        stat.comp_method == ZIP_CM_DEFLATE) {
+      continue;
+    }
+    const std::string entry =
+        (stat.valid & ZIP_STAT_NAME) != 0 ? OneLine(stat.name, 60) : std::string("a file");
+    zip_discard(zip);
+    throw InputError(name + ": is packed in a way that no book is (" + entry + " in it, method " +
+                     std::to_string(stat.comp_method) +
+                     "); unpack it and pack it again as zip with deflate");
+  }
+}
+
 zip_t* Opened(zip_source_t* source, const std::string& name, ErrorOf& error) {
   zip_t* zip = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, error.get());
   if (zip == nullptr) {
@@ -62,6 +83,7 @@ zip_t* Opened(zip_source_t* source, const std::string& name, ErrorOf& error) {
     throw InputError(name + ": holds more than " + std::to_string(kMostEntries) +
                      " files; no book does");
   }
+  RequireUsualPacking(zip, name);
   return zip;
 }
 

@@ -56,8 +56,8 @@ std::string WordHere(std::string_view word, bool spelt) {
 std::string NoWordHere() { return "No word here."; }
 
 std::string NumberedContents(std::size_t number, const ContentsEntry& entry, std::size_t page) {
-  const std::string where =
-      entry.block == kNoBlock ? std::string("leads nowhere") : fmt::format("page {}", page + 1);
+  const std::string nowhere = entry.group ? "without a place" : "leads nowhere";
+  const std::string where = entry.block == kNoBlock ? nowhere : fmt::format("page {}", page + 1);
   return fmt::format("{}: {}{}, {}.", number, OneLine(entry.title, 60),
                      entry.level > 1 ? fmt::format(", level {}", entry.level) : "", where);
 }

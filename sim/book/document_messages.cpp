@@ -83,6 +83,9 @@ std::string LeftOutOf(const LeftOutCount& left_out) {
       return "Not read: " + Counted(n, "hidden part", "hidden parts") + Begins(example);
     case LeftOut::kPicture:
       return Has(n, "picture", "pictures") + " no description" + Begins(example);
+    case LeftOut::kDrawing:
+      return Is(n, "drawing", "drawings") + " not laid out to be felt; the words are read" +
+             Begins(example);
     case LeftOut::kMedia:
       return "Left out: " +
              Counted(n, "sound, video or embedded page", "sounds, videos or embedded pages") +
@@ -99,10 +102,16 @@ std::string LeftOutOf(const LeftOutCount& left_out) {
     case LeftOut::kDeepElement:
       return Is(n, "element", "elements") + " nested too deep: the text is kept, the kind is not" +
              Begins(example);
+    case LeftOut::kFaultyPart:
+      return Has(n, "chapter", "chapters") + " faulty names as XML and are read all the same" +
+             Begins(example);
     case LeftOut::kBrokenPart:
       return Is(n, "chapter", "chapters") + " damaged, read as web pages are" + Begins(example);
     case LeftOut::kMissingPart:
       return Is(n, "part", "parts") + " missing in the book" + Begins(example);
+    case LeftOut::kStandIn:
+      return Is(n, "chapter", "chapters") +
+             " made by a script, which is not run; what stands in is read" + Begins(example);
     case LeftOut::kUnreadablePart:
       return "Left out: " + Counted(n, "chapter that is no text", "chapters that are no text") +
              Begins(example);
@@ -128,7 +137,7 @@ std::string ContentsOutcome(std::size_t lines) {
 
 std::string ContentsLine(const ContentsEntry& entry) {
   return fmt::format("Level {}: {}{}", entry.level, OneLine(entry.title, 200),
-                     entry.block == kNoBlock ? " (leads nowhere)" : "");
+                     entry.block == kNoBlock && !entry.group ? " (leads nowhere)" : "");
 }
 
 std::string MoreContents(std::size_t count) {

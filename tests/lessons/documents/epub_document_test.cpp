@@ -146,6 +146,130 @@ TEST_F(EpubDocument, BothTablesOfContentsAndPagesLead) {
   EXPECT_EQ(ContentsOf(broken).at(0).title, "One") << "its headings";
 }
 
+TEST_F(EpubDocument, PathsMayStartAtTheRootAndAreDecodedOnce) {
+  ZipEntries book = {
+      {"mimetype", "application/epub+zip"},
+      {"META-INF/container.xml",
+       "<container><rootfiles><rootfile full-path='/OPS/the%20book.opf' "
+       "media-type='application/xml'/></rootfiles></container>"},
+      {"OPS/the book.opf",
+       Package("<item id='a' href='/OPS/a%2520b.xhtml' media-type='application/xhtml+xml'/>"
+               "<item id='b' href='c%20d.xhtml' media-type='application/xhtml+xml'/>",
+               "<itemref idref='a'/><itemref idref='b'/>")},
+      {"OPS/a%20b.xhtml", Chapter("<p>first <a href='c%20d.xhtml#n%201'>on</a></p>")},
+      {"OPS/c d.xhtml", Chapter("<p>one</p><p id='n 1'>second</p>")},
+      {"OPS/a b.xhtml", Chapter("<p>decoded twice</p>")}};
+  const Document read = Read(book);
+  EXPECT_EQ(read.blocks.at(0).text, "first on");
+  EXPECT_EQ(read.blocks[0].marks.at(0).target, 2U);
+  EXPECT_TRUE(read.left_out.empty());
+}
+
+TEST_F(EpubDocument, ALinkToAPlaceThatIsNotMarkedLeadsToItsChapter) {
+  const Document read =
+      Read(Book({Chapter("<p><a href='c1.xhtml#nosuch'>on</a></p>"), Chapter("<p>next</p>")}));
+  EXPECT_EQ(read.blocks.at(0).marks.at(0).target, 1U);
+}
+
+TEST_F(EpubDocument, UnusualPackingIsRefusedInWords) {
+  const std::string zip = StoredZip(Book({Chapter("<p>x</p>")}));
+  std::string bzip2 = zip;  // method 12 of the last entry, in the directory and before its bytes
+  bzip2[bzip2.rfind("PK\x01\x02") + 10] = 12;
+  bzip2[bzip2.rfind("PK\x03\x04") + 8] = 12;
+  EXPECT_EQ(RefusalOf([&] { ReadDocument(bzip2, "b", {}); }),
+            "b: is packed in a way that no book is (OPS/book.opf in it, method 12); unpack it and "
+            "pack it again as zip with deflate");
+  std::string parts = zip;  // the second of two disks
+  parts[parts.rfind("PK\x05\x06") + 4] = 1;
+  EXPECT_NE(RefusalOf([&] { ReadDocument(parts, "b", {}); }).find("damaged zip"),
+            std::string::npos);
+}
+
+// EPUB reading systems 3.3, 5.2: where scripts are not run, the fallback is read.
+TEST_F(EpubDocument, WhatStandsInForAScriptIsRead) {
+  ZipEntries book = Book({Chapter("<p>scripted</p>"), Chapter("<p>stands in</p>"),
+                          Chapter("<p>scripted, alone; <a href='c0.xhtml'>back</a></p>")});
+  const std::string type = "media-type='application/xhtml+xml'";
+  book = Replaced(book, "OPS/book.opf",
+                  Package("<item id='a' href='c0.xhtml' properties='scripted' fallback='b' " +
+                              type + "/><item id='b' href='c1.xhtml' " + type +
+                              "/><item id='c' href='c2.xhtml' properties='scripted' " + type + "/>",
+                          "<itemref idref='a'/><itemref idref='c'/>"));
+  const Document read = Read(book);
+  EXPECT_EQ(read.blocks.at(0).text, "stands in");
+  EXPECT_EQ(read.blocks.at(1).text, "scripted, alone; back");
+  EXPECT_EQ(read.blocks[1].marks.at(0).target, 0U);
+  EXPECT_EQ(CountOf(read, LeftOut::kStandIn), 1U);
+}
+
+// EPUB content documents 3.0.1, 2.1.3.4: the first case that is known, else the default.
+TEST_F(EpubDocument, OfASwitchOneChildIsRead) {
+  const auto read = [](const std::string& cases) {
+    return TextOf(Book({Chapter("<p>a <epub:switch>" + cases +
+                                "<epub:default>none</epub:default></epub:switch> b</p>")}));
+  };
+  const std::string chemistry = "<epub:case required-namespace='urn:cml'>H2O</epub:case>";
+  const std::string mathematics =
+      "<epub:case required-namespace='http://www.w3.org/1998/Math/MathML'>"
+      "<math xmlns='http://www.w3.org/1998/Math/MathML'><mi>x</mi></math></epub:case>";
+  EXPECT_EQ(read(chemistry), "a none b\n");
+  EXPECT_EQ(read(chemistry + mathematics + mathematics), "a x b\n");
+  EXPECT_EQ(TextOf(Book({Chapter("<svg xmlns='http://www.w3.org/2000/svg'><switch>"
+                                 "<text systemLanguage='fr'>mer</text><text systemLanguage='de, "
+                                 "en-GB'>sea</text><text>?</text></switch></svg>")})),
+            "(picture: sea)\n")
+      << "the package says en";
+}
+
+TEST_F(EpubDocument, DrawingsAreReadByTheirWordsAndToldNotToBeLaidOut) {
+  const Document read = Read(Book(
+      {Chapter("<p>See <svg aria-label='A lamp'><title>A lamp</title><desc>It shines.</desc>"
+               "<style>.a{}</style><g aria-label='mast'><path d='M0 0'/></g><text>oil</text>"
+               "<text>wick</text></svg> and <svg><title>Tides</title><svg><text>high</text></svg>"
+               "</svg>.</p><p><img src='map.svg' alt='A map'/><svg><path d='M0 0'/></svg></p>")}));
+  EXPECT_EQ(read.blocks.at(0).text, "See A lamp It shines. mast oil wick and Tides high .");
+  ASSERT_EQ(read.left_out.size(), 2U);
+  EXPECT_EQ(CountOf(read, LeftOut::kPicture), 1U);
+  EXPECT_EQ(CountOf(read, LeftOut::kDrawing), 3U);
+  EXPECT_EQ(read.left_out[1].example, "A lamp");
+}
+
+TEST_F(EpubDocument, FaultyNamesAreToldAndReadAllTheSame) {
+  const auto fault = [](const std::string& body) -> std::string {
+    const Document read = Read(Book({Chapter("<p>x</p>" + body + "<p>y</p>")}));
+    EXPECT_EQ(read.blocks.back().text, "y");
+    return read.left_out.empty() ? "" : read.left_out[0].example;
+  };
+  EXPECT_EQ(fault("<p xml:lang='en' epub:type='z'>k</p>"), "");
+  EXPECT_EQ(fault("<b xmlns:m='urn:m'><m:i m:a='1'/></b>"), "");
+  EXPECT_EQ(fault("<b xmlns:m='urn:m'/><m:i/>"), "undeclared prefix m");
+  EXPECT_EQ(fault("<p ops:type='z'>k</p>"), "undeclared prefix ops");
+  EXPECT_EQ(fault("<p id='a' id='b'>k</p>"), "attribute id twice");
+  EXPECT_EQ(fault("<epub::p>k</epub::p>"), "name epub::p");
+}
+
+TEST_F(EpubDocument, AGroupOfTheContentsLeadsWhereItsFirstLineDoes) {
+  ZipEntries book = Book({Chapter("<p>one</p>"), Chapter("<p>two</p>")});
+  book.emplace_back(
+      "OPS/nav.xhtml",
+      Chapter("<nav epub:type='toc'><ol><li><span>Part</span><ol><li><span>Half</span><ol><li>"
+              "<a href='c1.xhtml'>Two</a></li></ol></li></ol></li><li><span>Empty</span></li>"
+              "<li><a href='gone.xhtml'>Gone</a></li></ol></nav>"));
+  const std::string type = "media-type='application/xhtml+xml'";
+  book =
+      Replaced(book, "OPS/book.opf",
+               Package("<item id='a' href='c0.xhtml' " + type + "/><item id='b' href='c1.xhtml' " +
+                           type + "/><item id='n' properties='nav' href='nav.xhtml' " + type + "/>",
+                       "<itemref idref='a'/><itemref idref='b'/>"));
+  const Document read = Read(book);
+  ASSERT_EQ(read.contents.size(), 5U);
+  EXPECT_EQ(read.contents[0].block, 1U);
+  EXPECT_EQ(read.contents[1].block, 1U);
+  EXPECT_TRUE(read.contents[0].group && read.contents[1].group && read.contents[3].group);
+  EXPECT_EQ(read.contents[3].block, kNoBlock);
+  EXPECT_FALSE(read.contents[4].group);
+}
+
 TEST_F(EpubDocument, DamagedChaptersAreReadAsWebPages) {
   if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
   const Document read = Read(Book({Chapter("<p>un<b>closed</p><p>next")}));
