@@ -46,6 +46,15 @@ std::string BookWalk::PlaceInWords(std::size_t letter) const {
   return say::BookPlace(found->page, Text().set.pages.size(), found->line, found->letter);
 }
 
+/// Where a word about a place means: the place that was told last, as long as the hand has not gone
+/// elsewhere from it; when reading goes on, the letter that was read last, not its line's start.
+std::optional<std::size_t> BookWalk::Here(const LoopSnapshot& now) {
+  const std::optional<LetterPlace> here = walk_->Here(now);
+  if (!here) return std::nullopt;
+  const bool goes_on = coming_ && here->source == LineStart(session_.text(), letter_);
+  return goes_on ? letter_ : here->source;
+}
+
 std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
   walk_ = &walk;
   kept_page_ = session_.felt().index;
@@ -80,9 +89,9 @@ std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
   if (name == "bookmarks") return Bookmarks();
   const std::optional<NearLetter> near = LetterNear(session_.felt(), now.tip_P);
   if (name == "bookmark") {
-    const std::optional<LetterPlace> place = LetterPlaceOf(session_.felt(), now.tip_P);
-    if (!place) return Lines{say::NoPlaceHere()};
-    return Lines{SetMark(place->source, said.behind)};
+    const std::optional<std::size_t> here = Here(now);
+    if (!here) return Lines{say::NoPlaceHere()};
+    return Lines{SetMark(*here, said.behind)};
   }
   if (name == "word" || name == "spell") {
     if (!near || !near->near) return Lines{say::NoWordHere()};
@@ -168,8 +177,8 @@ std::vector<std::string> BookWalk::GoTo(const std::string& where, const LoopSnap
 }
 
 std::vector<std::string> BookWalk::Follow(const LoopSnapshot& now) {
-  const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
-  const TranscribedLink* link = here ? LinkAt(book_.text, here->source) : nullptr;
+  const std::optional<std::size_t> here = Here(now);
+  const TranscribedLink* link = here ? LinkAt(book_.text, *here) : nullptr;
   if (link == nullptr) return {say::NoLinkHere()};
   const DocumentMark& mark = book_.document.blocks[link->block].marks[link->mark];
   if (mark.target == kNoBlock) return {say::LeadsOut(mark.value)};
@@ -196,9 +205,9 @@ void BookWalk::Arrived(std::size_t source) {
 }
 
 std::string BookWalk::TakePassage(const std::string& given, const LoopSnapshot& now) {
-  const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
+  const std::optional<std::size_t> here = Here(now);
   if (given.empty() && !here) return say::NoPlaceHere();
-  const std::string text = given.empty() ? SentenceAt(book_.text.text, here->source) : given;
+  const std::string text = given.empty() ? SentenceAt(book_.text.text, *here) : given;
   if (!memory_.remembers()) return say::ReadsWithoutName();
   const std::string why = memory_.KeepOwnText(text);
   return why.empty() ? say::PassageTaken(text) : say::PlaceNotKept(why);

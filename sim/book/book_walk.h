@@ -59,6 +59,7 @@ class BookWalk : public Companion {
   bool Lay(const std::string& text, bool menu, glm::dvec2 tip_P);
   Press PressedInMenu(const LoopEvent& event);
   std::string PlaceInWords(std::size_t letter) const;
+  std::optional<std::size_t> Here(const LoopSnapshot& now);
   Lines Where(const LoopSnapshot& now) const;
   Lines Contents(const std::string& number, const LoopSnapshot& now);
   Lines GoTo(const std::string& where, const LoopSnapshot& now);

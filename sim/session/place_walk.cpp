@@ -23,6 +23,8 @@ constexpr double kLedAt = 0.04;       ///< [m/s], as a calm hand goes from line 
 constexpr double kShortestWay = 0.5;  ///< [s]
 /// A hand within a letter's height of a way has not left it: it rests, or is on its way. Ours.
 constexpr double kBesideWay = 1;  ///< [em]
+/// A hand as near as this to the letter that was gone to has come, and rests there. Ours.
+constexpr double kAtPlace = 0.5;  ///< [em]
 
 bool IsBlank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
@@ -180,7 +182,7 @@ std::string PlaceWalk::GoToPlace(std::size_t source, std::string what, const Loo
   ForgetOtherText();
   const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
   if (!here || session_.felt().blank) return say::NoPlaceHere();
-  if (from || before_.empty()) before_.push_back(*here);
+  if (from || before_.empty()) before_.push_back(from ? *Here(now) : *here);
   returned_ = false;
   return GoTo({{source, kInLetter}, std::move(what)});
 }
@@ -226,6 +228,16 @@ LetterPlace PlaceWalk::StartOf(const LoopSnapshot& now) const {
       same_page && (session_.device().simulated() ||  // the program's hand goes its own way
                     DistanceToWay(now.tip_P, way_->tip_P, way_->place_P) <= reach);
   return on_way ? way_->to : *LetterPlaceOf(session_.felt(), now.tip_P);
+}
+
+std::optional<LetterPlace> PlaceWalk::Here(const LoopSnapshot& now) {
+  ForgetOtherText();
+  const std::optional<LetterPlace> hand = LetterPlaceOf(session_.felt(), now.tip_P);
+  if (!hand) return std::nullopt;
+  const double reach = kAtPlace * session_.text().set.style.size;
+  const bool gone =
+      way_ && way_->come && glm::distance(glm::dvec2(now.tip_P), way_->place_P) > reach;
+  return target_ || !gone ? StartOf(now) : *hand;
 }
 
 std::string PlaceWalk::NextRow(bool heading, const LoopSnapshot& now) {
@@ -311,11 +323,15 @@ std::string PlaceWalk::GoTo(Target target) {
 }
 
 std::optional<PlaceWalk::Arrival> PlaceWalk::Arrived(const LoopSnapshot& now) {
+  if (way_ && glm::distance(glm::dvec2(now.tip_P), way_->place_P) <=
+                  kAtPlace * session_.text().set.style.size) {
+    way_->come = true;
+  }
   if (!target_ || now.page != session_.felt().number) return std::nullopt;
   const Target target = *std::exchange(target_, std::nullopt);
   const auto found = moontrace::Find(session_.text(), target.place);
   if (session_.text().text != text_ || !found) return std::nullopt;
-  way_ = {target.place, found->page, glm::dvec2(now.tip_P), found->p_P};
+  way_ = {target.place, found->page, glm::dvec2(now.tip_P), found->p_P, false};
   // the simulated hand goes its own way: from where it is now says nothing
   std::optional<glm::dvec2> way_P;
   if (!session_.device().simulated()) way_P = found->p_P - glm::dvec2(now.tip_P);

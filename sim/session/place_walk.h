@@ -60,11 +60,14 @@ class PlaceWalk {
     glm::dvec2 place_P{0, 0};   ///< [m]
   };
   /// A byte of the text, and what stands there in words; `return` comes back. `from` another
-  /// return: to `now` also where the hand went from somewhere else before. As Go.
+  /// return: to where `now` is (Here), though the hand went from somewhere else before. As Go.
   std::string GoToPlace(std::size_t source, std::string what, const LoopSnapshot& now,
                         bool from = false);
   /// Likewise, of where reading begins: nothing to return to.
   std::string Begin(std::size_t source, std::string what);
+  /// Where a word about a place means: the place gone to last until the hand has come to it, and
+  /// as long as it rests there; none on an empty page. As Go.
+  std::optional<LetterPlace> Here(const LoopSnapshot& now);
   /// Once, as soon as the page under the hand is that of the place.
   std::optional<Arrival> Arrived(const LoopSnapshot& now);
 
@@ -79,6 +82,7 @@ class PlaceWalk {
     std::size_t page = 0;      ///< of it
     glm::dvec2 tip_P{0, 0};    ///< from where [m]
     glm::dvec2 place_P{0, 0};  ///< [m]
+    bool come = false;         ///< the hand has been there
   };
   std::string Lead(const PlaceCommand& command, std::size_t here, const LoopSnapshot& now);
   std::string GoTo(Target target);

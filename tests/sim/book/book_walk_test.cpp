@@ -127,6 +127,43 @@ TEST_F(BookWalkTest, FollowsANoteAndComesBack) {
             Lines{"This leads out of the book, nothing is fetched: http://far.away/"});
 }
 
+TEST_F(BookWalkTest, WordsMeanThePlaceThatWasToldLast) {
+  Open(kTides);
+  LoopSnapshot hand = At(Byte("High"));
+  ASSERT_EQ(places_->Go({PlaceWord::kNextLink, ""}, hand), "");
+  EXPECT_TRUE(Begins(Say("follow", hand), "A day of the moon: "));  // before the way is told
+  hand = At(Byte("A day of"));
+  ASSERT_EQ(places_->Go({PlaceWord::kReturn, ""}, hand), "");
+  const auto back = places_->Arrived(At(Byte("High")));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->source, Byte("[1]") + 1);  // to the link, where the hand has not been
+  hand = At(Byte("High"));
+  ASSERT_EQ(places_->Go({PlaceWord::kFind, "far"}, hand), "");
+  hand.page = session_->felt().number;
+  ASSERT_TRUE(places_->Arrived(hand));
+  EXPECT_EQ(Say("follow", hand),  // the hand still rests where it was
+            Lines{"This leads out of the book, nothing is fetched: http://far.away/"});
+  EXPECT_TRUE(Begins(Say("my text", hand), "Yours in lessons, by my text: It is far out at noon."));
+  Say("bookmark out", hand);
+  EXPECT_EQ(memory_.MarkNamed("out")->place.letter, static_cast<std::int64_t>(Byte("far]")));
+  // once the hand has come there, and gone on, it is what counts
+  EXPECT_FALSE(places_->Arrived(At(Byte("far]"))));
+  EXPECT_TRUE(Begins(Say("follow", At(Byte("far]"))), "This leads out"));
+  EXPECT_EQ(Say("follow", At(Byte("out at"))), Lines{say::NoLinkHere()});
+  Say("bookmark noon", At(Byte("noon")));
+  EXPECT_EQ(memory_.MarkNamed("noon")->place.letter, static_cast<std::int64_t>(Byte("noon")));
+}
+
+TEST_F(BookWalkTest, ABookmarkOnComingBackIsWhereOneLeftOff) {
+  Open(kTides);
+  const auto letter = static_cast<std::int64_t>(Byte("helps") + 2);
+  walk_->Look(At(static_cast<std::size_t>(letter)));
+  walk_->End();
+  Again();
+  Say("bookmark tea", At(Byte("High")));
+  EXPECT_EQ(memory_.MarkNamed("tea")->place.letter, letter);
+}
+
 TEST_F(BookWalkTest, LeadsByContentsPrintedPagesAndBookmarks) {
   Open(kTides);
   const Lines contents = Say("contents", At(0));
