@@ -67,8 +67,8 @@ TEST_F(RecogniseCommand, ReadsNothingOnBlankPaper) {
 // Small geoms: a search goes over their edges, and a thin plate is pressed deeper than it is.
 TEST_F(RecogniseCommand, ReadsLabelsOnPlates) {
   for (const auto& [model, text] : {std::pair{"sign", "door\n"}, std::pair{"door", "room 12\n"}}) {
-    const Outcome outcome =
-        RunLine({"recognise", "--json", "--model", SourcePath(fmt::format("models/{}.xml", model))});
+    const Outcome outcome = RunLine(
+        {"recognise", "--json", "--model", SourcePath(fmt::format("models/{}.xml", model))});
     EXPECT_EQ(outcome.Json()["text"], text) << model;
   }
 }
