@@ -146,7 +146,7 @@ constexpr Command kCommands[] = {
     Of<DemoOptions>({"demo", help::kDemo, Audience::kLearner, "", "example try hello start begin"}),
     Of<LearnOptions>({"learn", help::kLearn, Audience::kLearner,
                       "--learner --device --tutor --speak --sound --keys --view --print",
-                      "lesson lessons teach tutorial practise practice training"}),
+                      "lesson lessons tutorial practise practice training"}),
     Of<LoopCommandOptions>({"loop", help::kLoop, Audience::kLearner,
                             "TEXT --file --device --size-mm --script --view --seconds",
                             "feel touch live run"}),
@@ -157,7 +157,7 @@ constexpr Command kCommands[] = {
                      "FILE --learner --device --size-mm --turn --simulate --text --print --json",
                      "book books epub html document open library"}),
     Of<SoundsOptions>({"sounds", help::kSounds, Audience::kLearner, "", "sound audio"}),
-    Of<TutorOptions>({"tutor", help::kTutor, Audience::kTutor, "", "teacher"}),
+    Of<TutorOptions>({"tutor", help::kTutor, Audience::kTutor, "", "teacher teach"}),
     Of<ReportOptions>({"report", help::kReport, Audience::kTutor, "", "progress results"}),
     Of<RecordsOptions>({"records", help::kRecordsCommand, Audience::kTutor, "",
                         "learners learner export import erase consent"}),
@@ -197,6 +197,7 @@ const Command& FindCommand(const std::string& name) {
   for (const Command& command : kCommands) {
     if (name == command.card.name) return command;
   }
+  if (name == "test" || name == "packages") throw UsageError(say::LaunchersWord(name));
   std::vector<CommandCard> cards = Cards();
   cards.push_back({"help", "", {}, "", "commands manual man usage"});
   cards.push_back({"version", "", {}, "", "about -v -V"});

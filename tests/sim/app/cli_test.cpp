@@ -128,7 +128,9 @@ TEST(Cli, WordsThatMeanACommandNameIt) {
     EXPECT_EQ(outcome.err.find(nearest) != std::string::npos, *command != 0) << outcome.err;
     EXPECT_NE(outcome.err.find("moontrace help"), std::string::npos) << outcome.err;
   }
-  // README's own commands are known to help
+  // README's own commands are known to help, and to a program that was started without the launcher
+  EXPECT_EQ(RunLine({"test"}).err.find("did you mean"), std::string::npos);
+  EXPECT_NE(RunLine({"test"}).err.find("in a clone"), std::string::npos);
   EXPECT_NE(RunLine({"help", "test"}).out.find("quick tests"), std::string::npos);
   EXPECT_EQ(RunLine({"help", "version"}).out, RunLine({"help"}).out);
   EXPECT_NE(RunLine({"help", "pgae"}).err.find("did you mean page?"), std::string::npos);
