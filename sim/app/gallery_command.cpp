@@ -86,7 +86,7 @@ std::vector<Exhibit> Options() {
        PageArgs("room to move", {"--letter-gap-mm", "3", "--word-gap-mm", "6", "--letters"})},
       {"Words broken by the patterns of their language",
        PageArgs("hyphenation by patterns",
-                {"--page", "90x100", "--hyphenate", "en_US", "--letters"})},
+                {"--page", "90x150", "--hyphenate", "en_US", "--letters"})},
       {"A running head and page numbers",
        PageArgs("the first page", {"--page", "210x80", "--running-head", "Moonlight",
                                    "--page-numbers", "--letters"})},
