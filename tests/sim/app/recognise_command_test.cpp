@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
