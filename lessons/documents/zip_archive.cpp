@@ -65,9 +65,9 @@ void RequireUsualPacking(zip_t* zip, const std::string& name) {
     const std::string entry =
         (stat.valid & ZIP_STAT_NAME) != 0 ? OneLine(stat.name, 60) : std::string("a file");
     zip_discard(zip);
-    throw InputError(name + ": is packed in a way that no book is (" + entry + " in it, method " +
-                     std::to_string(stat.comp_method) +
-                     "); unpack it and pack it again as zip with deflate");
+    std::string line = name + ": is packed in a way that no book is (";
+    line.append(entry).append(" in it, method ").append(std::to_string(stat.comp_method));
+    throw InputError(line.append("); unpack it and pack it again as zip with deflate"));
   }
 }
 

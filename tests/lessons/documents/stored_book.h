@@ -50,7 +50,7 @@ inline std::string StoredZip(const ZipEntries& entries) {
     PutWord(directory, 0, 4);
     PutWord(directory, static_cast<std::uint32_t>(zip.size()), 4);
     directory += name;
-    zip += "PK\x03\x04" + common + name + bytes;
+    zip.append("PK\x03\x04").append(common).append(name).append(bytes);
   }
   const auto begin = static_cast<std::uint32_t>(zip.size());
   const auto count = static_cast<std::uint32_t>(entries.size());
@@ -92,8 +92,8 @@ inline ZipEntries Book(const std::vector<std::string>& chapters) {
                         {"META-INF/container.xml", kContainer}};
   for (std::size_t i = 0; i < chapters.size(); ++i) {
     const std::string id = "c" + std::to_string(i);
-    manifest +=
-        "<item id='" + id + "' href='" + id + ".xhtml' media-type='application/xhtml+xml'/>";
+    manifest.append("<item id='").append(id).append("' href='").append(id);
+    manifest += ".xhtml' media-type='application/xhtml+xml'/>";
     spine += "<itemref idref='" + id + "'/>";
     entries.emplace_back("OPS/" + id + ".xhtml", chapters[i]);
   }
