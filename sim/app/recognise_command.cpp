@@ -132,7 +132,6 @@ struct Reading {
 constexpr double kGreatestTurn = 3 * kDegree;
 /// The hand is put on the text's upper left corner, to within so many sizes.
 constexpr double kPutWithin = 0.5;
-constexpr double kFromEdge = 0.006;  ///< at least, of a geom [m]
 
 /// A profile that gives a reader depth, and pushes it back.
 DeviceProfile ReadableProfile(const std::string& name) {
@@ -178,10 +177,6 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   const Box& area = setup.page->text_area_P;
   const glm::dvec2 off(2 * random.Uniform() - 1, 2 * random.Uniform() - 1);
   setup.start_P = glm::dvec2(area.min.x, area.max.y) + kPutWithin * style.size * off;
-  if (text.label) {  // beside a geom there is nothing to begin on
-    const Box on = Grown(setup.page->sheet_P, -kFromEdge);
-    setup.start_P = glm::max(on.min, glm::min(on.max, setup.start_P));
-  }
   if (!options.picture.empty()) setup.path_spacing = style.width / 20;
   setup.stop = console.stop();
   return setup;

@@ -17,12 +17,6 @@ constexpr double kPatience = 1.0;      ///< with a landing that does not come to
 constexpr double kGivesUp = 300;       ///< after so long without a sign or a line [s]
 constexpr double kSteady = 0.10;       ///< for the hand to come to rest above where it lands [s]
 constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
-constexpr double kFallen = 0.003;      ///< below a groove's floor [m]
-constexpr double kNoPaper = 0.030;     ///< below where the hand was put [m]
-constexpr int kMostFalls = 30;         ///< on one way
-constexpr double kLeftOut = 0.30;      ///< of a way, more each time
-constexpr double kAway = 0.015;        ///< from an edge that it fell over, to rise beside it [m]
-constexpr double kClimb = 0.5;         ///< back above the paper [s]
 constexpr double kSearchShare = 0.85;  ///< of the speed at which a groove's wall just holds
 constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
 constexpr double kCaughtTime = 0.006;  ///< [s]
@@ -64,7 +58,6 @@ Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed
 ReaderAction Reader::Step(const ReaderInput& input) {
   now_ = input.time;
   const Felt& felt = sense_.Add(input);
-  if (felt.touching && action_.press > 0) carried_ = felt.place;
   if (now_ - news_ > kGivesUp && phase_ != Phase::kDone) {
     if (!line_.empty()) EndLine();
     phase_ = Phase::kDone;
@@ -73,44 +66,10 @@ ReaderAction Reader::Step(const ReaderInput& input) {
   return action_;
 }
 
-/// Whether the tip is beside what carries the page, or went through it.
-bool Reader::Falls(const Felt& felt) const {
-  if (felt.touching || action_.press <= 0) return false;
-  if (!sense_.level_known()) return felt.tip.z < put_ - kNoPaper;
-  return felt.tip.z < sense_.level() - knowledge_.depth - kFallen;
-}
-
-/// Over an edge, or through the paper: away from the page and up, then back to where it was at
-/// work. What of a way leads off the page again is left out bit by bit.
-void Reader::ComeBack(const Felt& felt) {
-  const glm::dvec2 over = glm::dvec2(felt.tip) - carried_;
-  const double length = glm::length(over);
-  if (phase_ == Phase::kFollow && legs_ == 0) {  // the other way along the groove
-    legs_ = 1;
-    first_direction_ = follower_.Departure();
-    FlyTo(entry_, Phase::kFollow);
-  } else {
-    for (double step = kLeftOut * size_ * falls_; step > 0 && next_ < way_.size();) {
-      const double left = glm::distance(aim_, way_[next_]);
-      aim_ = left > step ? aim_ + step / left * (way_[next_] - aim_) : way_[next_++];
-      step -= left;
-    }
-    if (next_ < way_.size() && ++falls_ <= kMostFalls) {
-      FlyTo(aim_, Phase::kSweep);
-    } else {
-      crossing_ ? Think() : Missed();
-    }
-  }
-  if (length > 0) fly_from_ += kAway / length * over;
-  rise_ = kClimb;
-}
-
 ReaderAction Reader::Act(const Felt& felt) {
-  if (Falls(felt)) ComeBack(felt);
   switch (phase_) {
     case Phase::kStart:
-      start_ = carried_ = glm::dvec2(felt.tip);
-      put_ = felt.tip.z;
+      start_ = glm::dvec2(felt.tip);
       SearchFirstLine();
       return Fly(felt);
     case Phase::kFly:
@@ -133,7 +92,6 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
   fly_from_ = glm::dvec2(sense_.felt().tip);
   fly_to_ = to;
   since_ = now_;
-  rise_ = kUp;
   sense_.Lift();
   drift_.Begin();
 }
@@ -141,10 +99,10 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
 /// Up, over, down, and a rest until the landing has been felt.
 ReaderAction Reader::Fly(const Felt& felt) {
   const double t = now_ - since_;
-  const double there = rise_ + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
+  const double there = kUp + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
   const double felt_there = there + knowledge_.delay + knowledge_.lag;
-  const double height = sense_.level_known() ? sense_.level() + kLift : put_;
-  if (t < rise_) return {{fly_from_.x, fly_from_.y, height}, 0};
+  const double height = sense_.level_known() ? sense_.level() + kLift : felt.tip.z;
+  if (t < kUp) return {{fly_from_.x, fly_from_.y, height}, 0};
   if (t < there) return {{fly_to_.x, fly_to_.y, height}, 0};
   const bool rests = sense_.level_known() && sense_.resting_for() > 0.03;
   if (t >= felt_there && (rests || t > felt_there + kPatience)) {
@@ -166,7 +124,6 @@ ReaderAction Reader::Fly(const Felt& felt) {
 /// Flies to the way's first point and sweeps along it.
 void Reader::SweepAlong(std::vector<glm::dvec2> way, Errand errand) {
   crossing_ = in_gap_ = circling_ = false;
-  falls_ = 0;
   way_ = std::move(way);
   errand_ = errand;
   next_ = 1;

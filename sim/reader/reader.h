@@ -57,8 +57,6 @@ class Reader {
   static std::vector<double> AllSizes(const ReaderKnowledge& knowledge);
   bool StartAnew();
   ReaderAction Act(const Felt& felt);
-  bool Falls(const Felt& felt) const;
-  void ComeBack(const Felt& felt);
   void FlyTo(glm::dvec2 to, Phase then);
   ReaderAction Fly(const Felt& felt);
   void SweepAlong(std::vector<glm::dvec2> way, Errand errand);
@@ -115,9 +113,6 @@ class Reader {
   // flying
   Phase then_ = Phase::kSweep;
   glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
-  double rise_ = 0;           ///< before it moves aside [s]
-  glm::dvec2 carried_{0, 0};  ///< where the paper carried it last [m]
-  int falls_ = 0;             ///< off the paper, on this way
   // sweeping
   Errand errand_ = Errand::kFirstLine;
   bool in_gap_ = false;  ///< looks through a gap
@@ -143,7 +138,6 @@ class Reader {
   int crossings_ = 0, tries_ = 0, circles_ = 0;
   // the page
   glm::dvec2 start_{0, 0};  ///< where the hand was put [m]
-  double put_ = 0;          ///< and how high [m]
   int restarts_ = 0, skips_ = 0;
   std::size_t unknowns_ = 0;        ///< signs in a row
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign

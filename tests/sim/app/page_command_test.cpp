@@ -224,7 +224,7 @@ TEST_F(PageCommand, ListsAHundredLinesAndCountsTheRest) {
   std::string text;
   for (int i = 0; i < 130; ++i) text += "A\n";
   const Outcome outcome = RunLine({"page", text});
-  EXPECT_EQ(Lines(outcome.out).back(), "And 30 more lines; --json lists all.");
+  EXPECT_NE(outcome.out.find("\nAnd 30 more lines; --json lists all.\n"), std::string::npos);
 }
 
 TEST_F(PageCommand, StopsWhenAskedTo) {

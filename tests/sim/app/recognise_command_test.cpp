@@ -1,10 +1,8 @@
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/sim/cli_fixture.h"
-#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -63,15 +61,6 @@ TEST_F(RecogniseCommand, ReadsNothingOnBlankPaper) {
   EXPECT_TRUE(json["seconds_per_sign"].is_null());
   const Outcome words = RunLine({"recognise", "so", "--blank"});
   EXPECT_EQ(Lines(words.out).front().substr(0, 17), "Nothing was read:");
-}
-
-// Small geoms: a search goes over their edges, and a thin plate is pressed deeper than it is.
-TEST_F(RecogniseCommand, ReadsLabelsOnPlates) {
-  for (const auto& [model, text] : {std::pair{"sign", "door\n"}, std::pair{"door", "room 12\n"}}) {
-    const Outcome outcome = RunLine(
-        {"recognise", "--json", "--model", SourcePath(fmt::format("models/{}.xml", model))});
-    EXPECT_EQ(outcome.Json()["text"], text) << model;
-  }
 }
 
 TEST_F(RecogniseCommand, DrawsItsPath) {
