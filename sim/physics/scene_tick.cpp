@@ -273,11 +273,11 @@ void Scene::Impl::FinishStep() noexcept {
 int Scene::Impl::StepsNow(glm::dvec3 tip_W) const noexcept {
   if (substeps == 1 || loaded.m->nv == 3) return substeps;
   const glm::dvec3 points_W[] = {tip_W, direct() ? tip_W : ProxyPosition()};
-  for (const FeltObject& object : objects) {
-    const Pose X_WO = PoseOfGeom(*d, object.geom);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Pose X_WO = PoseOfGeom(*d, objects[i].geom);
     for (const glm::dvec3& p_W : points_W) {
-      const double height = NearestOf(object.solid, FromWorld(X_WO, p_W)).height;
-      if (!(height > object.near)) return substeps;
+      const double height = NearestOf(objects[i].solid, FromWorld(X_WO, p_W), sides[i]).height;
+      if (!(height > objects[i].near)) return substeps;
     }
   }
   return free_substeps;
@@ -355,6 +355,8 @@ void Scene::Impl::Restart() noexcept {
 TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
   PlaceProxy(tip_W, {0, 0, 0});
   memory.tip_W = tip_W;
+  // where the tip comes back it is not known to have been pressed through anything
+  std::fill(sides.begin(), sides.end(), Sides());
   Restart();
   TickResult result;
   result.fault = true;

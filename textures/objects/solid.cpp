@@ -112,6 +112,13 @@ double LeastRadius(const Solid& solid) noexcept {
   return std::numeric_limits<double>::infinity();
 }
 
+/// Whether a point is beside neither the other faces of a box nor the round one of a cylinder.
+bool IsWithin(const Solid& solid, int axis, const glm::dvec3& p) noexcept {
+  if (solid.kind == SolidKind::kCylinder) return std::hypot(p.x, p.y) <= solid.half.x;
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  return std::abs(p[a]) <= solid.half[a] && std::abs(p[b]) <= solid.half[b];
+}
+
 }  // namespace
 
 std::string_view NameOf(Face face) noexcept { return kNames[static_cast<std::size_t>(face)]; }
@@ -142,17 +149,6 @@ Face UsualFace(const Solid& solid) noexcept {
   const bool flat = solid.kind == SolidKind::kPlane || solid.kind == SolidKind::kBox;
   return flat ? Face::kTop : Face::kRound;
 }
-
-namespace {
-
-/// Whether a point is beside neither the other faces of a box nor the round one of a cylinder.
-bool IsWithin(const Solid& solid, int axis, const glm::dvec3& p) noexcept {
-  if (solid.kind == SolidKind::kCylinder) return std::hypot(p.x, p.y) <= solid.half.x;
-  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-  return std::abs(p[a]) <= solid.half[a] && std::abs(p[b]) <= solid.half[b];
-}
-
-}  // namespace
 
 void Remember(const Solid& solid, double thin, glm::dvec3 p_O, Sides& sides) noexcept {
   const bool box = solid.kind == SolidKind::kBox;

@@ -40,8 +40,8 @@ struct Sides {
 };
 
 /// Remembers the side of `p_O` along axes of a box or a cylinder that are thinner than `thin` [m],
-/// while the point is beyond that side; forgets nothing. Who is pressed out at the back is still
-/// pushed to the front, as below a page, until he leaves the plate's outline.
+/// while the point is beyond that side; forgets nothing. A tip that is pressed out at the back
+/// is still pushed to the front, as below a page, until it leaves the plate's outline.
 void Remember(const Solid& solid, double thin, glm::dvec3 p_O, Sides& sides) noexcept;
 
 /// The smooth surface that is nearest to a point.

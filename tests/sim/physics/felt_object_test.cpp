@@ -182,6 +182,32 @@ TEST(FeltObject, EachLabelIsFeltWhereItLies) {
   EXPECT_LT(scene.data()->qvel[2], 0);
 }
 
+/// A plate of a millimetre and five grams on a stiff spring, its upper face at zero.
+constexpr const char* kLightPlate =
+    "<mujoco><option gravity='0 0 0'/><custom><text name='moontrace:plate' data='{}'/></custom>"
+    "<worldbody><body><joint type='slide' axis='0 0 1' stiffness='100000' damping='5'/>"
+    "<geom name='plate' type='box' size='0.06 0.03 0.0005' pos='0 0 -0.0005' mass='0.005' "
+    "contype='0' conaffinity='0'/></body></worldbody></mujoco>";
+
+// Pressed 2.5 mm beyond its back, the plate is still what moves: the tick is not made coarser.
+TEST(FeltObject, ALightThinPlateTakesItsSubStepsAlsoBehindIt) {
+  Scene scene = Scene::FromXml(kLightPlate, "plate", WithRendering(Rendering::kDirect));
+  ASSERT_GT(scene.substeps(), 1);
+  scene.Tick(TipAt({0.01, 0.01, 0.0005}));
+  EXPECT_GT(scene.Tick(TipAt({0.01, 0.01, -0.0035})).force_W.z, 0);
+  EXPECT_GT(scene.Tick(TipAt({0.01, 0.01, -0.0035})).force_W.z, 0);
+  EXPECT_EQ(scene.model()->opt.timestep, scene.options().tick / scene.substeps());
+}
+
+TEST(FeltObject, AfterAFaultAThinPlateIsFeltFromWhereTheTipComesBack) {
+  Scene scene = Scene::FromXml(kLightPlate, "plate", WithRendering(Rendering::kDirect));
+  scene.Tick(TipAt({0.01, 0.01, 0.0005}));
+  EXPECT_TRUE(scene.Tick(TipAt({NAN, 0, 0})).fault);
+  scene.Tick(TipAt({0.01, 0.01, -0.002}));
+  EXPECT_EQ(scene.Tick(TipAt({0.01, 0.01, -0.002})).force_W, glm::dvec3(0));
+  EXPECT_LT(scene.Tick(TipAt({0.01, 0.01, -0.0008})).force_W.z, 0);
+}
+
 TEST(FeltObject, ARoundPagesFrameIsExactAtTheTip) {
   Scene scene = Scene::FromXml(kTwoThings, "two", {});
   const glm::dvec3 p_P(0.02, 0.01, 0.003);
