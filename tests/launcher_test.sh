@@ -76,7 +76,7 @@ cd "$work" && start trace hello
 expect 'the first start configures' called 'cmake --preset release'
 expect 'the first start leaves tests out' called 'MOONTRACE_TESTS=OFF'
 expect 'the first start builds the program alone' called 'cmake --build .*--target moontrace'
-expect 'the first start says how long building takes' said 'a first build takes 3 to 7 minutes'
+expect 'the first start says how long building takes' said 'a first build takes 5 to 11 minutes'
 expect 'installed packages are left alone' not called apt-get
 expect 'the program gets arguments and folder' said "ran trace hello in $work"
 expect 'the exit code of the program passes through' code_is 7
@@ -133,7 +133,7 @@ CMAKE_PREFIX_PATH=/somewhere start
 expect 'another CMAKE_PREFIX_PATH configures anew' called 'cmake --preset release --fresh'
 
 start test
-expect 'test says how long its first build takes' said 'a first build takes 10 to 20 minutes'
+expect 'test says how long its first build takes' said 'a first build takes 10 to 25 minutes'
 expect 'test turns tests on' called 'MOONTRACE_TESTS=ON'
 expect 'test builds everything' called 'cmake --build .*--target all'
 expect 'test runs the quick tests' called 'ctest .*-L quick'
