@@ -60,8 +60,7 @@ std::string NoHidapi() {
 std::string WithoutDevice() {
   return "Without one, a simulated stylus does the work. Begin with \"moontrace demo\", or "
          "\"moontrace learn --device simulated\". devices/README.md tells which to buy or to "
-         "build. "
-         "An arm with a driver of its own is used as --device plugin:PATH; "
+         "build. An arm with a driver of its own is used as --device plugin:PATH; "
          "devices/moontrace_device.h tells how.";
 }
 
@@ -159,8 +158,7 @@ std::string NoDeviceNamed() {
 
 std::string NothingToTest() {
   return "simulated is the program's own hand, with nothing to test: \"moontrace trace moon\" "
-         "shows "
-         "what it does";
+         "shows what it does";
 }
 
 std::string UnknownDevicesWord(std::string_view given) {
