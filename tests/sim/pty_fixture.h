@@ -120,7 +120,8 @@ class PtySession {
   /// The exit code, once it has ended by itself.
   int Wait() {
     while (!Ended()) Read(20);
-    Read(20);
+    while (Read(20)) {  // more than one block may be left
+    }
     return status_;
   }
   /// Ends it by a signal, and reads what it still said.
