@@ -164,6 +164,7 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   setup.hand.press = plan.press;
   setup.knowledge = KnowledgeOf(shapes, text.script, setup.hand, setup.muscle, setup.senses);
   setup.knowledge.width = style.width;
+  if (style.structure.read) setup.knowledge.heading_scale = style.structure.heading_scale;
   setup.knowledge.depth = style.depth;
   setup.knowledge.device_stiffness = setup.scene.rendering == Rendering::kProxy
                                          ? setup.scene.coupling_stiffness

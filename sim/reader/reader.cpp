@@ -34,7 +34,8 @@ constexpr double kSurelySpot = 0.6;  ///< already after one leg
 }  // namespace
 
 std::vector<double> Reader::AllSizes(const ReaderKnowledge& knowledge) {
-  const double ratio = knowledge.greatest_size / knowledge.least_size;
+  // the first line may be a heading
+  const double ratio = knowledge.heading_scale * knowledge.greatest_size / knowledge.least_size;
   const int count = std::max(0, static_cast<int>(std::lround(std::log(ratio) / 0.04)));
   std::vector<double> sizes;
   for (int i = 0; i <= count; ++i) {

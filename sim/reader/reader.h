@@ -96,6 +96,9 @@ class Reader {
   PlacePrior PriorNow() const;
   void LearnFrame();
   void LearnSize(double size);
+  std::vector<double> OtherSizes() const;
+  bool BelowASpace() const;
+  void LearnLineSize(double size);
   SignPlace Expected() const;
   std::vector<glm::dvec2> Weave(double from, double to) const;
 
@@ -151,6 +154,7 @@ class Reader {
   int gaps_ = 0;
   std::size_t signs_ = 0;  ///< read so far
   bool looks_below_ = false;
+  bool line_size_new_ = false;  ///< the line's first sign was of another size than the line above
   std::vector<SignPlace> line_starts_;
   std::vector<ReadToken> tokens_;
 };

@@ -17,6 +17,7 @@ struct ReaderKnowledge {
   double least_size = 0;     ///< letters are at least so large [m]
   double greatest_size = 0;  ///< and at most [m]
   double space = 0;          ///< advance of a space in the script [em]
+  double heading_scale = 1;  ///< of headings, so many times as large as other lines; 1: as large
 
   double press = 0;             ///< of its hand [N]
   double hand_mass = 0;         ///< [kg]

@@ -26,7 +26,10 @@ constexpr double kSameSign = 0.4;                    ///< nearer signs are one
 constexpr int kMostRestarts = 3;
 constexpr int kNoMoreSkips = 1000;
 constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
-constexpr double kTopOfNext = 0.45;   ///< below a base line, the next line's signs begin there
+/// Below a base line the next line's signs begin there, however far apart the lines before were:
+/// behind a paragraph's space or a heading they are nearer again.
+constexpr double kTopOfNext = 0.45;
+constexpr double kSoonMet = 0.35;  ///< below where it could begin, of a line without more space
 constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them signs begin and are
 constexpr double kDown = 0.2;     ///< each sweep between them; less than a dot's height
 constexpr double kDeepest = 4.0;  ///< the next line lies no deeper
@@ -61,6 +64,7 @@ SignPlace Reader::Expected() const {
 PlacePrior Reader::PriorNow() const {
   PlacePrior prior;
   prior.sizes = sizes_;
+  prior.other_sizes = OtherSizes();
   prior.turns = {turn_};
   if (signs_ < 4) {
     const double spread = signs_ == 0 ? 1.3 * kTurnSpread : 0.7 * kTurnSpread;
@@ -107,11 +111,52 @@ void Reader::LearnSize(double size) {
   }
 }
 
+/// Whether the groove that was met may lie deeper than a next line's top: headings have more space
+/// before and behind them than other lines.
+bool Reader::BelowASpace() const {
+  if (line_starts_.size() < 2) return true;
+  double pitch = INFINITY;  // the least so far [m]
+  for (std::size_t i = 1; i < line_starts_.size(); ++i) {
+    pitch = std::min(pitch, glm::distance(line_starts_[i].origin, line_starts_[i - 1].origin));
+  }
+  const SignPlace& above = line_starts_.back();
+  return -ToEm(above, entry_).y > pitch / above.size - 1 + kSoonMet;
+}
+
+/// A line's first sign may be a heading's, or that of other lines behind one; if it is, the second
+/// one may tell that it was not.
+std::vector<double> Reader::OtherSizes() const {
+  std::vector<double> sizes;
+  if (knowledge_.heading_scale == 1 || line_starts_.empty() || line_.size() > 1) return sizes;
+  if (line_.empty() ? !BelowASpace() : !line_size_new_) return sizes;
+  for (const double scale : {knowledge_.heading_scale, 1 / knowledge_.heading_scale}) {
+    for (const double size : sizes_) sizes.push_back(scale * size);
+  }
+  return sizes;
+}
+
+/// From a heading's size to that of other lines, or back, if that is nearer to a sign's.
+void Reader::LearnLineSize(double size) {
+  const bool first = line_.size() == 1;
+  if (knowledge_.heading_scale == 1 || line_starts_.empty()) return;
+  if (!first && (line_.size() > 2 || !line_size_new_)) return;
+  double nearest = 1;
+  for (const double scale : {knowledge_.heading_scale, 1 / knowledge_.heading_scale}) {
+    const double off = std::abs(std::log(size / (scale * size_)));
+    if (off < std::abs(std::log(size / (nearest * size_)))) nearest = scale;
+  }
+  line_size_new_ = first && nearest != 1;
+  size_ *= nearest;
+  for (double& one : sizes_) one *= nearest;
+  for (double& one : felt_sizes_) one *= nearest;
+}
+
 /// What the newest sign says of size, turn and gaps.
 void Reader::LearnFrame() {
   const SignGuess& read = line_.back().guess;
   if (read.sign == SignGuess::kUnknown) return;
   ++signs_;
+  LearnLineSize(read.place.size);
   const glm::dvec2 extent = (FeltBox().max - FeltBox().min) / read.place.size;
   if (std::max(extent.x, extent.y) > kTellsSize) LearnSize(read.place.size);
   if (line_.size() < 2) return;
@@ -321,15 +366,10 @@ void Reader::SearchLineStart() {
 
 void Reader::SearchNextLine() {
   const SignPlace above = line_starts_.back();
-  double from = -kTopOfNext;
-  if (line_starts_.size() > 1) {
-    const SignPlace& before = line_starts_[line_starts_.size() - 2];
-    from = std::min(from, ToEm(before, above.origin).y + 1.3);
-  }
   // to and fro over its first sign or two, slanting, so that bars are met as well
   std::vector<glm::dvec2> way;
   double x = kLeftOfLine;
-  for (double y = from; y > from - kDeepest; y -= kDown) {
+  for (double y = -kTopOfNext; y > -kTopOfNext - kDeepest; y -= kDown) {
     way.push_back(FromEm(above, {x, y}));
     x = x == kLeftOfLine ? kRightOfFirst : kLeftOfLine;
   }

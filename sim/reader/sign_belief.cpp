@@ -17,6 +17,7 @@ constexpr double kNextSign = 0.5;  ///< cost of one that was crossed where the s
 constexpr double kBefore = 0.06;   ///< from so far before that
 constexpr double kMostAFlat = 4;   ///< cost of flat paper in the middle of a groove
 constexpr double kUnknownCost = 1.0;  ///< of each groove point, for what is no sign
+constexpr double kOtherSize = 8;      ///< log of how much rarer they are; see PlacePrior
 constexpr double kUnknownPrior = 5;   ///< before anything was felt
 constexpr double kCoarse = 0.06, kFine = 0.02;
 constexpr double kSlack = 0.12;  ///< felt points may lie so far beyond a sign's box
@@ -152,11 +153,14 @@ std::vector<SignGuess> Believe(const SignShapes& shapes, const SignEvidence& evi
   for (const FeltPoint& groove : evidence.grooves) weight += groove.weight;
   guesses.push_back({SignGuess::kUnknown, -kUnknownPrior - kUnknownCost * weight, 0, {}});
   std::vector<SignPlace> frames;
-  for (const double size : prior.sizes) {
-    for (const double turn : prior.turns) {
-      frames.push_back({evidence.grooves.front().p, size, turn});
+  for (const std::vector<double>* sizes : {&prior.sizes, &prior.other_sizes}) {
+    for (const double size : *sizes) {
+      for (const double turn : prior.turns) {
+        frames.push_back({evidence.grooves.front().p, size, turn});
+      }
     }
   }
+  const std::size_t usual = prior.sizes.size() * prior.turns.size();
   std::vector<ScaledEvidence> scaled;
   std::vector<std::vector<glm::dvec2>> origins(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -166,7 +170,8 @@ std::vector<SignGuess> Believe(const SignShapes& shapes, const SignEvidence& evi
   for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
     SignGuess guess{sign, -std::numeric_limits<double>::infinity(), 0, {}};
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      const Fit fit = BestFit(shapes, sign, scaled[i], origins[i], prior);
+      Fit fit = BestFit(shapes, sign, scaled[i], origins[i], prior);
+      if (i >= usual) fit.cost += kOtherSize;
       if (-fit.cost <= guess.log_likelihood) continue;
       guess.log_likelihood = -fit.cost;
       guess.place = frames[i];

@@ -38,7 +38,10 @@ struct PlacePrior {
   std::vector<glm::dvec2> origins;
   double along = 0, across = 0;  ///< standard deviations from those [em]
   std::vector<double> sizes;     ///< of an em, equally likely [m]
-  std::vector<double> turns;     ///< of the line, equally likely [rad]
+  /// Of lines that are rarer, such as headings: e^-8 as likely. Ours: a letter's fit at a wrong
+  /// size is worse than that, a ring is a ring at any [m].
+  std::vector<double> other_sizes;
+  std::vector<double> turns;  ///< of the line, equally likely [rad]
 };
 
 /// One answer to what was felt.
