@@ -11,9 +11,10 @@ namespace moontrace {
 
 namespace {
 
-/// The force goes to zero over this time before a page change; with the ramp-in of 0.25 s that
-/// follows, the whole change is felt for less than 0.3 s.
-constexpr double kFadeTime = 0.03;
+/// The force goes to zero over this time before a page change, so that a page lies there within
+/// 20 ms of being asked for; a fall is safe however steep, and so it is smooth to a hand (ours).
+/// With the ramp-in of 0.25 s that follows, the whole change is felt for less than 0.3 s.
+constexpr double kFadeTime = 0.012;
 /// A tip lifted this high for this long does not feel the page go back.
 constexpr double kLiftedHeight = 0.003;  ///< [m]
 constexpr double kLiftedTime = 0.2;      ///< [s]
