@@ -71,6 +71,8 @@ struct ReadOptions {
   bool simulate = false;  ///< the simulated stylus reads on by itself
   bool turns = false;     ///< pages are turned behind their last letter
   bool moon = false;      ///< answers are laid under the hand, see BookOptions
+  bool tutor = false;     ///< tutors may come in from other terminals
+  bool known = false;     ///< only signs that the learner has been taught are set
 };
 void AddOptions(CLI::App& app, ReadOptions& options);
 int Run(const ReadOptions& options, Console& console);

@@ -12,6 +12,7 @@
 #include "lessons/documents/transcribe.h"
 #include "sim/app/commands.h"
 #include "sim/book/document_messages.h"
+#include "sim/book/known_signs.h"
 #include "sim/book/read_book.h"
 #include "sim/picture/page_picture.h"
 #include "sim/picture/picture_file.h"
@@ -225,9 +226,28 @@ int Feel(const ReadOptions& options, const std::string& device, const Document& 
   book.records = RecordsPathOf(options.records);
   book.turns = options.turns;
   book.moon = options.moon;
+  book.tutor = options.tutor;
+  book.known = options.known;
   book.alone = options.simulate;
   ReadBook(document, options.file, book, console);
   return exit_code::kGood;
+}
+
+int Read(const ReadOptions& options, Console& console) {
+  if (options.file.empty()) {
+    if (options.text || !options.print.empty()) throw UsageError(say::NoDocument());
+    ListReadings(options.learner, RecordsPathOf(options.records), options.output.json, console);
+    return exit_code::kGood;
+  }
+  const Document document = Open(options, console);
+  if (const std::optional<std::string> device = DeviceFor(options)) {
+    return Feel(options, *device, document, console);
+  }
+  const std::string text = Transcribe(document).text;
+  if (options.text) return WriteText(options, document, text, console);
+  const int code = Describe(options, document, text, console);
+  if (!options.output.json && options.print.empty()) console.Remark(say::HowToFeelBook());
+  return code;
 }
 
 void CheckTogether(const ReadOptions& options) {
@@ -252,6 +272,8 @@ void AddOptions(CLI::App& app, ReadOptions& options) {
   AddPath(app, "--learner", "NAME", options.learner, say::help::kReader);
   AddPath(app, "--records", "FILE", options.records, say::help::kReadRecords);
   AddFlag(app, "--turn", options.turns, say::help::kReadTurn);
+  AddFlag(app, "--known", options.known, say::help::kReadKnown);
+  AddFlag(app, "--tutor", options.tutor, say::help::kReadTutor);
   AddFlag(app, "--simulate", options.simulate, say::help::kReadSimulate);
   const auto read_messages = [&options](const std::string& given) {
     if (given != "moon" && given != "text") throw UsageError(say::NoSuchMessages(given));
@@ -276,20 +298,12 @@ void AddOptions(CLI::App& app, ReadOptions& options) {
 
 int Run(const ReadOptions& options, Console& console) {
   CheckTogether(options);
-  if (options.file.empty()) {
-    if (options.text || !options.print.empty()) throw UsageError(say::NoDocument());
-    ListReadings(options.learner, RecordsPathOf(options.records), options.output.json, console);
-    return exit_code::kGood;
-  }
-  const Document document = Open(options, console);
-  if (const std::optional<std::string> device = DeviceFor(options)) {
-    return Feel(options, *device, document, console);
-  }
-  const std::string text = Transcribe(document).text;
-  if (options.text) return WriteText(options, document, text, console);
-  const int code = Describe(options, document, text, console);
-  if (!options.output.json && options.print.empty()) console.Remark(say::HowToFeelBook());
-  return code;
+  if (!options.known) return Read(options, console);
+  ReadOptions known = options;
+  known.style.only = KnownSigns(RecordsPathOf(options.records), options.learner);
+  const auto signs = std::count(known.style.only->begin(), known.style.only->end(), '+');
+  console.Remark(say::SetOfKnown(static_cast<std::size_t>(signs)));
+  return Read(known, console);
 }
 
 }  // namespace moontrace

@@ -81,6 +81,37 @@ std::string LeadsOut(std::string_view address) {
 }
 std::string Followed(std::string_view words) { return OneLine(words, 24); }
 
+std::string NotSet(std::string_view words) {
+  return fmt::format("Not set: {}.", OneLine(words, 300));
+}
+std::string KnowsNothing(std::string_view learner) {
+  if (learner.empty()) return "--known needs a learner: add --learner NAME";
+  return fmt::format("--known: {} has been taught no sign yet; say moontrace learn",
+                     OneLine(learner, 60));
+}
+std::string LineFollowed(std::size_t page, std::size_t pages, std::size_t line,
+                         std::string_view words) {
+  return fmt::format("Page {} of {}, line {}: {}", page + 1, pages, line + 1, OneLine(words, 300));
+}
+std::string BookGreeting(std::string_view title, std::string_view learner) {
+  return fmt::format("{} reads {}. Type where for the place, ? for the words.",
+                     OneLine(learner, 60), Quoted(OneLine(title, 100)));
+}
+std::string PassageComes() {
+  return "Tutor sends a text: it lies under your hand; a press or a word brings the book back.";
+}
+std::string PassageCannotBe() { return "Not sent: the script cannot write that text."; }
+std::string PassageWanted() { return "my text wants the text that is to be read behind it."; }
+std::string NotInBook(std::string_view word) {
+  return fmt::format("{} is for lessons; here somebody reads.", OneLine(word, 20));
+}
+std::string NothingRestsHere() { return "Nothing rests: the reading goes on."; }
+std::string TutorGoneFromBook() { return "You have left; the reading goes on."; }
+std::string TutorWordsInBook() {
+  return "say and a text is told; my text and a text lies under the hand to be read. The reader's "
+         "words move the reader: next, find moon, go to 4, contents.";
+}
+
 std::string NameOfMark(std::size_t number) { return fmt::format("mark {}", number); }
 std::string MarkSet(std::string_view name, std::string_view place) {
   return fmt::format("Bookmark set: {}, {}.", OneLine(name, 24), place);

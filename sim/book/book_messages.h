@@ -41,6 +41,23 @@ std::string NoLinkHere();
 std::string LeadsOut(std::string_view address);
 std::string Followed(std::string_view words);
 
+/// Words that the learner has no signs for.
+std::string NotSet(std::string_view words);
+/// Why `--known` cannot be done; `learner` may be empty.
+std::string KnowsNothing(std::string_view learner);
+/// For a tutor: the line that is read. Page and line from 0.
+std::string LineFollowed(std::size_t page, std::size_t pages, std::size_t line,
+                         std::string_view words);
+/// What a tutor is met with.
+std::string BookGreeting(std::string_view title, std::string_view learner);
+std::string PassageComes();
+std::string PassageCannotBe();
+std::string PassageWanted();
+std::string NotInBook(std::string_view word);
+std::string NothingRestsHere();
+std::string TutorWordsInBook();
+std::string TutorGoneFromBook();
+
 /// Of one that nobody named, counted from 1.
 std::string NameOfMark(std::size_t number);
 std::string MarkSet(std::string_view name, std::string_view place);

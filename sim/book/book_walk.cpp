@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/book/book_messages.h"
+#include "sim/book/unset_words.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/place_messages.h"
 #include "sim/session/tip_words.h"
@@ -251,6 +252,39 @@ void BookWalk::See(const LoopSnapshot& now) {
   letter_ = here->source;
 }
 
+/// What is not set of the words up to the one that was come to: said, since it cannot be felt.
+std::string BookWalk::Unset(const LoopSnapshot& now) {
+  const FeltPage& felt = session_.felt();
+  if (!options_.known || now.page != felt.number || now.depth <= 0) return {};
+  const std::optional<LetterPlace> here = LetterPlaceOf(felt, now.tip_P);
+  if (!here || !LetterNear(felt, now.tip_P)->near) return {};
+  const std::vector<PlacedGlyph>& glyphs = felt.set().glyphs;
+  const auto at = std::find_if(glyphs.begin(), glyphs.end(), [&here](const PlacedGlyph& glyph) {
+    return glyph.source_begin == here->source;
+  });
+  if (at == glyphs.end() || word_ == std::pair(felt.index, at->word)) return {};
+  word_ = {felt.index, at->word};
+  const std::string words = UnsetWords(felt, static_cast<std::size_t>(at - glyphs.begin()));
+  return words.empty() ? std::string() : say::NotSet(words);
+}
+
+std::string BookWalk::LineHere(const LoopSnapshot& now) const {
+  const FeltPage& felt = session_.felt();
+  if (message_ || now.page != felt.number || now.depth <= 0) return {};
+  const std::optional<LetterPlace> here = LetterPlaceOf(felt, now.tip_P);
+  if (!here) return {};
+  const std::optional<FoundPlace> found = Find(session_.text(), *here);
+  std::size_t begin = std::string::npos, end = 0;
+  for (const PlacedGlyph& glyph : felt.set().glyphs) {
+    if (!found || glyph.line != found->line) continue;
+    begin = std::min(begin, glyph.source_begin);
+    end = std::max(end, glyph.source_end);
+  }
+  if (begin >= end) return {};
+  return say::LineFollowed(felt.index, session_.text().set.pages.size(), found->line,
+                           WordsOf(std::string_view(felt.text->text).substr(begin, end - begin)));
+}
+
 std::vector<std::string> BookWalk::TurnBehindEnd(const LoopSnapshot& now) {
   const FeltPage& felt = session_.felt();
   if (!options_.turns || now.page != felt.number || felt.set().glyphs.empty()) return {};
@@ -334,15 +368,21 @@ Companion::Press BookWalk::PressedInMenu(const LoopEvent& event) {
 }
 
 std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
+  urgent_ = false;
   if (message_) return {};
   See(now);
   Lines lines = TurnBehindEnd(now);
+  if (std::string unset = Unset(now); !unset.empty()) lines.push_back(std::move(unset));
   const bool stopped = now.stopped && !was_stopped_;
   was_stopped_ = now.stopped;
   const bool page = session_.felt().index != kept_page_ && now.page == session_.felt().number;
   const bool moved = kept_ != letter_;
   const bool due = std::chrono::steady_clock::now() - kept_at_ >= kKeptEvery;
-  if (page || stopped || (moved && due)) lines.push_back(Keep());
+  urgent_ = std::find(lines.begin(), lines.end(), say::TheEnd()) != lines.end();
+  if (page || stopped || (moved && due)) {
+    lines.push_back(Keep());
+    urgent_ = urgent_ || !lines.back().empty();
+  }
   return lines;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lessons/documents/document_places.h"
@@ -24,6 +25,7 @@ struct BookOptions {
   bool ends = false;   ///< at the end of the last page
   /// Answers are laid under the hand, and two presses give a menu of words: for who cannot hear.
   bool moon = false;
+  bool known = false;  ///< words that are not set are said, as the hand comes to what follows
 };
 
 /// Leads through a book in a session: its words, where one is, what is kept.
@@ -42,7 +44,19 @@ class BookWalk : public Companion {
   bool Answered(const std::vector<std::string>& lines, const LoopSnapshot& now) override;
   bool ClearPage() override;
   std::vector<std::string> Look(const LoopSnapshot& now) override;
+  bool urgent() const override { return urgent_; }
   bool ended() const override { return ended_; }
+
+  /// The line at the tip with its page and number, for who follows from elsewhere; empty: the page
+  /// is not touched, or something else lies there.
+  std::string LineHere(const LoopSnapshot& now) const;
+  /// As the word `where`.
+  std::vector<std::string> WhereIs(const LoopSnapshot& now) const { return Where(now); }
+  /// Lays a passage that somebody sent under the hand, until a press or a word takes it away.
+  /// False: the script cannot write it.
+  bool LayPassage(const std::string& text, const LoopSnapshot& now) {
+    return Lay(text, false, now.tip_P);
+  }
 
   /// Behind the session: keeps the place, and says where it is.
   std::vector<std::string> End();
@@ -71,6 +85,7 @@ class BookWalk : public Companion {
   std::string Keep();
   std::string TakePassage(const std::string& given, const LoopSnapshot& now);
   void See(const LoopSnapshot& now);
+  std::string Unset(const LoopSnapshot& now);
   Lines TurnBehindEnd(const LoopSnapshot& now);
 
   LoopSession& session_;
@@ -83,10 +98,12 @@ class BookWalk : public Companion {
   bool coming_ = false;        ///< the hand has not yet come to where reading goes on
   std::size_t strays_ = 0;     ///< looks at which it touched something else meanwhile
   bool last_touched_ = false;  ///< the last letter of the page
+  std::optional<std::pair<std::size_t, std::size_t>> word_;  ///< touched last: page and number
   std::optional<std::size_t> kept_;
   std::size_t kept_page_ = 0;
   std::optional<Message> message_;
   bool was_stopped_ = false, ended_ = false, told_failure_ = false;
+  bool urgent_ = false;  ///< what Look said last: not kept, or the end
   std::chrono::steady_clock::time_point kept_at_{};
 };
 

@@ -144,6 +144,11 @@ std::string MoreContents(std::size_t count) {
   return fmt::format("And {} more of the contents; --json has all.", count);
 }
 
+std::string SetOfKnown(std::size_t signs) {
+  return fmt::format("Set in the {} that you know; other words are said when you come to them.",
+                     Counted(signs, "sign", "signs"));
+}
+
 std::string PrintedDocument(std::size_t pages, double size) {
   return fmt::format("Printed: {} for swell paper, letters {} mm high.",
                      Counted(pages, "page", "pages"), Short(kMillimetres * size, 2));

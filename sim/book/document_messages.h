@@ -28,6 +28,8 @@ std::string LeftOutOf(const LeftOutCount& left_out);
 std::string ContentsOutcome(std::size_t lines);
 std::string ContentsLine(const ContentsEntry& entry);
 std::string MoreContents(std::size_t count);
+/// Where only signs that were taught are set: how many these are.
+std::string SetOfKnown(std::size_t signs);
 std::string PrintedDocument(std::size_t pages, double size);  ///< [m]
 
 namespace help {
@@ -47,6 +49,12 @@ inline constexpr const char* kReadBraille =
 inline constexpr const char* kReadMessages =
     "moon lays answers under the tip as a line of their own, a press takes them away, and two "
     "presses give a menu of words: for readers without sight and hearing. Default text.";
+inline constexpr const char* kReadKnown =
+    "only the signs that the learner has been taught are set, by the records: contractions are "
+    "spelled out, and words with other signs are said as you come to them.";
+inline constexpr const char* kReadTutor =
+    "lets a tutor in from another terminal (moontrace tutor): hears what you hear, follows the "
+    "line, moves you, sends texts.";
 inline constexpr const char* kReadTurn = "turn each page as the tip leaves its last letter.";
 inline constexpr const char* kReadSimulate =
     "the simulated stylus reads, in real time, to the end of the text.";

@@ -10,6 +10,7 @@
 #include "lessons/documents/transcribe.h"
 #include "sim/book/book_memory.h"
 #include "sim/book/book_messages.h"
+#include "sim/book/book_tutor.h"
 #include "sim/book/book_walk.h"
 #include "sim/book/document_messages.h"
 #include "sim/session/loop_messages.h"
@@ -87,10 +88,14 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   if (session.device().felt() && !why_not.empty()) console.Remark(say::NotRealtime(why_not));
   SayBeginning(session, console);
   BookWalk walk(session, book, memory,
-                {options.turns || options.alone, options.alone, options.moon});
+                {options.turns || options.alone, options.alone, options.moon, options.known});
+  std::optional<BookDesk> tutors;
+  if (options.tutor)
+    tutors.emplace(memory.remembers() ? memory.learner() : "reader", book.title, walk);
   DriveOptions drive;
   drive.seconds = options.live.seconds;
   drive.companion = &walk;
+  if (tutors) drive.elsewhere = &*tutors;
   try {
     Drive(session, drive, console);
   } catch (const Interrupted&) {

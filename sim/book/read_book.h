@@ -22,6 +22,8 @@ struct ReadBookOptions {
   std::string records;          ///< path
   bool turns = false;           ///< see BookOptions
   bool moon = false;            ///< likewise
+  bool tutor = false;           ///< tutors may come in from other terminals
+  bool known = false;           ///< only signs that the learner has been taught are set
   bool alone = false;           ///< nobody turns pages: the simulated hand reads to the end
 };
 

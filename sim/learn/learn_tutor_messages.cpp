@@ -4,7 +4,6 @@
 
 #include "lessons/course/lesson_items.h"
 #include "sim/console/wording.h"
-#include "sim/tutor/page_messages.h"
 #include "textures/base/text_file.h"
 #include "textures/base/units.h"
 
@@ -21,51 +20,11 @@ std::string TutorWordsHelp() {
          "in mode bead, say well done, lesson 5, find moon.";
 }
 
-std::string TutorDoes(const TutorCommand& command) {
-  if (command.page) return fmt::format("Tutor: {}.", PageBecomes(*command.page));
-  switch (command.word) {
-    case TutorWord::kStop:
-      return "Tutor: stop.";
-    case TutorWord::kPause:
-      return "Tutor: pause, no force.";
-    case TutorWord::kGo:
-      return "Tutor: going on.";
-    case TutorWord::kShow:
-      return "Tutor shows: let your hand be led.";
-    case TutorWord::kSay:
-      return fmt::format("Tutor says: {}", OneLine(command.text, 900));
-    case TutorWord::kAgain:
-      return "Tutor: once more.";
-    case TutorWord::kSkip:
-      return "Tutor: skipped.";
-    case TutorWord::kNext:
-      return "Tutor: next.";
-    case TutorWord::kPlace:
-      return fmt::format("Tutor: {}.", OneLine(command.text, 60));
-    case TutorWord::kNextLesson:
-      return "Tutor: the next lesson.";
-    case TutorWord::kLesson:
-      return "Tutor: another lesson.";  // which one, the lesson says itself
-    case TutorWord::kRecord:
-      return "Tutor takes the device for a stroke.";
-    case TutorWord::kPlayback:
-      return "Tutor's stroke: let your hand be led.";
-    default:
-      break;  // between tutor and program
-  }
-  return {};
-}
-
-std::string LearnerStopped() { return "The learner has stopped: only the learner goes on."; }
 std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
 std::string LessonNotFound(std::string_view given, std::size_t lessons) {
   return fmt::format("No such lesson, or several: {}. A number from 1 to {}, as where says it.",
                      OneLine(given, 20), lessons);
 }
-std::string LearnerAt(std::string_view learner, std::string_view status) {
-  return fmt::format("{}: {}", OneLine(learner), status);
-}
-
 std::string PageAndHelp(double size, GuidanceMode mode, int help, bool set) {
   const std::string push = mode == GuidanceMode::kOff || help <= 0
                                ? std::string("no push")
@@ -94,9 +53,6 @@ std::string LastTrials(const Course& course, const Trial& right, const Trial& wr
 
 std::string NoNextLesson() {
   return "This is the last lesson: lesson and a number goes to another.";
-}
-std::string WhoIsHere(std::string_view learner, std::size_t tutors) {
-  return fmt::format("Learner: {}; {} here.", OneLine(learner), Counted(tutors, "tutor", "tutors"));
 }
 std::string TutorGaveBack() { return "The device is yours again: the tutor's stroke is taken."; }
 std::string Recording() { return "Recording: trace, then say record again."; }

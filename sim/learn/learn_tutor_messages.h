@@ -13,20 +13,15 @@ namespace moontrace::say {
 
 /// Each tutor is met with it, whenever they come.
 std::string TutorGreeting(std::string_view learner);
-/// What the learner is told before a command is done; empty: the lesson tells it.
 /// What stands behind words that only a tutor says, or says otherwise than a learner.
 std::string TutorWordsHelp();
-std::string TutorDoes(const TutorCommand& command);
-std::string LearnerStopped();
 std::string NothingRests();
 std::string LessonNotFound(std::string_view given, std::size_t lessons);
-std::string LearnerAt(std::string_view learner, std::string_view status);
 /// What the learner's page and push are now; `set`: by learner or tutor, not by the course's rules.
 std::string PageAndHelp(double size, GuidanceMode mode, int help, bool set);
 /// Of this session; a trial without an item: none yet.
 std::string LastTrials(const Course& course, const Trial& right, const Trial& wrong);
 std::string NoNextLesson();
-std::string WhoIsHere(std::string_view learner, std::size_t tutors);
 std::string TutorGaveBack();
 std::string Recording();
 std::string RecordedStrokeIs(double seconds);

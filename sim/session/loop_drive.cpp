@@ -54,8 +54,10 @@ class Driver : private LoopListener {
       if (options_.seconds && passed.count() >= *options_.seconds) break;
       Look();
       LookAtWindow();
+      HearElsewhere();
       if (const std::optional<std::string> line = lines_.Next(quit_ ? 0 : kPoll)) {
         spoken_ = true;
+        if (options_.elsewhere != nullptr) options_.elsewhere->Typed(*line);
         Obey(*line);
       } else if (lines_.ended() && InputEndsIt()) {
         quit_ = true;
@@ -75,6 +77,7 @@ class Driver : private LoopListener {
     if (line.empty()) return;
     answer_.push_back(line);
     console_.Result(line);
+    if (options_.elsewhere != nullptr) options_.elsewhere->Told(line);
     if (options_.view != nullptr) options_.view->ShowLine(line);
   }
 
@@ -87,7 +90,11 @@ class Driver : private LoopListener {
     const bool asked = event.kind == LoopEventKind::kBookmark ||
                        (event.kind == LoopEventKind::kSafety && TakesForceAway(event.safety));
     if (line.empty()) return;
-    if (asked) return Say(line);
+    if (asked) {
+      answer_.clear();
+      Say(line);
+      return Answer();
+    }
     console_.Happening(line);
     if (options_.view != nullptr) options_.view->ShowLine(line);
   }
@@ -109,10 +116,30 @@ class Driver : private LoopListener {
     console_.Happening(say::WindowClosed());
   }
 
+  /// A sentence alone is an answer; before a word it announces what becomes of that.
+  void HearElsewhere() {
+    if (options_.elsewhere == nullptr) return;
+    while (!quit_) {
+      const std::optional<Elsewhere::Line> line = options_.elsewhere->Next(poll_.newest());
+      if (!line) return;
+      answer_.clear();
+      Say(line->said);
+      if (line->lies) {
+        Buzz();
+      } else if (line->word.empty()) {
+        Answer();
+      } else {
+        Obey(line->word);
+      }
+    }
+  }
+
   void Look() {
     poll_.Look(*this);
     if (options_.companion != nullptr) {
+      answer_.clear();
       SayAll(options_.companion->Look(poll_.newest()));
+      if (options_.companion->urgent()) Answer();
       quit_ = quit_ || options_.companion->ended();
     }
     if (const auto arrival = walk_.Arrived(poll_.newest())) {
@@ -141,7 +168,11 @@ class Driver : private LoopListener {
     Report(event, sentence);
   }
 
-  void Reported(const std::string& sentence, bool /*urgent*/) override { Say(sentence); }
+  void Reported(const std::string& sentence, bool urgent) override {
+    answer_.clear();
+    Say(sentence);
+    if (urgent) Answer();
+  }
 
   /// Whether a press was for the companion.
   bool Taken(const LoopEvent& event) {

@@ -36,14 +36,34 @@ class Companion {
     std::string line;  ///< to be obeyed as if it were typed; empty: nothing
   };
   virtual Press Pressed(bool twice, const LoopEvent& event) = 0;
-  /// What was answered to a line or a press; whether it was laid under the hand.
+  /// What was answered to a line or a press, or must be known; whether it was laid under the hand.
   virtual bool Answered(const std::vector<std::string>& lines, const LoopSnapshot& now) = 0;
   /// Takes from under the hand what does not belong to the text; false: there was nothing.
   virtual bool ClearPage() = 0;
   /// At each look: what is to be said.
   virtual std::vector<std::string> Look(const LoopSnapshot& now) = 0;
+  /// What Look said last must reach who cannot hear as well: a failure, the end.
+  virtual bool urgent() const = 0;
   /// Nothing more is to come.
   virtual bool ended() const = 0;
+};
+
+/// Somebody at another terminal, who hears what is said and may speak. Called off the tick, on the
+/// thread of Drive.
+class Elsewhere {
+ public:
+  virtual ~Elsewhere() = default;
+  struct Line {
+    std::string said;   ///< to be told to who feels the page; empty: nothing
+    std::string word;   ///< to be obeyed then, as if it were typed; empty: nothing
+    bool lies = false;  ///< something else was laid under the hand with it
+  };
+  /// The next line that came from there, at the newest tick, if there is one.
+  virtual std::optional<Line> Next(const LoopSnapshot& now) = 0;
+  /// All that is said.
+  virtual void Told(std::string_view line) = 0;
+  /// All that is typed here.
+  virtual void Typed(std::string_view line) = 0;
 };
 
 /// How a running session is led.
@@ -53,6 +73,7 @@ struct DriveOptions {
   std::function<void(const LoopSample&)> sample;  ///< is given every tick, off the tick
   ViewFeed* view = nullptr;                       ///< shows it; closing its window ends it
   Companion* companion = nullptr;
+  Elsewhere* elsewhere = nullptr;
 };
 
 /// Leads a running session from the text face until it ends: reads words, tells events, hands the

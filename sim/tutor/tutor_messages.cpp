@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "sim/console/wording.h"
+#include "sim/tutor/page_messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {
@@ -80,5 +81,48 @@ std::string LessonEnded() { return "The lesson has ended."; }
 std::string LessonSilent() { return "the lesson has not answered for 5 s"; }
 
 std::string TutorGone() { return "You have left; the lesson goes on."; }
+
+std::string TutorDoes(const TutorCommand& command) {
+  if (command.page) return fmt::format("Tutor: {}.", PageBecomes(*command.page));
+  switch (command.word) {
+    case TutorWord::kStop:
+      return "Tutor: stop.";
+    case TutorWord::kPause:
+      return "Tutor: pause, no force.";
+    case TutorWord::kGo:
+      return "Tutor: going on.";
+    case TutorWord::kShow:
+      return "Tutor shows: let your hand be led.";
+    case TutorWord::kSay:
+      return fmt::format("Tutor says: {}", OneLine(command.text, 900));
+    case TutorWord::kAgain:
+      return "Tutor: once more.";
+    case TutorWord::kSkip:
+      return "Tutor: skipped.";
+    case TutorWord::kNext:
+      return "Tutor: next.";
+    case TutorWord::kPlace:
+      return fmt::format("Tutor: {}.", OneLine(command.text, 60));
+    case TutorWord::kNextLesson:
+      return "Tutor: the next lesson.";
+    case TutorWord::kLesson:
+      return "Tutor: another lesson.";  // which one, the lesson says itself
+    case TutorWord::kRecord:
+      return "Tutor takes the device for a stroke.";
+    case TutorWord::kPlayback:
+      return "Tutor's stroke: let your hand be led.";
+    default:
+      break;  // between tutor and program
+  }
+  return {};
+}
+
+std::string LearnerStopped() { return "The learner has stopped: only the learner goes on."; }
+std::string LearnerAt(std::string_view learner, std::string_view status) {
+  return fmt::format("{}: {}", OneLine(learner), status);
+}
+std::string WhoIsHere(std::string_view learner, std::size_t tutors) {
+  return fmt::format("Learner: {}; {} here.", OneLine(learner), Counted(tutors, "tutor", "tutors"));
+}
 
 }  // namespace moontrace::say

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/tutor/tutor_command.h"
+
 /// Sentences of the tutor's door to a lesson.
 namespace moontrace::say {
 
@@ -26,6 +28,12 @@ std::string TutorLineTooLong(std::size_t longest);
 std::string TooManyTutors(std::size_t most);
 /// One of another user.
 std::string StrangerRefused();
+
+/// What the learner is told before a command is done; empty: it is told otherwise.
+std::string TutorDoes(const TutorCommand& command);
+std::string LearnerStopped();
+std::string LearnerAt(std::string_view learner, std::string_view status);
+std::string WhoIsHere(std::string_view learner, std::size_t tutors);
 
 // Why there is no door.
 std::string SocketTaken(std::string_view path);

@@ -11,11 +11,11 @@
 
 #include "lessons/course/course.h"
 #include "sim/console/line_buffer.h"
-#include "sim/learn/learn_tutor_messages.h"
 #include "sim/learn/learn_words.h"
 #include "sim/setup/text_setup.h"
 #include "sim/tutor/page_words.h"
 #include "sim/tutor/tutor_command.h"
+#include "sim/tutor/tutor_messages.h"
 #include "tests/fuzz/one_line.h"
 #include "textures/base/error.h"
 #include "textures/base/resources.h"

@@ -55,16 +55,16 @@ class RawTutor {
 };
 
 /// A runtime folder of the test's own: sockets' paths are short, so it is below /tmp.
-class TutorTest : public testing::Test {
+class TutorRuntime {
  protected:
-  TutorTest() {
+  TutorRuntime() {
     char name[] = "/tmp/moontrace-test-XXXXXX";
     runtime_ = mkdtemp(name);
     const char* before = std::getenv("XDG_RUNTIME_DIR");
     if (before != nullptr) before_ = before;
     setenv("XDG_RUNTIME_DIR", runtime_.c_str(), 1);
   }
-  ~TutorTest() override {
+  ~TutorRuntime() {
     if (before_.empty()) {
       unsetenv("XDG_RUNTIME_DIR");
     } else {
@@ -76,5 +76,7 @@ class TutorTest : public testing::Test {
 
   std::string runtime_, before_;
 };
+
+class TutorTest : public testing::Test, protected TutorRuntime {};
 
 }  // namespace moontrace
