@@ -34,9 +34,13 @@ std::string Plain(std::string_view text) {
   return plain;
 }
 
-/// What may have been meant, the fullest first: all of it, without a closing mark, without words
-/// before it.
-std::vector<std::string> Readings(std::string_view said) {
+bool IsCalled(const Course& course, std::string_view item, const std::string& reading) {
+  return !reading.empty() && (reading == Plain(item) || reading == Plain(NameOf(course, item)));
+}
+
+}  // namespace
+
+std::vector<std::string> ReadingsOf(std::string_view said) {
   std::vector<std::string> readings;
   if (said.size() > kLongest) return readings;
   readings.push_back(Plain(said));
@@ -55,14 +59,29 @@ std::vector<std::string> Readings(std::string_view said) {
   }
 }
 
-bool IsCalled(const Course& course, std::string_view item, const std::string& reading) {
-  return !reading.empty() && (reading == Plain(item) || reading == Plain(NameOf(course, item)));
+bool DoesNotKnow(std::string_view said) {
+  std::string plain = Plain(said);
+  while (!plain.empty() && (plain.back() == '.' || plain.back() == '!')) plain.pop_back();
+  for (const std::string_view mark : {"\u2019", "'"}) {  // typed without it, or as print has it
+    const auto at = plain.find(mark);
+    if (at != std::string::npos) plain.erase(at, mark.size());
+  }
+  for (const std::string_view begin : {"sorry, i ", "sorry i ", "sorry, ", "sorry ", "i "}) {
+    if (plain.compare(0, begin.size(), begin) == 0) {
+      plain.erase(0, begin.size());
+      break;
+    }
+  }
+  for (const std::string_view words :
+       {"dont know", "do not know", "dunno", "have no idea", "no idea", "cant tell",
+        "cannot tell", "am not sure", "not sure", "give up"}) {
+    if (plain == words || plain == std::string(words) + " it") return true;
+  }
+  return false;
 }
 
-}  // namespace
-
 bool Names(const Course& course, std::string_view item, std::string_view said) {
-  const std::vector<std::string> readings = Readings(said);
+  const std::vector<std::string> readings = ReadingsOf(said);
   return std::any_of(readings.begin(), readings.end(),
                      [&](const std::string& reading) { return IsCalled(course, item, reading); });
 }
@@ -70,7 +89,7 @@ bool Names(const Course& course, std::string_view item, std::string_view said) {
 std::optional<std::string> ItemSaid(const Course& course, std::string_view said,
                                     std::string_view expected) {
   const std::set<std::string> items = AllItems(course);
-  for (const std::string& reading : Readings(said)) {
+  for (const std::string& reading : ReadingsOf(said)) {
     if (IsCalled(course, expected, reading)) return std::string(expected);
     for (const std::string& item : items) {
       if (IsCalled(course, item, reading)) return item;
@@ -80,7 +99,7 @@ std::optional<std::string> ItemSaid(const Course& course, std::string_view said,
 }
 
 std::optional<bool> SameSaid(std::string_view said) {
-  const std::vector<std::string> readings = Readings(said);
+  const std::vector<std::string> readings = ReadingsOf(said);
   for (const std::string& reading : readings) {
     for (const std::string_view word : {"same", "s", "yes", "y", "equal"}) {
       if (reading == word) return true;

@@ -3,10 +3,18 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lessons/course/course.h"
 
 namespace moontrace {
+
+/// What may have been meant, the fullest first: all of it, without a closing mark, without words
+/// before a name. In small letters (of English), one blank between words; empty: too long.
+std::vector<std::string> ReadingsOf(std::string_view said);
+
+/// "I don't know", "no idea": no answer is to be expected.
+bool DoesNotKnow(std::string_view said);
 
 /// Whether what was said names the item: by its text or its name in the course. Capitals (of
 /// English letters), blanks, a closing mark and words before the name do not count: "B", " b ",

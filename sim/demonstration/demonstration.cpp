@@ -23,6 +23,17 @@ constexpr double kPerLetter = 1 / 15.;  ///< of speech, some 170 words a minute 
 /// Time passes in words: nothing waits longer.
 constexpr double kLongest = 600;  ///< [s]
 
+Demonstration::Clock::duration Seconds(double seconds) {
+  return std::chrono::duration_cast<Demonstration::Clock::duration>(
+      std::chrono::duration<double>(seconds));
+}
+
+bool IsRight(const DemonstrationStep& step, const std::string& given) {
+  return std::any_of(step.answers.begin(), step.answers.end(), [&given](const std::string& answer) {
+    return Names(Course(), answer, given);
+  });
+}
+
 double SecondsFor(const std::string& line) {
   return kBeforeLine + kPerLetter * static_cast<double>(line.size());
 }
@@ -81,8 +92,7 @@ Demonstration::Demonstration(const std::vector<DemonstrationStep>& steps, LearnS
       poll_(stage.session().loop(), stage.session().device()) {}
 
 void Demonstration::WaitFor(double seconds) {
-  const std::chrono::duration<double> wait(hurries_ ? 0 : std::min(pace_ * seconds, kLongest));
-  until_ = now_ + std::chrono::duration_cast<Clock::duration>(wait);
+  until_ = now_ + Seconds(hurries_ ? 0 : std::min(pace_ * seconds, kLongest));
 }
 
 void Demonstration::Say(const std::string& line) {
@@ -107,11 +117,13 @@ void Demonstration::GoOn() {
   if (line_ < step().say.size()) return Say(step().say[line_++]);
   if (!step().ask.empty() && !asked_) {
     Say(step().ask);
+    heard_ = until_;
     asked_ = asking_ = true;
     return WaitFor(kAnswering);
   }
   if (asking_) {
     asking_ = false;
+    missed_ = &step();
     return Say(step().wrong);
   }
   ++at_;
@@ -123,6 +135,7 @@ void Demonstration::NextStep() {
   asking_ = asked_ = false;
   over_ = at_ >= steps_.size();
   if (over_ || step().show.empty()) return;
+  told_ += LowerCase(step().show);
   lesson_action::Show show;
   show.text = step().show;
   show.size = step().size;
@@ -133,18 +146,45 @@ void Demonstration::NextStep() {
 void Demonstration::Reply(const std::string& line) {
   teller_.Say(Priority::kText, line);
   if (paused_ || hurries_) return;
-  until_ = std::max(until_, now_) + std::chrono::duration_cast<Clock::duration>(
-                                        std::chrono::duration<double>(pace_ * SecondsFor(line)));
+  until_ = std::max(until_, now_) + Seconds(pace_ * SecondsFor(line));
+}
+
+/// A sign, or a word of signs that were shown. Other words and numbers are no answers.
+bool Demonstration::IsAnswer(const std::string& given) const {
+  const std::vector<std::string> readings = ReadingsOf(given);
+  return IsRight(step(), given) ||
+         std::any_of(readings.begin(), readings.end(), [this](const std::string& reading) {
+           const bool number = reading.find_first_of("0123456789") != std::string::npos;
+           if (CountCharacters(reading) == 1) return !number;
+           return reading.find_first_not_of(told_) == std::string::npos &&
+                  reading.find_first_of(" \n") == std::string::npos;
+         });
+}
+
+/// It was typed for the question before, whose time was over: it is right there, or what is asked
+/// now could not have been heard yet.
+bool Demonstration::CameLate(const std::string& given) const {
+  if (missed_ == nullptr || (asking_ && IsRight(step(), given))) return false;
+  return IsRight(*missed_, given) || (asking_ && now_ < heard_ && IsAnswer(given));
+}
+
+void Demonstration::TellLate() {
+  Reply(say::AnswerCameLate());
+  missed_ = nullptr;
+  if (asking_) StillAsk();
+}
+
+void Demonstration::StillAsk() {
+  Reply(step().ask);
+  if (!paused_) until_ = std::max(until_, now_ + Seconds(pace_ * kAnswering));
 }
 
 void Demonstration::Answer(const std::string& given) {
-  const std::vector<std::string>& answers = step().answers;
-  const bool right =
-      std::any_of(answers.begin(), answers.end(),
-                  [&given](const std::string& answer) { return Names(Course(), answer, given); });
+  const bool right = IsRight(step(), given), unknown = DoesNotKnow(given);
   asking_ = false;
-  teller_.Play(right ? Earcon::kRight : Earcon::kWrong);
-  if (!right) teller_.Say(Priority::kText, say::WrongAnswer(given));
+  missed_ = nullptr;
+  if (!unknown) teller_.Play(right ? Earcon::kRight : Earcon::kWrong);
+  if (!right && !unknown) teller_.Say(Priority::kText, say::WrongAnswer(given));
   Say(right ? step().right : step().wrong);
 }
 
@@ -158,21 +198,25 @@ void Demonstration::Obey(const std::string& line) {
   teller_.Interrupt();
   const std::string given = Trimmed(line);
   const SaidLine said = ReadLine(given, WordPlace::kDemonstration);
-  // while something is asked, signs and numbers are answers
-  const bool number = given.find_first_not_of("0123456789") == std::string::npos;
-  const bool answers = asking_ && (given.size() == 1 || number) && given != "?";
+  const bool sign = CountCharacters(given) == 1 && given.find_first_of("?0123456789") != 0;
+  const bool word = said.word != nullptr && said.behind.empty() && !(asking_ && sign);
   if (given.empty()) {
     teller_.Say(Priority::kText, paused_   ? say::DemonstrationPauses()
                                  : asking_ ? step().ask
                                            : say::DemonstrationGoesOn());
-  } else if (said.word != nullptr && said.behind.empty() && !answers) {
-    Do(said.word->word);
-  } else if (asking_) {
+  } else if (CameLate(given)) {
+    TellLate();
+  } else if (asking_ && (DoesNotKnow(given) || (IsAnswer(given) && !word))) {
     Answer(given);
+  } else if (word) {
+    Do(said.word->word);
   } else if (said.word != nullptr) {  // only "help" takes something behind it here
     Reply(say::HelpWith(said.behind, WordPlace::kDemonstration));
+  } else if (sign && !asking_) {
+    Reply(say::NothingAsked());
   } else {
     Reply(said.refusal);
+    if (asking_) StillAsk();
   }
   teller_.EndTurn();
 }

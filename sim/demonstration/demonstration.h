@@ -64,6 +64,10 @@ class Demonstration final : public RunningStage, private LoopListener {
   void Say(const std::string& line);
   void Reply(const std::string& line);
   void Answer(const std::string& given);
+  bool IsAnswer(const std::string& given) const;
+  bool CameLate(const std::string& given) const;
+  void TellLate();
+  void StillAsk();
   void Do(std::string_view word);
   void WaitFor(double seconds);
 
@@ -78,7 +82,11 @@ class Demonstration final : public RunningStage, private LoopListener {
   LoopPoll poll_;
   std::size_t at_ = 0, line_ = 0;  ///< step, and the line of it that comes next
   std::string last_;               ///< said last
+  /// What was asked last and not answered in its time; null: none, or something was answered since.
+  const DemonstrationStep* missed_ = nullptr;
+  std::string told_;                ///< signs that were shown so far
   Clock::time_point now_, until_;
+  Clock::time_point heard_;  ///< what is asked has been heard by then
   Clock::duration left_{0};  ///< of the wait, while it is paused
   double pace_ = 1;          ///< factor on what is waited for
   bool begun_ = false, asking_ = false, asked_ = false;

@@ -8,11 +8,13 @@
 namespace moontrace::say {
 
 std::vector<std::string> DemonstrationHelp() {
-  return {NumberedWords(WordPlace::kDemonstration), "While I ask, what you type is the answer."};
+  return {NumberedWords(WordPlace::kDemonstration), "While I ask, a letter is an answer; I don't know tells it."};
 }
 std::string WrongAnswer(std::string_view given) {
   return fmt::format("Wrong: you said {}.", OneLine(given, 12));
 }
+std::string AnswerCameLate() { return "That came too late for the question before."; }
+std::string NothingAsked() { return "Nothing is asked now."; }
 std::string DemonstrationLeft() { return "The demonstration ends here."; }
 std::string DemonstrationCutOff() { return "End of input: the demonstration ends."; }
 std::string DemonstrationPauses() { return "A pause. Say go when you like."; }

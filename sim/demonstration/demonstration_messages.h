@@ -9,6 +9,9 @@ namespace moontrace::say {
 
 std::vector<std::string> DemonstrationHelp();
 std::string WrongAnswer(std::string_view given);
+/// An answer whose question is over.
+std::string AnswerCameLate();
+std::string NothingAsked();
 std::string DemonstrationLeft();
 std::string DemonstrationCutOff();
 std::string DemonstrationPauses();

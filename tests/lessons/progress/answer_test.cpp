@@ -47,6 +47,16 @@ TEST(Answer, ItemsThatAreWordsOfThemselvesStayWhatTheyAre) {
   EXPECT_EQ(ItemSaid(course, std::string(100000, ' '), "b"), std::nullopt);
 }
 
+TEST(Answer, WhoDoesNotKnowSaysSoInManyWays) {
+  for (const char* said : {"I don't know", "i dont know", "I do not know.", "don\u2019t know",
+                           "no idea", "Sorry, I don't know!", "I am not sure", "i give up"}) {
+    EXPECT_TRUE(DoesNotKnow(said)) << said;
+  }
+  for (const char* said : {"", "i", "no", "know", "not", "I know it is t"}) {
+    EXPECT_FALSE(DoesNotKnow(said)) << said;
+  }
+}
+
 TEST(Answer, SameAndDifferentAreToldApart) {
   EXPECT_EQ(SameSaid("Same"), true);
   EXPECT_EQ(SameSaid("the same."), true);

@@ -146,11 +146,80 @@ TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
   demonstration_.Obey("it is the letter T");
   EXPECT_EQ(Said("Yes."), 1U) << "as in a lesson";
   Until("Second letter");
-  demonstration_.Obey("7");
-  EXPECT_EQ(Said("Wrong: you said 7."), 1U);
+  demonstration_.Obey("e");
+  EXPECT_EQ(Said("Wrong: you said e."), 1U) << "a sign is an answer, whatever was told";
+  Until("Third letter");
+  demonstration_.Obey("lot");
+  EXPECT_EQ(Said("Wrong: you said lot."), 1U) << "so is a word of signs that were told";
   Until("what is the word?");
   demonstration_.Obey("toil");
   EXPECT_EQ(Said("Toil it is."), 1U);
+}
+
+TEST_F(DemonstrationTest, OnlyAnswersAreAnswers) {
+  Until("which letter is it");
+  for (const char* line : {"repeat", "where", "5", "bigger", "hello there", "t or i"}) {
+    Forget();
+    demonstration_.Obey(line);
+    EXPECT_TRUE(demonstration_.asks()) << line;
+    EXPECT_EQ(Said("Wrong"), 0U) << line;
+    EXPECT_EQ(Said("One level line: which letter is it"), 1U) << "asked again: " << line;
+  }
+  Pass(25);
+  EXPECT_TRUE(demonstration_.asks()) << "who says something has time anew";
+  demonstration_.Obey("2");
+  Pass(1);
+  EXPECT_FALSE(demonstration_.asks()) << "2 is next, as ? tells";
+  EXPECT_EQ(Said("Wrong"), 0U);
+}
+
+TEST_F(DemonstrationTest, WhoDoesNotKnowIsToldAndNotWrong) {
+  Until("which letter is it");
+  demonstration_.Obey("I don't know.");
+  EXPECT_EQ(Said("It is T: the level one."), 1U) << out_.str().substr(from_);
+  EXPECT_EQ(Said("Wrong"), 0U);
+  EXPECT_FALSE(demonstration_.asks());
+}
+
+TEST_F(DemonstrationTest, AnAnswerThatComesLateCountsForNoOtherQuestion) {
+  Until("What is the first letter?");
+  Until("Level: that was T.");  // nobody answered in time
+  Forget();
+  demonstration_.Obey("t");
+  EXPECT_EQ(Said("That came too late for the question before."), 1U) << out_.str().substr(from_);
+  Until("Second letter");
+  Until("A ring is O.");
+  Until("Third letter");
+  Forget();
+  demonstration_.Obey("o");  // right for the one before
+  EXPECT_EQ(Said("Wrong"), 0U) << out_.str().substr(from_);
+  EXPECT_EQ(Said("Third letter"), 1U) << "it is still asked";
+  EXPECT_TRUE(demonstration_.asks());
+  demonstration_.Obey("l");
+  EXPECT_EQ(Said("Wrong: you said l."), 1U) << "the next one counts";
+  Until("Fourth letter");
+  Until("A corner at the foot is L.");
+  Until("what is the word?");
+  Forget();
+  demonstration_.Obey("i");  // typed before the question could be heard
+  EXPECT_EQ(Said("Wrong"), 0U) << out_.str().substr(from_);
+  demonstration_.Obey("toil");
+  EXPECT_EQ(Said("Toil it is."), 1U);
+}
+
+// What is told as "It is X" or "It is X, as in print" is asked for later, alone.
+TEST_F(DemonstrationTest, AsksForEveryLetterThatItTells) {
+  std::string told, asked;
+  for (const DemonstrationStep& step : steps_) {
+    for (const std::string& line : step.say) {
+      if (line.size() > 7 && line.compare(0, 6, "It is ") == 0) told += line[6];
+    }
+    if (step.answers.empty()) continue;
+    const std::string& first = step.answers.front();
+    if (first.size() == 1) asked += static_cast<char>(first[0] - 'a' + 'A');
+  }
+  EXPECT_EQ(told, "ITLO");
+  for (const char letter : told) EXPECT_NE(asked.find(letter), std::string::npos) << letter;
 }
 
 TEST_F(DemonstrationTest, AWordOfTheLearnersIsAWordWhileSomethingIsAsked) {
@@ -236,6 +305,14 @@ TEST(LearnWithoutADevice, OffersTheDemonstrationAtATerminal) {
   ASSERT_TRUE(yes.WaitFor("This is a demonstration of Moontrace")) << yes.all();
   yes.Send("quit\n");
   EXPECT_EQ(yes.Wait(), 0);
+  PtySession maybe({"learn"});
+  ASSERT_TRUE(maybe.WaitFor("Type yes, or Enter for no.")) << maybe.all();
+  maybe.Send("maybe\n");
+  ASSERT_TRUE(maybe.WaitFor("Type yes or no.")) << maybe.all();
+  maybe.Send("yes\n");
+  ASSERT_TRUE(maybe.WaitFor("This is a demonstration of Moontrace")) << maybe.all();
+  maybe.Send("quit\n");
+  EXPECT_EQ(maybe.Wait(), 0);
   PtySession no({"learn"});
   ASSERT_TRUE(no.WaitFor("Type yes, or Enter for no.")) << no.all();
   no.Send("\n");
