@@ -64,12 +64,21 @@ void CheckTogether(const LearnOptions& options) {
   }
 }
 
-void SayBeginning(LearnStage& stage, const LearnOptions& options, bool keys, bool brief,
-                  LearnTeller& teller) {
+/// Who names a learner may still have wished for the demonstration: that is told the first time.
+void SayProgramsHand(const LearnMemory& memory, bool tutor, LearnTeller& teller) {
+  teller.Say(Priority::kText, say::ByProgramsHand());
+  teller.Say(Priority::kText, say::WhatProgramsHandDoes(memory.remembers()));
+  const bool tell = memory.trials() == 0 && !tutor;
+  if (tell) teller.Say(Priority::kText, say::DemonstrationIsAlone());
+}
+
+void SayBeginning(const LearnParts& parts, const LearnOptions& options, bool keys) {
+  LearnStage& stage = parts.stage;
+  LearnTeller& teller = parts.teller;
   LoopSession& session = stage.session();
+  const bool brief = parts.memory.brief() || options.brief;
   if (stage.simulated()) {
-    teller.Say(Priority::kText, say::Demonstration());
-    teller.Say(Priority::kText, say::DemonstrationCounts());
+    SayProgramsHand(parts.memory, options.tutor, teller);
   } else {
     teller.Say(Priority::kText, say::WithDevice(options.live.device));
     if (session.device().mouse()) teller.Say(Priority::kText, say::MouseIsSeen());
@@ -142,8 +151,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   LearnSession session(parts, options.seed,
                        keys ? say::KeysHelp(*keys, stage.lifts()) : say::LearnHelp(stage.lifts()));
   const std::unique_ptr<TutorDesk> tutor = DeskFor(options, parts, session, feed.get());
-  SayBeginning(stage, options, keys.has_value(), memory.brief() || options.brief,
-               teller);  // once nothing can be refused any more
+  SayBeginning(parts, options, keys.has_value());  // once nothing can be refused any more
   std::unique_ptr<LearnView> view;
   if (feed) view = std::make_unique<LearnView>(*feed, parts, session, *tutor, console);
   std::unique_ptr<PathListener> path;

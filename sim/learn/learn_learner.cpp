@@ -1,5 +1,6 @@
 #include "sim/learn/learn_learner.h"
 
+#include <algorithm>
 #include <ctime>
 #include <optional>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "lessons/records/learner_history.h"
 #include "sim/console/line_wrap.h"
+#include "sim/console/vocabulary.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
@@ -51,6 +53,21 @@ std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std
   }
 }
 
+/// Enter alone is no; none: neither was said.
+std::optional<bool> YesOrNo(const std::string& line) {
+  const std::string answer = LowerCase(line);
+  if (answer == "yes" || answer == "y") return true;
+  if (answer == "no" || answer == "n" || answer.empty()) return false;
+  return std::nullopt;
+}
+
+/// What is said in lessons, or in answer to a question, and would be kept as a name by mistake.
+bool IsNoName(const std::string& line) {
+  if (line.empty()) return false;
+  const TypedWord* word = WordNamed(LowerCase(line));
+  return YesOrNo(line) || (word != nullptr && word->HoldsIn(WordPlace::kLesson));
+}
+
 std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntry>& known,
                       LineReader& lines, LearnTeller& teller, const Console& console) {
   if (!options.learner.empty()) return options.learner;
@@ -59,12 +76,15 @@ std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntr
     if (!learner.simulated) names.push_back(learner.pseudonym);
   }
   if (names.size() == 1) return names.front();
-  const std::string question = names.empty() ? say::AskLearner() : say::AskWhich(names);
+  const std::string asked = names.empty() ? say::AskLearner() : say::AskWhich(names);
+  std::string question = asked;
   for (;;) {
     const std::optional<std::string> line =
-        Ask(lines, teller, question, say::QuitLeaves(), console);
+        Ask(lines, teller, std::exchange(question, asked), say::QuitLeaves(), console);
     if (!line) throw UsageError(say::NoLearner());
-    if (line->empty()) continue;
+    if (std::find(names.begin(), names.end(), *line) != names.end()) return *line;
+    if (IsNoName(*line)) question = say::WordIsNoName(*line);
+    if (line->empty() || IsNoName(*line)) continue;
     try {
       RequirePseudonym(*line);
       return *line;
@@ -119,10 +139,14 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
 }
 
 bool AskDemonstration(LineReader& lines, LearnTeller& teller, const Console& console) {
+  std::string question = say::AskDemonstration();
   try {
-    const auto line = Ask(lines, teller, say::AskDemonstration(), say::DemonstrationIs(), console);
-    const std::string answer = LowerCase(line.value_or(""));
-    return answer == "yes" || answer == "y";
+    for (;;) {
+      const auto line = Ask(lines, teller, question, say::DemonstrationIs(), console);
+      if (!line) return false;
+      if (const std::optional<bool> yes = YesOrNo(*line)) return *yes;
+      question = say::YesOrNo();
+    }
   } catch (const LeftAtQuestion&) {
     return false;
   }
@@ -136,13 +160,11 @@ void AskConsent(LearnMemory& memory, LineReader& lines, LearnTeller& teller,
     for (;;) {
       const auto line = Ask(lines, teller, question, say::ConsentHelp(), console);
       if (!line) return;
-      const std::string answer = LowerCase(*line);
-      const bool yes = answer == "yes" || answer == "y";
-      const bool no = answer == "no" || answer == "n" || answer.empty();
+      const std::optional<bool> yes = YesOrNo(*line);
       question = say::YesOrNo();
-      if (!yes && !no) continue;
-      memory.SetConsent(yes, say::kConsentVersion);
-      teller.Say(Priority::kText, say::ConsentGiven(yes));
+      if (!yes) continue;
+      memory.SetConsent(*yes, say::kConsentVersion);
+      teller.Say(Priority::kText, say::ConsentGiven(*yes));
       return teller.EndTurn();
     }
   } catch (const LeftAtQuestion&) {

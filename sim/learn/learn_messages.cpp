@@ -196,6 +196,9 @@ std::string ConsentGiven(bool yes) {
 }
 std::string YesOrNo() { return "Type yes or no."; }
 std::string NotAName() { return "Not a name: 1 to 60 printable characters, no slashes."; }
+std::string WordIsNoName(std::string_view word) {
+  return fmt::format("A word, not a name: {}. Who learns?", OneLine(word, 14));
+}
 std::string QuitLeaves() { return "The word quit ends, and nothing is kept yet."; }
 std::string LeftBeforeBeginning() { return "Ended before it began: nothing was kept."; }
 std::string NoRecords() {
@@ -215,12 +218,16 @@ std::string SimulatedOnly(std::string_view name) {
                      OneLine(name));
 }
 
-std::string Demonstration() {
-  return "Demonstration: nothing is felt. The program's own hand traces each page.";
+std::string ByProgramsHand() {
+  return "Nothing is felt: the program's own hand goes through the lessons.";
 }
-std::string DemonstrationCounts() {
-  return "Nothing counts here, so a sign comes again until you say next: trials are kept as "
-         "simulated and make no sign sure.";
+std::string WhatProgramsHandDoes(bool kept) {
+  return fmt::format("Its exercises {}make no sign sure, so a sign comes again until you say next.",
+                     kept ? "are kept, but " : "");
+}
+std::string DemonstrationIsAlone() {
+  return "The demonstration, of which nothing is kept: moontrace learn --device simulated, and "
+         "nothing behind it.";
 }
 std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));

@@ -115,6 +115,8 @@ std::string ConsentGiven(bool yes);
 std::string YesOrNo();
 std::string NotAName();
 std::string QuitLeaves();
+/// A word of lessons, where a name is asked.
+std::string WordIsNoName(std::string_view word);
 std::string LeftBeforeBeginning();
 std::string NoRecords();
 std::string NotKept(std::string_view why);
@@ -123,8 +125,10 @@ std::string NeverKept(std::size_t trials);
 std::string SimulatedOnly(std::string_view name);
 
 // How a session begins and ends.
-std::string Demonstration();
-std::string DemonstrationCounts();
+/// Lessons of a learner, without a device.
+std::string ByProgramsHand();
+std::string WhatProgramsHandDoes(bool kept);
+std::string DemonstrationIsAlone();
 std::string WithDevice(std::string_view device);
 std::string NotFelt();
 std::string LearnScaled();

@@ -63,7 +63,7 @@ std::string RecordedStrokeIs(double seconds) {
 std::string NothingRecorded() { return "Nothing recorded: the page was not touched."; }
 std::string NoStrokeYet() { return "No stroke yet: say record first."; }
 std::string CannotRecord() {
-  return "No recording in a demonstration: take a device, with learn --device.";
+  return "No recording: the program's own hand is on the page. It needs a device.";
 }
 std::string CannotLead() { return "Nothing can lead a hand here: the device has no motors."; }
 

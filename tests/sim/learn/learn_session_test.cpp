@@ -58,7 +58,9 @@ TEST_F(LearnSessionTest, SaysFirstThatNothingIsFeltAndEndsWithItsInput) {
   const std::vector<std::string> lines = Lines(outcome.out);
   ASSERT_GE(lines.size(), 2U);
   EXPECT_EQ(lines[0], "New learner: ann.");
-  EXPECT_EQ(lines[1].rfind("Demonstration: nothing is felt.", 0), 0U);
+  EXPECT_EQ(lines[1].rfind("Nothing is felt: the program's own hand", 0), 0U);
+  EXPECT_TRUE(Holds(outcome.out, "exercises are kept, but make no sign sure")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "The demonstration, of which nothing is kept: ")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "a sign comes again until you say next")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Welcome to Small course.")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2: First lesson.")) << outcome.out;
@@ -333,6 +335,21 @@ TEST_F(LearnSessionTest, AsksLastAndOnceWhetherTheHandsPathMayBeKept) {
 TEST_F(LearnSessionTest, IsReportedWithItsDevices) {
   const FakeHid fake("moontrace-raw");
   const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+TEST_F(LearnSessionTest, TakesNoWordOfLessonsForAName) {
+  const std::vector<std::string> args = {
+      "learn", "--course", In("course"), "--records", In("records.sqlite"), "--device",
+      "simulated"};
+  const Outcome outcome = RunLine(args, "next\nno\nStop\nmark\nquit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  ASSERT_GE(lines.size(), 5U) << outcome.out;
+  EXPECT_EQ(lines[1], "A word, not a name: next. Who learns?");
+  EXPECT_EQ(lines[2], "A word, not a name: no. Who learns?");
+  EXPECT_EQ(lines[3], "A word, not a name: Stop. Who learns?");
+  EXPECT_EQ(lines[4], "New learner: mark.");
+  EXPECT_EQ(Records::OpenToRead(In("records.sqlite")).Learners().size(), 1U);
+}
+
   ASSERT_EQ(RunLine(Learn(), "next\nquit\n").code, 0);
   ASSERT_EQ(RunLine(Learn({"--device", name}), "next\nnext\nquit\n").code, 0);
   ASSERT_EQ(RunLine(Learn({"--device", name}), "next\nquit\n").code, 0);
