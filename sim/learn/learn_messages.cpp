@@ -250,6 +250,22 @@ std::string SessionEnded(std::size_t trials, std::size_t sure) {
 }
 std::string EndOfInput() { return "End of input: the session ends."; }
 std::string LostTrial() { return "This try does not count: the device was lost."; }
+std::string MendDevice(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::kPid:
+      return "The lesson waits. Look at the device's plug, its power and its safety switch.";
+    case DeviceKind::kWoodenHaptics:
+      return "The lesson waits. Look at the arm's plug and its power; then lay the arm in its rest, "
+             "as I shall tell.";
+    case DeviceKind::kRawHid:
+    case DeviceKind::kPlugin:
+      return "The lesson waits. Look at the device's plug and its power.";
+    case DeviceKind::kPuck:
+      break;
+  }
+  return "The lesson waits. Look at the device's plug.";
+}
+std::string WaitsForDevice() { return "The lesson waits for the device: nothing counts now."; }
 std::string SizesEndAt(double size, double smallest) {
   if (size < 0.999 * smallest) {
     return fmt::format("No letters are clear on this device: they stay at {}.", Millimetres(size));

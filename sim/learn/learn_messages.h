@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "devices/core/profile.h"
 #include "lessons/course/course.h"
 #include "lessons/measure/intended_strokes.h"
 #include "lessons/progress/lesson_machine.h"
@@ -114,9 +115,9 @@ inline constexpr const char* kConsentVersion = "tracks-2";
 std::string ConsentGiven(bool yes);
 std::string YesOrNo();
 std::string NotAName();
-std::string QuitLeaves();
 /// A word of lessons, where a name is asked.
 std::string WordIsNoName(std::string_view word);
+std::string QuitLeaves();
 std::string LeftBeforeBeginning();
 std::string NoRecords();
 std::string NotKept(std::string_view why);
@@ -137,6 +138,10 @@ std::string LearnBeginsWithKeys();
 std::string SessionEnded(std::size_t trials, std::size_t sure);
 std::string EndOfInput();
 std::string LostTrial();
+/// What to do where a device of that kind is lost, and that the lesson waits.
+std::string MendDevice(DeviceKind kind);
+/// The answer to what cannot be done meanwhile.
+std::string WaitsForDevice();
 // Of a device that renders no letters below `smallest` [m]; infinite: none.
 std::string SizesEndAt(double size, double smallest);
 std::string NoRoomFor(double wanted, double got);

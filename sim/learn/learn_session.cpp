@@ -20,6 +20,7 @@ namespace {
 using lesson_action::Await;
 
 constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
+constexpr double kSpeaksWithin = 2;   ///< a device that is back has said where its tip is [s]
 constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
 
 bool IsSize(lesson_action::Sentence sentence) {
@@ -223,16 +224,41 @@ void LearnSession::Happened(const LoopEvent& event, const std::string& sentence)
   if (safety && stopped_ && stage_.simulated()) return;
   if (event.kind == LoopEventKind::kSay) return Where();
   if (event.kind == LoopEventKind::kBookmark) return EndTrace();
+  if (event.kind == LoopEventKind::kDeviceBack) back_ = true;
   if (safety && event.safety == SafetyEvent::kDeviceLost) {
-    teller_.Say(Priority::kImportant, sentence);
-    if (stage_.trace().touched()) teller_.Say(Priority::kText, say::LostTrial());
-    stage_.Restart();
-    felt_ = 0;
+    GoAway(sentence);
   } else if (safety && TakesForceAway(event.safety)) {
     teller_.Say(Priority::kImportant, sentence);
   } else {
     teller_.Happening(Priority::kText, sentence);
   }
+}
+
+void LearnSession::GoAway(const std::string& sentence) {
+  teller_.Say(Priority::kImportant, sentence);
+  if (stage_.trace().touched()) teller_.Say(Priority::kText, say::LostTrial());
+  if (!mend_told_) teller_.Say(Priority::kText, say::MendDevice(stage_.kind()));
+  mend_told_ = away_ = true;
+  back_ = led_by_tutor_ = false;
+  there_ = 0;
+  stage_.LetGo();
+  felt_ = 0;
+}
+
+/// What is shown begins anew.
+void LearnSession::ComeBack() {
+  away_ = false;
+  stage_.LetGo();
+  felt_ = 0;
+  teller_.Say(Priority::kText, Awaited());
+}
+
+/// It is back once it says where the tip is. One that is there and says nothing keeps nobody
+/// waiting: what is to be said of it, the loop says.
+void LearnSession::LookAtDevice(const LoopSnapshot& newest) {
+  if (!away_) return;
+  there_ = newest.present ? there_ + passed_ : 0;
+  if (newest.present && (back_ || there_ >= kSpeaksWithin)) ComeBack();
 }
 
 void LearnSession::Reported(const std::string& sentence, bool urgent) {
@@ -242,15 +268,17 @@ void LearnSession::Reported(const std::string& sentence, bool urgent) {
 /// What was felt counts only where nothing stopped it: that is known before the samples come.
 void LearnSession::Stands(const LoopSnapshot& newest) {
   LookAtStop();
+  LookAtDevice(newest);
   if (!stopped_ && newest.present) felt_ += passed_;
 }
 
-void LearnSession::Felt(const LoopSample& sample) { stage_.Add(sample, !stopped_); }
+void LearnSession::Felt(const LoopSample& sample) { stage_.Add(sample, !stopped_ && !away_); }
 
 /// A hand that is led has come to the end, a simulated one has been round the page, or one that
 /// follows has covered enough and is lifted.
 void LearnSession::LookAtTrace() {
   const LoopSnapshot& newest = poll_.newest();
+  if (away_) return;
   const bool led = newest.guided && newest.guidance_done;
   const LearnTrace& trace = stage_.trace();
   if (led_by_tutor_) {

@@ -40,6 +40,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   const LessonState& state() const override { return state_; }
   const LoopPoll& poll() const override { return poll_; }
   bool stopped() const override { return stopped_; }
+  bool waits() const override { return away_; }
   bool over() const override { return over_; }
   std::string Status() const override;
   std::vector<std::string> StatusForTutor() const override;
@@ -83,6 +84,10 @@ class LearnSession : public RunningLesson, private LoopListener {
   void Stands(const LoopSnapshot& newest) override;
   void Felt(const LoopSample& sample) override;
   void LookAtStop();
+  void LookAtDevice(const LoopSnapshot& newest);
+  void GoAway(const std::string& sentence);
+  void ComeBack();
+  bool WaitsWith(const LearnLine& read) const;
   void LookAtTrace();
   void SayPath();
   Trial Flags(Trial measured) const;
@@ -107,6 +112,10 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool stopped_ = false, stopped_by_tutor_ = false;
   bool paused_ = false;  ///< stopped by "pause", not by "stop"
   bool over_ = false;
+  bool away_ = false;  ///< the device is lost: nothing is asked, led or counted
+  bool back_ = false;  ///< it was told that it is there again
+  bool mend_told_ = false;  ///< once a session
+  double there_ = 0;   ///< while away: how long it has been there again [s]
   double felt_ = 0;    ///< time that the page could be felt [s]
   double passed_ = 0;  ///< between the last two looks [s]
   Clock::time_point looked_, ordered_, ticked_;

@@ -71,6 +71,10 @@ void LearnSession::Obey(const std::string& line) {
   const bool goes = stopped_ && (line == "go" || line == "go ");
   const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
   asks_text_ = false;
+  if (WaitsWith(read)) {
+    teller_.Say(Priority::kText, say::WaitsForDevice());
+    return teller_.EndTurn();
+  }
   switch (read.kind) {
     case LearnLine::Kind::kWord:
       if (!read.answer.empty()) {
@@ -119,8 +123,27 @@ void LearnSession::Obey(const std::string& line) {
   teller_.EndTurn();
 }
 
+/// What would ask, lead, show or count something has to wait for a device that is lost.
+bool LearnSession::WaitsWith(const LearnLine& read) const {
+  if (!away_) return false;
+  if (read.kind == LearnLine::Kind::kRefused || read.kind == LearnLine::Kind::kNothing) return false;
+  if (read.kind != LearnLine::Kind::kWord) return true;
+  if (!read.answer.empty()) return false;  // help with a word
+  if (SaidToMachine(read.word)) return true;
+  switch (read.word) {
+    case LearnWord::kNext:
+    case LearnWord::kBack:
+    case LearnWord::kDone:
+    case LearnWord::kMyText:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::string LearnSession::Awaited() const {
   const bool felt = stage_.pushes();
+  if (away_ && !stopped_) return say::WaitsForDevice();
   if (stopped_) return paused_ ? say::Pausing(felt) : say::Event(SafetyEvent::kStopped, felt);
   if (led_by_tutor_) return say::LedNow();
   if (await_ == Await::kTrace && stage_.simulated()) return say::ProgramTraces();

@@ -84,15 +84,25 @@ double SmallestFelt(const std::string& device, double press) {
   return 0;
 }
 
-double SmallestByProfile(const std::string& device) {
+namespace {
+
+/// By the shipped profiles: the device need not be there.
+std::optional<DeviceProfile> ProfileOf(const std::string& device) {
   const std::size_t dash = device.rfind('-');
   const bool numbered = dash != std::string::npos && dash + 1 < device.size() &&
                         device.find_first_not_of("0123456789", dash + 1) == std::string::npos;
   const std::string kind = numbered ? device.substr(0, dash) : device;
   for (const DeviceProfile& profile : LoadProfiles(ProfilesFolder())) {
-    if (profile.name == device || profile.name == kind) return SmallestLetter(profile);
+    if (profile.name == device || profile.name == kind) return profile;
   }
-  return 0;
+  return std::nullopt;
+}
+
+}  // namespace
+
+double SmallestByProfile(const std::string& device) {
+  const std::optional<DeviceProfile> profile = ProfileOf(device);
+  return profile ? SmallestLetter(*profile) : 0;
 }
 
 LearnStage::LearnStage(const StageOptions& options, Console& console)
@@ -232,6 +242,11 @@ void LearnStage::Add(const LoopSample& sample, bool counts) {
   if (tap_) tap_(sample);
   if (watch_) watch_(sample);
   if (counts && sample.page == session_.felt().number) trace_->Add(sample);
+}
+
+DeviceKind LearnStage::kind() const {
+  const std::optional<DeviceProfile> profile = ProfileOf(session_.device().name());
+  return profile ? profile->kind : DeviceKind::kPlugin;
 }
 
 bool LearnStage::pushes() const { return !simulated() && session_.device().pushes(); }

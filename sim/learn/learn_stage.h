@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "devices/core/profile.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/progress/lesson_machine.h"
 #include "sim/learn/learn_trace.h"
@@ -76,6 +77,8 @@ class LearnStage {
   bool pushes() const;
   /// The tip can be lowered onto a paper that is felt, and lifted off it.
   bool lifts() const { return lifts_; }
+  /// Of the device; of none that is known by a profile a plug-in.
+  DeviceKind kind() const;
   bool simulated() const { return session_.device().simulated(); }
   LoopSession& session() { return session_; }
   const LoopSession& session() const { return session_; }

@@ -11,6 +11,7 @@
 #include "lessons/progress/lesson_path.h"
 #include "sim/console/word_messages.h"
 #include "sim/learn/learn_memory.h"
+#include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
 #include "sim/learn/learn_tutor_messages.h"
@@ -24,6 +25,24 @@ namespace {
 
 /// Tutors who come in through the door have numbers from 1.
 constexpr std::size_t kAtWindow = 0;
+
+/// What would ask, lead or show something has to wait for a device that is lost.
+bool NeedsDevice(const TutorCommand& command) {
+  switch (command.word) {
+    case TutorWord::kShow:
+    case TutorWord::kPlayback:
+    case TutorWord::kRecord:
+    case TutorWord::kAgain:
+    case TutorWord::kSkip:
+    case TutorWord::kNext:
+    case TutorWord::kNextLesson:
+    case TutorWord::kLesson:
+    case TutorWord::kPlace:
+      return true;
+    default:
+      return false;
+  }
+}
 
 /// The lesson machine says what became of it, before the page shows it.
 bool LessonTells(const TutorCommand& command) {
@@ -100,6 +119,9 @@ void TutorDesk::TellWords(std::size_t tutor, const std::string& word) {
 }
 
 void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
+  if (lesson_.waits() && NeedsDevice(command)) {
+    return Answer(line.tutor, say::WaitsForDevice());
+  }
   switch (command.word) {
     case TutorWord::kQuestion:
       return TellWords(line.tutor, command.text);

@@ -40,6 +40,8 @@ class RunningLesson : public RunningStage {
   virtual const LessonState& state() const = 0;
   /// It has ended, or is about to.
   virtual bool over() const = 0;
+  /// The device is lost: the lesson waits for it.
+  virtual bool waits() const = 0;
   /// Lesson and step: one line.
   virtual std::string Status() const = 0;
   /// What a tutor wants to know besides: size, help and push; what was last right and wrong.

@@ -28,7 +28,9 @@ std::unique_ptr<Device> OpenHomed(const DeviceRequest& request, const std::strin
   if (is_stopped()) throw Interrupted();
   if (!is_homed) {
     throw DeviceError(
-        fmt::format("{}: was not put in its rest within {} s: try again", request.name, longest));
+        fmt::format("{}: was not put in its rest within {} s: begin again, and move the arm a "
+                    "little, lay it in its rest, hold it still for a second",
+                    request.name, longest));
   }
   return device;
 }

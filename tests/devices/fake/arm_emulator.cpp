@@ -80,6 +80,8 @@ class ArmEmulator final : public Emulator {
     }
   }
 
+  void Open() override { began_ = -1; }
+
   void Output(Bytes r, double time, const Send& send) override {
     if (began_ < 0) began_ = time;
     Advance(time, send);

@@ -35,6 +35,8 @@ class Emulator {
   /// Motion up to `time`; sends the reports that fall due. Called every millisecond or so, but also
   /// after gaps.
   virtual void Advance(double time, const Send& send) = 0;
+  /// The host has opened it, and nothing else had it open: who must home it does so again.
+  virtual void Open() {}
   /// The host wrote `report`; byte 0 is its number, 0 if the device does not number reports.
   virtual void Output(Bytes report, double time, const Send& send) = 0;
   /// False: the device refuses.

@@ -96,6 +96,7 @@ hid_device_* OpenHere(const char* path) {
     return nullptr;
   }
   if (port->opened < 0) port->opened = Now();
+  if (port->handles.empty()) port->emulator->Open();
   auto* const handle = new hid_device_;
   handle->port = port;
   handle->plugging = port->plugging;

@@ -249,6 +249,52 @@ TEST_F(LearnSessionTest, LeavesASignOfADemonstrationAtNext) {
   EXPECT_TRUE(session.WaitFor("Skipped, not sure yet: i.")) << session.all();
 }
 
+// It is told once how to mend it; nothing is led, asked or counted until it is back.
+TEST_F(LearnSessionTest, WaitsForADeviceThatIsLost) {
+  SKIP_WITHOUT_TERMINALS();
+  const std::pair<const char*, const char*> kinds[] = {
+      {"polhem", "plug and its power; then lay the arm in its rest"},
+      {"pid", "plug, its power and its safety switch."},
+      {"moontrace-raw", "plug and its power."}};
+  for (const auto& [kind, mend] : kinds) {
+    const FakeHid fake(kind, "unplug@6000");
+    const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+    PtySession session(Learn({"--device", name}), 200);
+    ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+    ASSERT_TRUE(session.WaitFor("Device lost: ")) << session.all();
+    ASSERT_TRUE(session.WaitFor(mend)) << session.all();
+    for (const char* word : {"next", "lesson 2", "my text it", "again", "done"}) {
+      session.Send(std::string(word) + "\n");
+      EXPECT_TRUE(session.WaitFor("The lesson waits for the device: nothing counts now."))
+          << word << session.all();
+    }
+    session.Send("where\n");
+    EXPECT_TRUE(session.WaitFor("Lesson 1 of 2, step 1 of 8")) << session.all();
+    session.Send("quit\n\n");
+    EXPECT_EQ(session.Wait(), 4) << session.all();
+    EXPECT_FALSE(Holds(session.all(), "be led")) << session.all();
+    const std::size_t told = session.all().find("Look at the");
+    EXPECT_EQ(told, session.all().rfind("Look at the")) << session.all();
+  }
+}
+
+TEST_F(LearnSessionTest, GoesOnOnceALostDeviceIsBack) {
+  SKIP_WITHOUT_TERMINALS();
+  for (const char* kind : {"polhem", "moontrace-raw"}) {
+    const FakeHid fake(kind, "replug@6000");
+    const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+    PtySession session(Learn({"--device", name}), 200);
+    ASSERT_TRUE(session.WaitFor("Device lost: ")) << session.all();
+    ASSERT_TRUE(session.WaitFor("Device back")) << session.all();
+    ASSERT_TRUE(session.WaitFor("Say next to go on; the page lies there until then.\r\n"))
+        << session.all();
+    session.Send("next\n");
+    EXPECT_TRUE(session.WaitFor("hand be led: i.")) << session.all();
+    session.Send("quit\n\n");
+    EXPECT_EQ(session.Wait(), 0) << session.all();
+  }
+}
+
 // This arm's hand taps the paper now and then, and follows nothing.
 TEST_F(LearnSessionTest, NextNeverKeepsOneAtATrace) {
   SKIP_WITHOUT_TERMINALS();
@@ -287,6 +333,21 @@ TEST_F(LearnSessionTest, AsksAgainForANameThatCannotBe) {
   session.Send("quit\n");
   EXPECT_EQ(session.Wait(), 0);
   ExpectStream(session.all());
+}
+
+TEST_F(LearnSessionTest, TakesNoWordOfLessonsForAName) {
+  const std::vector<std::string> args = {
+      "learn", "--course", In("course"), "--records", In("records.sqlite"), "--device",
+      "simulated"};
+  const Outcome outcome = RunLine(args, "next\nno\nStop\nmark\nquit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  ASSERT_GE(lines.size(), 5U) << outcome.out;
+  EXPECT_EQ(lines[1], "A word, not a name: next. Who learns?");
+  EXPECT_EQ(lines[2], "A word, not a name: no. Who learns?");
+  EXPECT_EQ(lines[3], "A word, not a name: Stop. Who learns?");
+  EXPECT_EQ(lines[4], "New learner: mark.");
+  EXPECT_EQ(Records::OpenToRead(In("records.sqlite")).Learners().size(), 1U);
 }
 
 TEST_F(LearnSessionTest, KeepsNobodyWhoLeavesAtAQuestion) {
@@ -335,21 +396,6 @@ TEST_F(LearnSessionTest, AsksLastAndOnceWhetherTheHandsPathMayBeKept) {
 TEST_F(LearnSessionTest, IsReportedWithItsDevices) {
   const FakeHid fake("moontrace-raw");
   const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
-TEST_F(LearnSessionTest, TakesNoWordOfLessonsForAName) {
-  const std::vector<std::string> args = {
-      "learn", "--course", In("course"), "--records", In("records.sqlite"), "--device",
-      "simulated"};
-  const Outcome outcome = RunLine(args, "next\nno\nStop\nmark\nquit\n");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const std::vector<std::string> lines = Lines(outcome.out);
-  ASSERT_GE(lines.size(), 5U) << outcome.out;
-  EXPECT_EQ(lines[1], "A word, not a name: next. Who learns?");
-  EXPECT_EQ(lines[2], "A word, not a name: no. Who learns?");
-  EXPECT_EQ(lines[3], "A word, not a name: Stop. Who learns?");
-  EXPECT_EQ(lines[4], "New learner: mark.");
-  EXPECT_EQ(Records::OpenToRead(In("records.sqlite")).Learners().size(), 1U);
-}
-
   ASSERT_EQ(RunLine(Learn(), "next\nquit\n").code, 0);
   ASSERT_EQ(RunLine(Learn({"--device", name}), "next\nnext\nquit\n").code, 0);
   ASSERT_EQ(RunLine(Learn({"--device", name}), "next\nquit\n").code, 0);
