@@ -162,8 +162,8 @@ RawTerminal::RawTerminal() {
   }
   Install(SIGTSTP, StopTerminal, &before_stop);
   Install(SIGCONT, GoOnTerminal, &before_go_on);
+  keeper.Start();  // before there is anything to give back: a kill may come at any moment
   tcsetattr(STDIN_FILENO, TCSANOW, &raw);
-  keeper.Start();
 }
 
 RawTerminal::~RawTerminal() {

@@ -13,6 +13,7 @@ namespace moontrace {
 namespace {
 
 class LoopCommand : public CliTest {};
+class LoopTerminal : public CliTest {};  // nothing of it depends on real time
 
 bool Holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -228,7 +229,7 @@ TEST_F(LoopCommand, BringsALineBackAtATerminalAndPrintsNoArrow) {
   EXPECT_EQ(session.all().find("[A"), std::string::npos) << session.all();
 }
 
-TEST_F(LoopCommand, GivesTheTerminalBackEvenWhereItIsKilled) {
+TEST_F(LoopTerminal, IsGivenBackEvenWhereTheProgramIsKilled) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session({"loop", "MOON"});
   ASSERT_TRUE(session.WaitFor("? tells the words.")) << session.all();
