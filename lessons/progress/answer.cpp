@@ -73,8 +73,8 @@ bool DoesNotKnow(std::string_view said) {
     }
   }
   for (const std::string_view words :
-       {"dont know", "do not know", "dunno", "have no idea", "no idea", "cant tell",
-        "cannot tell", "am not sure", "not sure", "give up"}) {
+       {"dont know", "do not know", "dunno", "have no idea", "no idea", "cant tell", "cannot tell",
+        "am not sure", "not sure", "give up"}) {
     if (plain == words || plain == std::string(words) + " it") return true;
   }
   return false;

@@ -226,7 +226,7 @@ void PresentOwnText(Turn& turn, const std::string& text) {
   state.question = Question::kName;
   state.review = state.probe = false;
   Ask(turn);
-  const std::string unmet = UnmetSigns(state.progress, text);
+  const std::string unmet = UnmetSigns(turn.course, state.progress, text);
   if (!unmet.empty()) Say(turn, Sentence::kNotLearnt, unmet);
   ShowPage(turn);
 }

@@ -92,6 +92,7 @@ enum class Sentence {
   kProbe,        ///< this one without help
   kRight,        ///< text: item
   kWrong,        ///< text: item, other: answer
+  kTold,         ///< to who does not know; text: item
   kNotAnAnswer,  ///< text: answer, that is no item the learner knows
   kTraceGood,    ///< text: item; value: coverage
   kTraceBad,     ///< text: item; value: coverage
@@ -103,7 +104,8 @@ enum class Sentence {
   kSizeNow,      ///< value: size [m]
   kModeNow,      ///< text: guidance mode
   kByRules,      ///< what was overruled is chosen by the rules again
-  kSkipped,      ///< text: item or lesson's title; it is left and not sure
+  kSkipped,      ///< text: item; it is left and not sure
+  kLessonLeft,   ///< text: title of a lesson that is not done
   kCannotLarger,
   kCannotSmaller,
   kNoMoreHelp,
@@ -121,6 +123,7 @@ enum class Sentence {
   kNoHint,          ///< number: 1 while it is asked
   kNotAsked,        ///< text: an answer where nothing was asked
   kNotNow,          ///< a trace where none was awaited
+  kNoWayBack,       ///< something is asked: there is no page before
   kNoTextBefore,    ///< nothing to go back to in this lesson
   kNoSuchLesson,    ///< text: what was asked for
   kLastLesson,      ///< there is no next one

@@ -108,7 +108,7 @@ void EndStepNow(Turn& turn, const Lesson& lesson, const Step& step) {
   if (now.lesson == lesson.id && now.step == place + 1 && now.step < lesson.steps.size()) return;
   if (failed && now.lesson == lesson.id && now.step <= place)
     return Say(turn, Sentence::kTestAgain);
-  Say(turn, IsDone(turn, lesson) ? Sentence::kLessonDone : Sentence::kSkipped, lesson.title);
+  Say(turn, IsDone(turn, lesson) ? Sentence::kLessonDone : Sentence::kLessonLeft, lesson.title);
   turn.state.lesson_announced.clear();
 }
 
@@ -139,7 +139,7 @@ void GoOn(Turn& turn) {
 void GoToLesson(Turn& turn, const Lesson& lesson) {
   LessonState& state = turn.state;
   if (const Lesson* left = LessonNow(turn); left != nullptr && !IsDone(turn, *left)) {
-    Say(turn, Sentence::kSkipped, left->title);
+    Say(turn, Sentence::kLessonLeft, left->title);
   }
   KeepArrival(turn, lesson);
   ForgetStep(turn);

@@ -95,12 +95,13 @@ std::string ItemOfStep(const Turn& turn) {
 
 /// What was said as an answer to the present question, and whether it is right.
 struct Reply {
-  std::string answer;
+  std::string answer;  ///< empty: not known
   bool right = false;
 };
 
 std::optional<Reply> ReplyOf(const Turn& turn, const std::string& text) {
   const LessonState& state = turn.state;
+  if (DoesNotKnow(text)) return Reply{};
   if (state.question == Question::kSame) {
     const std::optional<bool> same = SameSaid(text);
     if (!same) return std::nullopt;
@@ -154,8 +155,10 @@ void HandleAnswered(Turn& turn, const lesson_event::Answered& answered) {
   const ItemProgress before = ProgressOf(turn, state.item);
   Keep(turn, std::move(trial));
   if (state.task != StepKind::kTest) {
+    const bool unknown = reply->answer.empty();
     if (reply->right) Say(turn, Sentence::kRight, shown);
-    if (!reply->right) Say(turn, Sentence::kWrong, shown, reply->answer);
+    if (unknown) Say(turn, Sentence::kTold, shown);
+    if (!reply->right && !unknown) Say(turn, Sentence::kWrong, shown, reply->answer);
     SayChange(turn, state.item, before);
     OfferLesson(turn, before);
     if (!reply->right) AskAgainLater(turn, before);

@@ -112,6 +112,10 @@ void Again(Turn& turn) {
 /// To the newest page of this lesson that was there to be felt or read: the signs behind it come
 /// again where they are not sure.
 void Back(Turn& turn) {
+  if (IsAsked(turn)) {
+    Say(turn, Sentence::kNoWayBack);
+    return AwaitNow(turn, turn.state.await);
+  }
   const Lesson* lesson = LessonNow(turn);
   for (std::size_t step = turn.state.progress.step; lesson != nullptr && step > 0; --step) {
     const StepKind kind = lesson->steps[step - 1].kind;

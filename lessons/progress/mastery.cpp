@@ -141,7 +141,7 @@ std::vector<std::string> PartsOf(const Course& course, const Progress& progress,
   return parts;
 }
 
-std::string UnmetSigns(const Progress& progress, std::string_view given) {
+std::string UnmetSigns(const Course& course, const Progress& progress, std::string_view given) {
   const std::string text = LowerCase(given);
   std::string list;
   std::set<std::string> listed = {" ", "\t", "\n", "\r"};
@@ -154,7 +154,9 @@ std::string UnmetSigns(const Progress& progress, std::string_view given) {
     std::size_t end = at + std::max<std::size_t>(1, met);
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) ++end;
     const std::string sign = text.substr(at, end - at);
-    if (met == 0 && listed.insert(sign).second) list += (list.empty() ? "" : ", ") + sign;
+    if (met == 0 && listed.insert(sign).second) {
+      list += (list.empty() ? "" : ", ") + std::string(NameOf(course, sign));
+    }
     at = end;
   }
   return list;

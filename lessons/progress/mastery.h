@@ -53,9 +53,9 @@ bool TracesCount(const Practice& practice, const ItemProgress& item);
 std::vector<std::string> PartsOf(const Course& course, const Progress& progress,
                                  std::string_view item);
 
-/// Characters of a text, each once, that belong to no sign that the learner has met: "g, w"; empty:
-/// none.
-std::string UnmetSigns(const Progress& progress, std::string_view given);
+/// Characters of a text, each once and by its name in the course, that belong to no sign that the
+/// learner has met: "g, comma"; empty: none.
+std::string UnmetSigns(const Course& course, const Progress& progress, std::string_view given);
 
 /// Place of the ladder at which a new item begins: the first; for one that no lesson teaches (a
 /// word), the largest size at which a letter of it is still worked on.

@@ -16,6 +16,7 @@
 #include "lessons/course/spelling.h"
 #include "sim/audio/sound_messages.h"
 #include "sim/demonstration/demonstrate.h"
+#include "sim/learn/key_wording.h"
 #include "sim/learn/learn_drive.h"
 #include "sim/learn/learn_keys.h"
 #include "sim/learn/learn_learner.h"
@@ -133,6 +134,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   const std::unique_ptr<Speech> speech = SpeechFor(options, course);
   const std::unique_ptr<Sound> sound = SoundFor(options);
   LearnTeller teller(console, speech.get(), sound.get());
+  if (keys) teller.SetWording([&keys](std::string_view line) { return WithKeys(line, *keys); });
   LineReader lines(console.in());
   std::optional<LearnMemory> opened = OpenMemory(options, course, lines, teller, console);
   if (!opened) return exit_code::kGood;
@@ -171,9 +173,9 @@ int Learn(LearnOptions options, Course course, Console& console) {
   }
   input.reset();
   const std::size_t lost = session.End();
-  // who closed the window is not at the terminal
-  const bool asks =
-      at_terminal && session.over() && !stage.simulated() && !(feed && feed->closed());
+  // who closed the window, or left by it, is not at the terminal
+  const bool by_window = (feed && feed->closed()) || (view && view->left());
+  const bool asks = at_terminal && session.over() && !stage.simulated() && !by_window;
   if (asks) AskConsent(memory, lines, teller, console);
   if (feed) SayView(*feed, options.view, console);
   if (lost > 0) throw LackError(say::NeverKept(lost));

@@ -40,7 +40,7 @@ std::string WordShortElsewhere(std::string_view given, std::string_view elsewher
 }
 
 std::string WordUnknown(std::string_view given, std::string_view nearest) {
-  return fmt::format("Unknown: {}. {}Type ? for the words.", OneLine(given, 20),
+  return fmt::format("Unknown: {}. {}Type ? for the words.", Unstopped(OneLine(given, 20)),
                      nearest.empty() ? std::string() : fmt::format("Did you mean {}? ", nearest));
 }
 
@@ -58,6 +58,12 @@ std::string WordCannotBe(std::string_view word, std::string_view given, std::str
 
 std::string WordOutOfRange(std::string_view word, std::string_view given, std::string_view wants) {
   return fmt::format("No {} {}, out of range: it wants {}.", word, Given(given), wants);
+}
+
+std::string Unstopped(std::string text) {
+  const auto last = text.find_last_not_of(". ");
+  if (last != std::string::npos) text.erase(last + 1);
+  return text;
 }
 
 std::string NoTerminal() { return "single keys need a terminal: standard input is none"; }

@@ -5,7 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/console/vocabulary.h"
 #include "sim/demonstration/demonstration.h"
+#include "sim/demonstration/demonstration_messages.h"
+#include "sim/learn/key_wording.h"
 #include "sim/learn/learn_sound.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
@@ -30,7 +33,7 @@ void Drive(Demonstration& demonstration, LearnStage& stage, const DriveParts& pa
            std::optional<double> seconds, const Console& console) {
   constexpr int kPoll = 20;  // [ms]
   const auto begin = Demonstration::Clock::now();
-  const auto obey = [&](const std::string& line) { demonstration.Obey(line); };
+  const auto obey = [&](const ViewLine& line) { demonstration.Obey(line.text); };
   while (!demonstration.over()) {
     console.CheckStop();
     const auto now = Demonstration::Clock::now();
@@ -50,6 +53,14 @@ void Drive(Demonstration& demonstration, LearnStage& stage, const DriveParts& pa
   }
 }
 
+/// Those of the keys whose word is one here.
+KeyMap KeysHere(KeyMap keys) {
+  std::erase_if(keys, [](const auto& one) {
+    return !WordNamed(one.second)->HoldsIn(WordPlace::kDemonstration);
+  });
+  return keys;
+}
+
 }  // namespace
 
 bool IsDemonstration(const LearnOptions& options) {
@@ -57,16 +68,20 @@ bool IsDemonstration(const LearnOptions& options) {
          !options.tutor && options.course == LearnOptions().course;
 }
 
-int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& keys,
+int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_keys,
                 const Course& course, Console& console) {
+  std::optional<KeyMap> keys;
+  if (all_keys) keys = KeysHere(*all_keys);
   const std::vector<DemonstrationStep> steps = ShippedDemonstration();
   const std::unique_ptr<Speech> speech = SpeechFor(options, course);
   const std::unique_ptr<Sound> sound = SoundFor(options);
   LearnTeller teller(console, speech.get(), sound.get());
+  if (keys) teller.SetWording([&keys](std::string_view line) { return WithKeys(line, *keys); });
   LineReader lines(console.in());
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
   LearnStage stage({options.live, options.press, options.seed}, console);
-  Demonstration demonstration(steps, stage, teller);
+  Demonstration demonstration(steps, stage, teller,
+                              keys ? say::DemonstrationKeysHelp(*keys) : say::DemonstrationHelp());
   std::unique_ptr<PathListener> path;
   if (sound) path = std::make_unique<PathListener>(*sound, stage, teller, demonstration);
   if (feed) {

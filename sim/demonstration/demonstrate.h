@@ -13,9 +13,9 @@ namespace moontrace {
 bool IsDemonstration(const LearnOptions& options);
 
 /// Tells the shipped demonstration to the console, until it ends by itself or by a word; exit code.
-/// `keys`: single keys without Enter. Throws InputError (an own table of sounds), DeviceError,
+/// `all_keys`: single keys without Enter. Throws InputError (an own table of sounds), DeviceError,
 /// Interrupted.
-int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& keys,
+int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_keys,
                 const Course& course, Console& console);
 
 }  // namespace moontrace

@@ -85,10 +85,11 @@ std::vector<DemonstrationStep> ShippedDemonstration() {
 }
 
 Demonstration::Demonstration(const std::vector<DemonstrationStep>& steps, LearnStage& stage,
-                             LearnTeller& teller)
+                             LearnTeller& teller, std::vector<std::string> help)
     : steps_(steps),
       stage_(stage),
       teller_(teller),
+      help_(std::move(help)),
       poll_(stage.session().loop(), stage.session().device()) {}
 
 void Demonstration::WaitFor(double seconds) {
@@ -226,7 +227,7 @@ void Demonstration::Do(std::string_view word) {
     over_ = true;
     teller_.Say(Priority::kText, say::DemonstrationLeft());
   } else if (word == "help") {
-    for (const std::string& line : say::DemonstrationHelp()) Reply(line);
+    for (const std::string& line : help_) Reply(line);
   } else if (word == "again") {
     teller_.Say(Priority::kText, last_);
     WaitFor(asking_ ? kAnswering : SecondsFor(last_));

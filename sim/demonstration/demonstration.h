@@ -35,9 +35,9 @@ class Demonstration final : public RunningStage, private LoopListener {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// All must outlive this.
-  Demonstration(const std::vector<DemonstrationStep>& steps, LearnStage& stage,
-                LearnTeller& teller);
+  /// All must outlive this. `help`: the lines that ? gives.
+  Demonstration(const std::vector<DemonstrationStep>& steps, LearnStage& stage, LearnTeller& teller,
+                std::vector<std::string> help);
 
   /// Says and shows what its time has come for. At the rate of polling, with the time.
   void Look(Clock::time_point now);
@@ -79,12 +79,13 @@ class Demonstration final : public RunningStage, private LoopListener {
   const std::vector<DemonstrationStep>& steps_;
   LearnStage& stage_;
   LearnTeller& teller_;
+  std::vector<std::string> help_;
   LoopPoll poll_;
   std::size_t at_ = 0, line_ = 0;  ///< step, and the line of it that comes next
   std::string last_;               ///< said last
   /// What was asked last and not answered in its time; null: none, or something was answered since.
   const DemonstrationStep* missed_ = nullptr;
-  std::string told_;                ///< signs that were shown so far
+  std::string told_;  ///< signs that were shown so far
   Clock::time_point now_, until_;
   Clock::time_point heard_;  ///< what is asked has been heard by then
   Clock::duration left_{0};  ///< of the wait, while it is paused

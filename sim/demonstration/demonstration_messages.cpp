@@ -3,12 +3,22 @@
 #include <fmt/core.h>
 
 #include "sim/console/word_messages.h"
+#include "sim/console/wording.h"
+#include "sim/learn/key_wording.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {
 
 std::vector<std::string> DemonstrationHelp() {
-  return {NumberedWords(WordPlace::kDemonstration), "While I ask, a letter is an answer; I don't know tells it."};
+  return {NumberedWords(WordPlace::kDemonstration),
+          "While I ask, a letter is an answer; I don't know tells it."};
+}
+std::vector<std::string> DemonstrationKeysHelp(const std::map<std::string, std::string>& keys) {
+  std::vector<std::string> words;
+  words.reserve(keys.size());
+  for (const auto& [key, word] : keys) words.push_back(fmt::format("{} {}", KeyCalled(key), word));
+  return {fmt::format("One key a word, without Enter: {}.", Joined(words, ", ")),
+          "While I ask, a letter and Enter is an answer; I don't know tells it."};
 }
 std::string WrongAnswer(std::string_view given) {
   return fmt::format("Wrong: you said {}.", OneLine(given, 12));

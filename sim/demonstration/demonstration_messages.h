@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,8 @@
 namespace moontrace::say {
 
 std::vector<std::string> DemonstrationHelp();
+/// Of single keys (key -> word).
+std::vector<std::string> DemonstrationKeysHelp(const std::map<std::string, std::string>& keys);
 std::string WrongAnswer(std::string_view given);
 /// An answer whose question is over.
 std::string AnswerCameLate();

@@ -26,8 +26,10 @@ void Drive(LearnSession& session, LearnTeller& teller, LearnInput& input,
     if (company.tutor != nullptr) company.tutor->Serve();
     if (company.view != nullptr) company.view->Look();
     if (session.over()) break;
+    // while all rests, a key is a word, since nobody answers then
     const Asked asked = session.asked();
-    if (const auto line = input.Next(kPoll, asked != Asked::kNothing)) session.Obey(*line);
+    const bool typed = asked == Asked::kText || (asked != Asked::kNothing && !session.stopped());
+    if (const auto line = input.Next(kPoll, typed)) session.Obey(*line);
     if (input.ended() && !seconds) {
       teller.Say(Priority::kText, say::EndOfInput());
       break;

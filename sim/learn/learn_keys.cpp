@@ -10,6 +10,7 @@
 
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_words.h"
+#include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
 #include "textures/base/utf8.h"
 
@@ -70,6 +71,10 @@ KeyLines::Result KeyLines::Take(const std::string& key, bool asked) {
   const bool stops = word != keys_.end() && word->second == "stop";
   if (stops) return {std::exchange(begun_, {}).empty() ? "" : "\n", "/stop"};
   const bool sign = key.size() == 1 || static_cast<unsigned char>(key[0]) >= 0x80;
+  constexpr std::string_view kStop = "stop";
+  typed_ = sign ? typed_ + LowerCase(key) : std::string();
+  if (typed_.size() > kStop.size()) typed_.erase(0, typed_.size() - kStop.size());
+  if (begun_.empty() && !asked && typed_ == kStop) return {"", "/stop"};
   if ((asked && (sign || (key == "Space" && !begun_.empty()))) || !begun_.empty()) {
     if (key == "Enter") return {"\n", std::exchange(begun_, {})};
     if (key == "Backspace") {

@@ -28,7 +28,8 @@ KeyMap LoadKeys(const std::string& path);
 /// The same of a file's text. `name` stands in messages.
 KeyMap ParseKeys(std::string_view text, const std::string& name);
 
-/// Keys made lines, without a terminal. While an answer is awaited, signs gather until Enter.
+/// Keys made lines, without a terminal. While an answer is awaited, signs gather until Enter. Who
+/// types "stop" stops, though each of its letters has been a key.
 class KeyLines {
  public:
   explicit KeyLines(KeyMap keys) : keys_(std::move(keys)) {}
@@ -41,6 +42,7 @@ class KeyLines {
  private:
   KeyMap keys_;
   std::string begun_;
+  std::string typed_;  ///< the last keys that were letters
 };
 
 /// Single keys of the terminal.

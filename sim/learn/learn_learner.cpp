@@ -63,9 +63,10 @@ std::optional<bool> YesOrNo(const std::string& line) {
 
 /// What is said in lessons, or in answer to a question, and would be kept as a name by mistake.
 bool IsNoName(const std::string& line) {
-  if (line.empty()) return false;
-  const TypedWord* word = WordNamed(LowerCase(line));
-  return YesOrNo(line) || (word != nullptr && word->HoldsIn(WordPlace::kLesson));
+  const std::string said = LowerCase(line);
+  const TypedWord* word = WordNamed(said);
+  const bool is_word = word != nullptr && word->HoldsIn(WordPlace::kLesson);
+  return is_word || said == "yes" || said == "no";
 }
 
 std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntry>& known,

@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "lessons/records/learner_history.h"
 #include "sim/console/word_messages.h"
 #include "sim/console/wording.h"
+#include "sim/learn/key_wording.h"
 #include "sim/learn/learn_path.h"
 #include "textures/base/text_file.h"
 
@@ -45,6 +48,11 @@ std::string TraceEnds(bool lifts) {
       "sign for later.",
       lifts ? "you have followed it all and lift for half a second, when " : "");
 }
+constexpr const char* kUnknown =
+    "Asked for what you do not know, say I don't know: you are told, and asked again later.";
+constexpr const char* kSlash =
+    "A line that begins with / is a word, never an answer: /a is again. Once you have learnt "
+    "numbers, a number is an answer, and /7 is bigger.";
 constexpr const char* kButton = "One press tells where you are; held, it stops.";
 
 }  // namespace
@@ -72,36 +80,39 @@ bool IsForLater(LearnWord word) {
 
 }  // namespace
 
-std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys, bool lifts) {
-  std::vector<std::string> words;
-  words.reserve(keys.size());
-  for (const auto& [key, word] : keys) words.push_back(fmt::format("{} {}", key, word));
-  return {fmt::format("One key a word, without Enter: {}.", Joined(words, ", ")),
-          "While something is asked, signs, numbers and names are answers, with Enter behind them; "
-          "a word then begins with / and has Enter behind it: /again. Escape always stops.",
-          TraceEnds(lifts), kButton};
+HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts) {
+  std::vector<std::string> first, later;
+  for (const auto& [key, word] : keys) {
+    const auto& words = LearnWords();
+    const auto at = std::find(words.begin(), words.end(), word) - words.begin();
+    std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(at)) ? later : first;
+    list.push_back(fmt::format("{} {}", KeyCalled(key), word));
+  }
+  return {{fmt::format("One key a word, without Enter: {}.", Joined(first, ", ")),
+           "While something is asked, type the answer and Enter. Escape always stops.",
+           kButton, "The question mark once more tells the other keys."},
+          {fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")), kUnknown,
+           kSlash, TraceEnds(lifts)}};
 }
 
-std::vector<std::string> LearnHelp(bool lifts) {
-  std::vector<std::string> words, later;
+HelpLines LearnHelp(bool lifts) {
+  std::vector<std::string> first, later;
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     const std::string& word = LearnWords()[i];
-    std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(i)) ? later : words;
+    std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(i)) ? later : first;
     list.push_back(fmt::format("{} {}", WordNamed(word)->number, word));
   }
-  return {fmt::format("Words, or their beginning or number: {}.", Joined(words, ", ")),
-          fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
-          "While something is asked, signs, numbers and names are answers.",
-          "A line that begins with / is a word: /7 is bigger, /a is again.",
-          "Stop and quit always are words.",
-          "lesson and a number goes to that lesson: lesson 5.",
-          "practise and a sign you know traces it once more: practise b.",
-          "my text and a text of your own lays it under your hand: my text the cat sat.",
-          "find and a word says the way to it on the page: find cat.",
-          "So do find next, next line and next heading; return leads back.",
-          TraceEnds(lifts),
-          kButton,
-          "An empty line tells what is waited for."};
+  return {{fmt::format("Words, or their beginning or number: {}.", Joined(first, ", ")),
+           "While something is asked, a sign or its name is the answer.", kButton,
+           "? once more tells the other words; help next tells what next does."},
+          {fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")), kUnknown,
+           kSlash, "Stop and quit always are words.",
+           "lesson and a number goes to that lesson: lesson 5.",
+           "practise and a sign you know traces it once more: practise b.",
+           "my text and a text of your own lays it under your hand: my text the cat sat.",
+           "find and a word says the way to it on the page: find cat.",
+           "So do find next, next line and next heading; return leads back.", TraceEnds(lifts),
+           "An empty line tells what is waited for."}};
 }
 
 std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
@@ -136,13 +147,20 @@ std::string HowSure(std::string_view name, std::size_t right, std::size_t of, do
   if (of == 0) return fmt::format("{}: not named yet at {} mm.", OneLine(name), at);
   return fmt::format("{}: {} of {} right at {} mm.", OneLine(name), right, of, at);
 }
+std::string SureAt(const std::vector<std::string>& names, double size) {
+  if (size <= 0) return fmt::format("Begun: {}.", Joined(names, ", "));
+  return fmt::format("Sure at {} mm: {}.", Short(kMillimetres * size, 1), Joined(names, ", "));
+}
 std::string LessonWhich() { return "Say which lesson: lesson 5. The word lessons tells them."; }
 std::string PractiseWhich() { return "Say which sign: practise b."; }
 std::string BriefNow() { return "Brief: outcomes only. full says all again."; }
 std::string FullNow() { return "Full: all is said again."; }
 std::string AskOwnText(std::string_view last) {
   if (last.empty()) return "Your text? Type it and Enter.";
-  return fmt::format("Your text? Type it and Enter; Enter alone takes: {}.", OneLine(last, 30));
+  const std::string text = OneLine(last, 30);
+  const bool ends = text.find_last_of(".!?") == text.size() - 1;
+  return fmt::format("Your text? Type it and Enter; Enter alone takes: {}{}", text,
+                     ends ? "" : ".");
 }
 std::string NoOwnText() { return "No text so far: my text the cat sat."; }
 std::string NoLessonNow() { return "No lesson has begun."; }
@@ -154,8 +172,8 @@ std::string Spelled(const std::vector<std::string>& names) {
 }
 std::string NothingTouched() { return "Nothing touched yet: the trace goes on."; }
 std::string NothingFollowed() { return "No line followed yet: the trace goes on."; }
-std::string NextLeavesIt() { return "Next once more leaves it for later."; }
-std::string StillAsked() { return "Still asked: an answer, or say next."; }
+std::string NextLeavesIt() { return "Say next once more: it is left for later."; }
+std::string StillAsked() { return "Still asked: an answer, or the word next."; }
 
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
                           std::size_t step, std::size_t steps) {
@@ -197,7 +215,7 @@ std::string ConsentGiven(bool yes) {
 std::string YesOrNo() { return "Type yes or no."; }
 std::string NotAName() { return "Not a name: 1 to 60 printable characters, no slashes."; }
 std::string WordIsNoName(std::string_view word) {
-  return fmt::format("A word, not a name: {}. Who learns?", OneLine(word, 14));
+  return fmt::format("{} is a word, not a name: who learns?", OneLine(word, 14));
 }
 std::string QuitLeaves() { return "The word quit ends, and nothing is kept yet."; }
 std::string LeftBeforeBeginning() { return "Ended before it began: nothing was kept."; }
@@ -241,9 +259,7 @@ std::string LearnScaled() {
   return "Letters are not in true size: what you do here makes none sure.";
 }
 std::string LearnBegins() { return "Type a word and Enter; ? tells the words, quit ends."; }
-std::string LearnBeginsWithKeys() {
-  return "One key a word: for next, press the key of next. ? tells the keys.";
-}
+std::string LearnBeginsWithKeys() { return "One key a word, without Enter. ? tells the keys."; }
 std::string SessionEnded(std::size_t trials, std::size_t sure) {
   return fmt::format("Ended: {} this time, {} sure.", Counted(trials, "exercise", "exercises"),
                      Counted(sure, "sign", "signs"));
@@ -255,7 +271,8 @@ std::string MendDevice(DeviceKind kind) {
     case DeviceKind::kPid:
       return "The lesson waits. Look at the device's plug, its power and its safety switch.";
     case DeviceKind::kWoodenHaptics:
-      return "The lesson waits. Look at the arm's plug and its power; then lay the arm in its rest, "
+      return "The lesson waits. Look at the arm's plug and its power; then lay the arm in its "
+             "rest, "
              "as I shall tell.";
     case DeviceKind::kRawHid:
     case DeviceKind::kPlugin:
@@ -366,7 +383,9 @@ std::string KeyConflicts(const std::vector<std::string>& conflicts) {
   return fmt::format("keys with two words: {}; give each its own", Joined(conflicts, ", "));
 }
 
-std::string NoLeading() { return "Nothing leads your hand here; the way is:"; }
+std::string WayInWords(std::string_view name) {
+  return fmt::format("The way of {}, in words:", OneLine(name));
+}
 
 namespace {
 

@@ -64,9 +64,13 @@ std::string LedNow();
 std::string ProgramTraces();
 
 // What words are answered by.
-/// What ? gives: of words, of single keys (key -> word).
-std::vector<std::string> LearnHelp(bool lifts);
-std::vector<std::string> KeysHelp(const std::map<std::string, std::string>& keys, bool lifts);
+/// What ? gives: at first the words that a first lesson needs, asked once more the others.
+struct HelpLines {
+  std::vector<std::string> first, more;
+};
+/// Of words, of single keys (key -> word).
+HelpLines LearnHelp(bool lifts);
+HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts);
 std::string AlreadyStopped();
 std::string NotStopped();
 /// `felt`: a hand can be pushed here.
@@ -83,6 +87,8 @@ std::string LessonInList(std::string_view title, std::size_t number, bool here, 
 std::string HowFar(std::size_t known, std::size_t all, double smallest);
 /// Right names of the last ones, at the size at which a sign is worked on [m].
 std::string HowSure(std::string_view name, std::size_t right, std::size_t of, double size);
+/// Signs that are not asked for now: the smallest size at which they are sure [m]; 0: none.
+std::string SureAt(const std::vector<std::string>& names, double size);
 std::string LessonWhich();
 std::string PractiseWhich();
 std::string BriefNow();
@@ -183,7 +189,7 @@ std::string TwoWordsOneKey(std::string_view key, std::string_view first, std::st
 std::string KeyConflicts(const std::vector<std::string>& conflicts);
 
 // Where nothing can lead the hand.
-std::string NoLeading();
+std::string WayInWords(std::string_view name);
 /// How each stroke runs, a line a stroke.
 std::vector<std::string> PathInWords(const std::vector<IntendedStroke>& strokes);
 

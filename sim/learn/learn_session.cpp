@@ -23,6 +23,10 @@ constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
 constexpr double kSpeaksWithin = 2;   ///< a device that is back has said where its tip is [s]
 constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
 
+bool IsNumber(const std::string& item) {
+  return !item.empty() && item.find_first_not_of("0123456789") == std::string::npos;
+}
+
 bool IsSize(lesson_action::Sentence sentence) {
   using lesson_action::Sentence;
   return sentence == Sentence::kSizeNow || sentence == Sentence::kLargestSize ||
@@ -31,8 +35,7 @@ bool IsSize(lesson_action::Sentence sentence) {
 
 }  // namespace
 
-LearnSession::LearnSession(const LearnParts& parts, std::uint64_t seed,
-                           std::vector<std::string> help)
+LearnSession::LearnSession(const LearnParts& parts, std::uint64_t seed, say::HelpLines help)
     : course_(parts.course),
       memory_(parts.memory),
       stage_(parts.stage),
@@ -50,7 +53,17 @@ std::int64_t LearnSession::Now() const { return static_cast<std::int64_t>(std::t
 Asked LearnSession::asked() const {
   if (asks_text_) return Asked::kText;
   if (await_ != Await::kAnswer) return Asked::kNothing;
-  return state_.question == Question::kSame ? Asked::kSame : Asked::kName;
+  if (state_.question == Question::kSame) return Asked::kSame;
+  return AsksNumbers() ? Asked::kNumber : Asked::kName;
+}
+
+/// Of two that were named one is a number, or numbers are known.
+bool LearnSession::AsksNumbers() const {
+  if (state_.question == Question::kPick) return IsNumber(state_.item) || IsNumber(state_.mate);
+  const auto& items = state_.progress.items;
+  return std::any_of(items.begin(), items.end(), [](const auto& item) {
+    return item.second.introduced && IsNumber(item.first);
+  });
 }
 
 void LearnSession::Begin() {
@@ -90,7 +103,9 @@ void LearnSession::Do(const lesson_action::Keep& keep) {
   const std::size_t before = memory_.held_back();
   const std::string why = memory_.Keep(keep.trial, stage_.trace().track());
   if (!keep.trial.item.empty()) ++kept_;
-  const bool judged = !keep.trial.answer.empty() || keep.trial.kind == StepKind::kTrace;
+  const StepKind kind = keep.trial.kind;
+  const bool judged =
+      kind == StepKind::kTrace || kind == StepKind::kRecognise || kind == StepKind::kTest;
   if (!keep.trial.item.empty() && judged) {
     (keep.trial.right ? last_right_ : last_wrong_) = keep.trial;
   }
@@ -114,9 +129,12 @@ void LearnSession::Do(const lesson_action::Say& sentence) {
 void LearnSession::TellSize(const lesson_action::Show& show) {
   const auto asked = std::exchange(sized_, std::nullopt);
   if (!stage_.shrunk()) {
+    no_room_ = 0;
     if (asked) Tell(*asked);
     return;
   }
+  const bool known = std::exchange(no_room_, show.size) == show.size;
+  if (known && !asked) return;  // page after page
   teller_.Say(Priority::kText, asked ? say::SizeHasNoRoom(show.size, stage_.size())
                                      : say::NoRoomFor(show.size, stage_.size()));
 }
@@ -124,6 +142,9 @@ void LearnSession::TellSize(const lesson_action::Show& show) {
 void LearnSession::Tell(const lesson_action::Say& sentence) {
   std::string text;
   if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
+  const bool unled = sentence.sentence == lesson_action::Sentence::kLedAlong &&
+                     !stage_.simulated() && !stage_.pushes();
+  if (unled) return;  // its way is told in words
   if (text.empty()) text = voice_.Words(course_, sentence, memory_.brief(), in_full_);
   for (const std::string& line : Sentences(text)) {
     teller_.Say(PriorityOf(sentence.sentence), OneLine(line, 1000));
@@ -159,7 +180,7 @@ void LearnSession::Do(Await await) {
 
 /// Where nothing can lead the hand, words do.
 void LearnSession::SayPath() {
-  teller_.Say(Priority::kText, say::NoLeading());
+  teller_.Say(Priority::kText, say::WayInWords(say::Called(course_, state_.item)));
   for (const std::string& line : say::PathInWords(stage_.trace().strokes())) {
     teller_.Say(Priority::kText, line);
   }

@@ -9,6 +9,7 @@
 #include "lessons/course/course.h"
 #include "lessons/progress/lesson_machine.h"
 #include "sim/learn/learn_memory.h"
+#include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
 #include "sim/learn/learn_words.h"
@@ -23,8 +24,7 @@ namespace moontrace {
 /// what the hand did and the clock become its events. All in one thread.
 class LearnSession : public RunningLesson, private LoopListener {
  public:
-  /// `help`: the lines that ? gives.
-  LearnSession(const LearnParts& parts, std::uint64_t seed, std::vector<std::string> help);
+  LearnSession(const LearnParts& parts, std::uint64_t seed, say::HelpLines help);
 
   /// The learner sits down.
   void Begin();
@@ -67,6 +67,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   void GoToLesson(const std::string& given);
   void TellLessons();
   void TellHowItGoes();
+  void TellOthers(const std::vector<std::string>& asked);
+  void Help();
   void Brief(bool brief);
   void OwnText(const std::string& given);
   void GoToPlace(const PlaceCommand& command);
@@ -83,6 +85,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   void Reported(const std::string& sentence, bool urgent) override;
   void Stands(const LoopSnapshot& newest) override;
   void Felt(const LoopSample& sample) override;
+  bool AsksNumbers() const;
   void LookAtStop();
   void LookAtDevice(const LoopSnapshot& newest);
   void GoAway(const std::string& sentence);
@@ -98,7 +101,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   LearnMemory& memory_;
   LearnStage& stage_;
   LearnTeller& teller_;
-  std::vector<std::string> help_;
+  say::HelpLines help_;
   LessonState state_;
   lesson_action::Await await_ = lesson_action::Await::kNext;
   LoopPoll poll_;
@@ -108,18 +111,20 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool led_by_tutor_ = false;  ///< the tutor leads the hand meanwhile
   bool shown_ = false;         ///< in this turn
   bool in_full_ = false;       ///< asked for in this turn: said in full, brief or not
+  bool helped_ = false;        ///< the last line was ?
   bool asks_text_ = false;     ///< the next line is a text of the learner's own
   bool stopped_ = false, stopped_by_tutor_ = false;
   bool paused_ = false;  ///< stopped by "pause", not by "stop"
   bool over_ = false;
-  bool away_ = false;  ///< the device is lost: nothing is asked, led or counted
-  bool back_ = false;  ///< it was told that it is there again
+  bool away_ = false;       ///< the device is lost: nothing is asked, led or counted
+  bool back_ = false;       ///< it was told that it is there again
   bool mend_told_ = false;  ///< once a session
-  double there_ = 0;   ///< while away: how long it has been there again [s]
-  double felt_ = 0;    ///< time that the page could be felt [s]
-  double passed_ = 0;  ///< between the last two looks [s]
+  double there_ = 0;        ///< while away: how long it has been there again [s]
+  double felt_ = 0;         ///< time that the page could be felt [s]
+  double passed_ = 0;       ///< between the last two looks [s]
   Clock::time_point looked_, ordered_, ticked_;
   std::size_t kept_ = 0;
+  double no_room_ = 0;  ///< it was told that letters of that size have no room [m]
   std::optional<lesson_action::Say> sized_;  ///< told once the page lies there
   std::string missed_;                       ///< the sign of the last trace, if that was not good
   Trial last_right_, last_wrong_;            ///< of this session; without an item: none yet

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -71,13 +73,15 @@ void LearnSession::Obey(const std::string& line) {
   const bool goes = stopped_ && (line == "go" || line == "go ");
   const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
   asks_text_ = false;
+  if (read.kind != LearnLine::Kind::kWord || read.word != LearnWord::kHelp) helped_ = false;
   if (WaitsWith(read)) {
     teller_.Say(Priority::kText, say::WaitsForDevice());
     return teller_.EndTurn();
   }
   switch (read.kind) {
     case LearnLine::Kind::kWord:
-      if (!read.answer.empty()) {
+      if (read.answer == "all") helped_ = true;
+      if (!read.answer.empty() && read.answer != "all") {
         teller_.Say(Priority::kText, say::HelpWith(read.answer, WordPlace::kLesson));
         break;
       }
@@ -126,7 +130,8 @@ void LearnSession::Obey(const std::string& line) {
 /// What would ask, lead, show or count something has to wait for a device that is lost.
 bool LearnSession::WaitsWith(const LearnLine& read) const {
   if (!away_) return false;
-  if (read.kind == LearnLine::Kind::kRefused || read.kind == LearnLine::Kind::kNothing) return false;
+  if (read.kind == LearnLine::Kind::kRefused || read.kind == LearnLine::Kind::kNothing)
+    return false;
   if (read.kind != LearnLine::Kind::kWord) return true;
   if (!read.answer.empty()) return false;  // help with a word
   if (SaidToMachine(read.word)) return true;
@@ -191,7 +196,9 @@ void LearnSession::TellHowItGoes() {
     smallest = smallest > 0 ? std::min(smallest, size) : size;
   }
   teller_.Say(Priority::kText, say::HowFar(begun, all, smallest));
-  for (const std::string& text : Unfinished(course_, progress)) {
+  const std::vector<std::string> asked = Unfinished(course_, progress);
+  TellOthers(asked);
+  for (const std::string& text : asked) {
     const auto found = progress.items.find(text);
     const ItemProgress item = found != progress.items.end() ? found->second : ItemProgress{};
     const auto right = std::count(item.named.begin(), item.named.end(), true);
@@ -199,6 +206,24 @@ void LearnSession::TellHowItGoes() {
                 say::HowSure(NameOf(course_, text), static_cast<std::size_t>(right),
                              item.named.size(), SizeAt(course_, item.size_step)));
   }
+}
+
+/// The signs that the present step does not ask for, by the smallest size at which they are sure.
+void LearnSession::TellOthers(const std::vector<std::string>& asked) {
+  std::map<double, std::vector<std::string>, std::greater<>> by_size;
+  for (const Lesson& lesson : course_.lessons) {
+    for (const std::string& text : lesson.items) {
+      const auto found = state_.progress.items.find(text);
+      if (found == state_.progress.items.end() || !found->second.introduced) continue;
+      if (std::find(asked.begin(), asked.end(), text) != asked.end()) continue;
+      const ItemProgress& item = found->second;
+      const bool none = !item.sure && item.size_step == 0;
+      const double size =
+          none ? 0 : SizeAt(course_, item.sure ? item.size_step : item.size_step - 1);
+      by_size[size].emplace_back(NameOf(course_, text));
+    }
+  }
+  for (const auto& [size, names] : by_size) teller_.Say(Priority::kText, say::SureAt(names, size));
 }
 
 void LearnSession::Brief(bool brief) {
@@ -277,10 +302,17 @@ void LearnSession::Speak(LearnWord word) {
       over_ = true;
       return;
     case LearnWord::kHelp:
-      for (const std::string& line : help_) teller_.Say(Priority::kText, line);
-      return;
+      return Help();
     default:
       return;  // the machine's
+  }
+}
+
+/// At first what is needed now; who asks once more is told the rest.
+void LearnSession::Help() {
+  const bool more = std::exchange(helped_, !helped_);
+  for (const std::string& line : more ? help_.more : help_.first) {
+    teller_.Say(Priority::kText, line);
   }
 }
 

@@ -13,6 +13,14 @@ void LearnTeller::SetListener(std::function<void(std::string_view)> listener) {
   listener_ = std::move(listener);
 }
 
+void LearnTeller::SetWording(std::function<std::string(std::string_view)> wording) {
+  wording_ = std::move(wording);
+}
+
+std::string LearnTeller::Worded(std::string_view line) const {
+  return wording_ ? wording_(line) : std::string(line);
+}
+
 void LearnTeller::Gather(Priority priority, std::string_view line) {
   if (listener_) listener_(line);
   ++told_;
@@ -25,14 +33,16 @@ void LearnTeller::Gather(Priority priority, std::string_view line) {
 
 void LearnTeller::Say(Priority priority, std::string_view line) {
   if (line.empty()) return;
-  console_.Result(line);
-  Gather(priority, line);
+  const std::string worded = Worded(line);
+  console_.Result(worded);
+  Gather(priority, worded);
 }
 
 void LearnTeller::Happening(Priority priority, std::string_view line) {
   if (line.empty()) return;
-  console_.Happening(line);
-  Gather(priority, line);
+  const std::string worded = Worded(line);
+  console_.Happening(worded);
+  Gather(priority, worded);
 }
 
 void LearnTeller::Remark(std::string_view line) {
@@ -83,6 +93,7 @@ Priority PriorityOf(lesson_action::Sentence sentence) {
   switch (sentence) {
     case Sentence::kRight:
     case Sentence::kWrong:
+    case Sentence::kTold:
     case Sentence::kTraceGood:
     case Sentence::kTraceBad:
     case Sentence::kTestResult:

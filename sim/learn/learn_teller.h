@@ -25,6 +25,9 @@ class LearnTeller {
   /// Is given every line too: what the learner is told, for tutors.
   void SetListener(std::function<void(std::string_view)> listener);
 
+  /// Every line goes through it before it is told, as one for who has single keys.
+  void SetWording(std::function<std::string(std::string_view)> wording);
+
   void Say(Priority priority, std::string_view line);
   /// What nobody asked for: not with `--quiet`.
   void Happening(Priority priority, std::string_view line);
@@ -48,11 +51,13 @@ class LearnTeller {
 
  private:
   void Gather(Priority priority, std::string_view line);
+  std::string Worded(std::string_view line) const;
 
   Console& console_;
   Speech* speech_;
   Sound* sound_;
   std::function<void(std::string_view)> listener_;
+  std::function<std::string(std::string_view)> wording_;
   std::string gathered_;
   Priority priority_ = Priority::kNotification;
   int told_ = 0;

@@ -20,6 +20,10 @@ std::string TutorWordsHelp() {
          "in mode bead, say well done, lesson 5, find moon.";
 }
 
+std::string TutorsInWindow() {
+  return "The panel is the tutor's. So are, typed here: size 20, help 7, mode bead, say TEXT, and "
+         "what else only tutors have.";
+}
 std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
 std::string LessonNotFound(std::string_view given, std::size_t lessons) {
   return fmt::format("No such lesson, or several: {}. A number from 1 to {}, as where says it.",
@@ -42,9 +46,9 @@ std::string LastTrials(const Course& course, const Trial& right, const Trial& wr
     if (trial.kind == StepKind::kTrace) {
       return fmt::format("{} traced, {}", name, Percent(trial.coverage));
     }
-    return trial.right
-               ? name
-               : fmt::format("{} taken for {}", name, OneLine(NameOf(course, trial.answer), 40));
+    if (trial.right) return name;
+    if (trial.answer.empty()) return name + " not known";
+    return fmt::format("{} taken for {}", name, OneLine(NameOf(course, trial.answer), 40));
   };
   return fmt::format("Last right: {}; last wrong: {}.",
                      right.item.empty() ? "nothing yet" : named(right),

@@ -15,6 +15,8 @@ namespace moontrace::say {
 std::string TutorGreeting(std::string_view learner);
 /// What stands behind words that only a tutor says, or says otherwise than a learner.
 std::string TutorWordsHelp();
+/// What in a window is not the learner's.
+std::string TutorsInWindow();
 std::string NothingRests();
 std::string LessonNotFound(std::string_view given, std::size_t lessons);
 /// What the learner's page and push are now; `set`: by learner or tutor, not by the course's rules.

@@ -6,6 +6,7 @@
 #include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
+#include "sim/learn/learn_tutor_messages.h"
 #include "sim/session/view_controls.h"
 #include "sim/session/view_messages.h"
 #include "sim/session/view_panels.h"
@@ -31,13 +32,17 @@ std::string TitleOf(const Course& course, const std::string& id) {
   return {};
 }
 
-/// Whether a line begins with a whole word that is a tutor's. Whole, since a learner's answer may
-/// be short; "next" is what lessons tell the learner to say, and "quit" at the window ends the
-/// lesson, not the tutor's visit.
-bool IsTutorsWord(const std::string& line) {
-  if (line == "next" || line == "quit") return false;
-  const TypedWord* word = WordNamed(LowerCase(line.substr(0, line.find(' '))));
-  return word != nullptr && word->HoldsIn(WordPlace::kTutor);
+/// Whether a typed line is a tutor's: its first word is nobody else's, or it says how strong the
+/// push is. What both have is the learner's; the tutor has the panel.
+bool IsTutorsLine(const std::string& line) {
+  constexpr std::string_view kHelp = "help ";
+  const std::string said = LowerCase(line);
+  if (said == "next lesson") return true;
+  if (said.compare(0, kHelp.size(), kHelp) == 0) {
+    return said.find_first_of("0123456789") == kHelp.size();
+  }
+  const TypedWord* word = WordNamed(std::string_view(said).substr(0, said.find(' ')));
+  return word != nullptr && word->HoldsIn(WordPlace::kTutor) && !word->HoldsIn(WordPlace::kLesson);
 }
 
 }  // namespace
@@ -54,7 +59,7 @@ LearnView::~LearnView() { parts_.stage.SetWatch(nullptr); }
 void LearnView::Look() {
   feed_.Look(parts_.stage.session().felt(), lesson_.poll());
   feed_.SetValues(LearnPanelValues(parts_, lesson_));
-  const auto obey = [this](const std::string& line) {
+  const auto obey = [this](const ViewLine& line) {
     if (!lesson_.over()) Obey(line);
   };
   feed_.Hear(obey, [this](const std::string& notice) { parts_.teller.Remark(notice); });
@@ -66,18 +71,22 @@ void LearnView::Look() {
   lesson_.Obey("quit");
 }
 
-void LearnView::Obey(const std::string& line) {
-  if (const std::optional<std::string> done = feed_.Obey(line)) return Answer(*done);
-  if (line == "?") return Help();
-  if (!IsTutorsWord(line)) return lesson_.Obey(line);
-  desk_.Hear(line, [this](std::string_view answer) { Answer(answer); });
+void LearnView::Obey(const ViewLine& line) {
+  if (const std::optional<std::string> done = feed_.Obey(line.text)) return Answer(*done);
+  if (line.of_panel || IsTutorsLine(line.text)) {
+    return desk_.Hear(line.text, [this](std::string_view answer) { Answer(answer); });
+  }
+  lesson_.Obey(line.text);
+  left_ = lesson_.over();
+  if (line.text == "?") Help();
 }
 
-/// The tutor's words; the learner is not made to hear them.
+/// Behind the learner's words: what else can be typed in the window.
 void LearnView::Help() {
-  desk_.Hear("?", [this](std::string_view answer) { Answer(answer); });
-  Answer(say::ViewWordsHelp());
-  Answer(say::ViewColoursHelp());
+  for (const std::string& sentence :
+       {say::TutorsInWindow(), say::ViewWordsHelp(), say::ViewColoursHelp()}) {
+    Answer(sentence);
+  }
 }
 
 void LearnView::Answer(std::string_view line) {

@@ -10,8 +10,8 @@
 
 namespace moontrace {
 
-/// A lesson in a window, beside it the tutor's panel. What is said there is a tutor's word where it
-/// is one, otherwise the learner's.
+/// A lesson in a window, beside it the tutor's panel. What is typed there is the learner's, unless
+/// only tutors have such a word.
 class LearnView {
  public:
   /// All must outlive this.
@@ -23,9 +23,11 @@ class LearnView {
 
   /// Shows what there is and does what was said, at the rate of polling.
   void Look();
+  /// The learner has ended the lesson in the window: nobody need be at the terminal.
+  bool left() const { return left_; }
 
  private:
-  void Obey(const std::string& line);
+  void Obey(const ViewLine& line);
   void Help();
   void Answer(std::string_view line);
 
@@ -34,6 +36,7 @@ class LearnView {
   RunningLesson& lesson_;
   TutorDesk& desk_;
   Console& console_;
+  bool left_ = false;
 };
 
 /// The panel of a lesson, and what it shows.

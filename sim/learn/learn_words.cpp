@@ -86,10 +86,11 @@ bool Begins(std::string_view word, const std::string& given) {
   return given.size() > 1 && word.compare(0, given.size(), given) == 0;
 }
 
-bool IsSign(const std::string& given) {
-  const bool digits = given.find_first_not_of("0123456789") == std::string::npos;
-  return digits || CountCharacters(given) == 1;
+bool IsNumber(const std::string& given) {
+  return given.find_first_not_of("0123456789") == std::string::npos;
 }
+
+bool IsSign(const std::string& given) { return IsNumber(given) || CountCharacters(given) == 1; }
 
 /// A word, or the beginning of one or several: of two letters or more.
 bool IsWord(const std::string& bare) {
@@ -125,15 +126,20 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
   const std::string given = LowerCase(WithoutBlanks(line));
   if (given.empty() && asked == Asked::kText) return {Kind::kMyText, LearnWord::kHelp, {}, {}};
   if (given.empty()) return {};
+  if (given == "? all" || given == "help all" || given == "/help all") {
+    return {Kind::kWord, LearnWord::kHelp, "all", {}};
+  }
   const std::string_view typed = Bare(WithoutBlanks(line));
   if (typed.empty()) return Word(LearnWord::kHelp);  // a slash alone
   const std::string bare = LowerCase(typed);
-  const bool is_item = asked == Asked::kName && ItemSaid(course, given, {});
+  const bool names = asked == Asked::kName || asked == Asked::kNumber;
+  const bool is_item = names && ItemSaid(course, given, {});
   const std::optional<LearnLine> with = WithBehind(typed);
   if (with && !is_item) return *with;
   if (asked == Asked::kNothing || given.front() == '/') return Command(typed);
   if (bare == "stop") return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);
+  if (asked != Asked::kText && DoesNotKnow(given)) return Answer(given);
   switch (asked) {
     case Asked::kText:
       if (given == "?") return Word(LearnWord::kHelp);
@@ -145,6 +151,9 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
       }
       return Command(typed);
     case Asked::kName:
+      if (IsNumber(bare)) return Command(typed);
+      break;
+    case Asked::kNumber:
     case Asked::kNothing:
       break;
   }

@@ -47,9 +47,10 @@ const std::vector<std::string>& LearnWords();
 /// What is asked just now, so that an answer can be told from a word.
 enum class Asked : std::uint8_t {
   kNothing,
-  kName,  ///< any sign or word is an answer
-  kSame,  ///< "same" and "different" are
-  kText   ///< a text of one's own, any line; an empty one: the last
+  kName,    ///< any sign or word is an answer, but numbers are those of words
+  kNumber,  ///< likewise, and numbers are answers
+  kSame,    ///< "same" and "different" are
+  kText     ///< a text of one's own, any line; an empty one: the last
 };
 
 /// What a typed line means.
@@ -67,7 +68,8 @@ struct LearnLine {
   Kind kind = Kind::kNothing;
   LearnWord word = LearnWord::kHelp;  ///< of kWord
   /// Of kAnswer, in small letters; of kLesson and kPractise which one; of kMyText as it was typed;
-  /// of "help" the word that is asked about; of kRefused one line: what is wrong, and the cure.
+  /// of "help" the word that is asked about, or "all"; of kRefused one line: what is wrong, and the
+  /// cure.
   std::string answer;
   PlaceCommand place = {};  ///< of kPlace
 };
@@ -77,8 +79,9 @@ struct LearnLine {
 /// with what they want behind them, where that is no item of the course.
 ///
 /// While something is asked, in this order: stop and quit are always words; the text or the name of
-/// an item of the course is an answer; then whole words; single signs and digits are answers;
-/// beginnings of words of two letters and more are words; anything else is an answer.
+/// an item of the course is an answer; then whole words; single signs are answers, numbers where
+/// they are asked for; beginnings of words of two letters and more are words; anything else is an
+/// answer.
 LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course);
 
 }  // namespace moontrace

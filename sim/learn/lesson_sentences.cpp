@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
+#include "sim/console/word_messages.h"
 #include "sim/console/wording.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/text_file.h"
@@ -74,13 +75,17 @@ std::string OfCourse(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kBreak:
       return fmt::format("Time for a break: {} worked. Quit keeps all; or go on.",
                          Counted(static_cast<std::size_t>(sentence.number), "minute", "minutes"));
+    case Sentence::kLessonLeft:
+      return fmt::format("Lesson left for later: {}.", OneLine(sentence.text));
     case Sentence::kSkipped:
       return text.empty() ? "Skipped, not sure yet."
                           : fmt::format("Skipped, not sure yet: {}.", text);
+    case Sentence::kNoWayBack:
+      return "No way back from a question: again asks it once more, next leaves it.";
     case Sentence::kNoTextBefore:
       return "Nothing before this in the lesson. The word lessons tells the others.";
     case Sentence::kNoSuchLesson:
-      return fmt::format("No such lesson: {}.", OneLine(sentence.text, 20));
+      return fmt::format("No such lesson: {}.", Unstopped(OneLine(sentence.text, 20)));
     case Sentence::kLastLesson:
       return "This is the last lesson. Say lessons for all of them.";
     default:
@@ -134,8 +139,10 @@ std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) 
       // "it is it" would be no sentence
       return fmt::format("Wrong: it is {}{}, you said {}.", BeforeWord(course, sentence.text), text,
                          other);
+    case Sentence::kTold:
+      return fmt::format("It is {}{}.", BeforeWord(course, sentence.text), text);
     case Sentence::kNotAnAnswer:
-      return fmt::format("No sign learned so far: {}. Still asked.", text);
+      return fmt::format("No sign learned so far: {}. Still asked.", Unstopped(text));
     case Sentence::kTraceGood:
       return fmt::format("Good: {}.", text);
     case Sentence::kTraceBad:
@@ -144,11 +151,11 @@ std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) 
     case Sentence::kSure:
       return fmt::format("Sure: {}.", text);
     case Sentence::kNotAsked:
-      return fmt::format("Nothing is asked now: {}.", OneLine(sentence.text, 16));
+      return fmt::format("Nothing is asked now: {}.", Unstopped(OneLine(sentence.text, 16)));
     case Sentence::kNotNow:
       return "No trace is awaited now.";
     case Sentence::kCannotPractise:
-      return fmt::format("No sign learned so far: {}.", OneLine(sentence.text, 20));
+      return fmt::format("No sign learned so far: {}.", Unstopped(OneLine(sentence.text, 20)));
     default:
       return {};
   }

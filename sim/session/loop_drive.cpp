@@ -107,7 +107,7 @@ class Driver : private LoopListener {
   void LookAtWindow() {
     ViewFeed* view = options_.view;
     if (view == nullptr) return;
-    view->Hear([this](const std::string& line) { Obey(line); },
+    view->Hear([this](const ViewLine& line) { Obey(line.text); },
                [this](const std::string& notice) { console_.Remark(notice); });
     // nothing could move the tip again
     if (view->failed() && session_.device().mouse()) quit_ = true;

@@ -155,7 +155,8 @@ std::string_view Clause(SafetyEvent event) {
 
 std::string Event(SafetyEvent event, bool felt) {
   std::string sentence = felt ? FeltEvent(event) : UnfeltEvent(event);
-  if (sentence.empty() || !MayRepeat(event)) return sentence;
+  // where nothing is felt it is not summed up either
+  if (sentence.empty() || !felt || !MayRepeat(event)) return sentence;
   return sentence + " From now on this is counted.";
 }
 

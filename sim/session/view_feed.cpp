@@ -76,8 +76,8 @@ void ViewFeed::SetValues(std::vector<PanelValue> values) {
   viewer_.SetPanelValues(std::move(values));
 }
 
-void ViewFeed::Hear(const Heard& obey, const Heard& remark) {
-  while (const std::optional<std::string> line = viewer_.NextLine()) obey(*line);
+void ViewFeed::Hear(const Heard& obey, const Remarked& remark) {
+  while (const std::optional<ViewLine> line = viewer_.NextLine()) obey(*line);
   const std::string notice = TakeNotice();
   if (!notice.empty()) remark(notice);
 }

@@ -49,10 +49,11 @@ class ViewFeed {
   /// A line of the text face.
   void ShowLine(std::string_view line) { viewer_.ShowLine(line); }
 
-  using Heard = std::function<void(const std::string& line)>;
+  using Heard = std::function<void(const ViewLine& line)>;
+  using Remarked = std::function<void(const std::string& sentence)>;
   /// Gives `obey` each line that was said in the window, then `remark` what the view has to say of
   /// itself, one sentence, once: why nothing is drawn any more, or not all of it.
-  void Hear(const Heard& obey, const Heard& remark);
+  void Hear(const Heard& obey, const Remarked& remark);
   /// A word that concerns the view alone: done; what is answered.
   std::optional<std::string> Obey(std::string_view line) { return viewer_.Obey(line); }
   /// It draws into a window, not into frames.

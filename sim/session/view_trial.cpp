@@ -64,7 +64,7 @@ void TrialView::ShowTime(double time) {
 }
 
 void TrialView::Hear() {
-  feed_.Hear([this](const std::string& line) { Obey(line); },
+  feed_.Hear([this](const ViewLine& line) { Obey(line.text); },
              [this](const std::string& notice) { console_.Remark(notice); });
   if (feed_.closed()) console_.Remark(say::RunsOnUnseen());
   over_ = feed_.ended();

@@ -179,6 +179,7 @@ class CourseRun {
         break;
       case Sentence::kRight:
       case Sentence::kWrong:
+      case Sentence::kTold:
         if (asked_.sentence != Sentence::kAskSame) Remember(say.text);
         break;
       case Sentence::kNotAnAnswer:

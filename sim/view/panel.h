@@ -22,6 +22,12 @@ struct PanelControl {
   std::vector<std::string> choices;      ///< at most 8
 };
 
+/// A line that was said in the window.
+struct ViewLine {
+  std::string text;
+  bool of_panel = false;  ///< by a control; else by the keyboard: typed, or a key that has a word
+};
+
 /// What a control shows now.
 struct PanelValue {
   double number = 0;  ///< of a slider, in its unit

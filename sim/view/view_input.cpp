@@ -68,21 +68,21 @@ void ViewInput::Handle(const WindowEvent& event, double now) {
   painter_.SetTyped(typed_);
 }
 
-std::optional<std::string> ViewInput::NextLine(double now) {
+std::optional<ViewLine> ViewInput::NextLine(double now) {
   while (std::optional<std::string> line = painter_.panel().NextLine(now)) {
-    lines_.push_back(std::move(*line));
+    lines_.push_back({std::move(*line), true});
   }
   if (lines_.empty()) return std::nullopt;
-  std::string line = std::move(lines_.front());
+  ViewLine line = std::move(lines_.front());
   lines_.pop_front();
-  if (line == "pause") paused_ = true;
-  if (line == "go") paused_ = false;
+  if (line.text == "pause") paused_ = true;
+  if (line.text == "go") paused_ = false;
   return line;
 }
 
 void ViewInput::PauseOrGo() {
   const bool pauses = painter_.panel().Has("pause");
-  lines_.emplace_back(paused_ ? "go" : (pauses ? "pause" : "stop"));
+  lines_.push_back({paused_ ? "go" : (pauses ? "pause" : "stop")});
   paused_ = !paused_;
 }
 
@@ -105,13 +105,13 @@ void ViewInput::Key(const WindowEvent& event, double now) {
   switch (event.key) {
     case KeyName::kEnter:
       if (typed_.empty()) return panel.PressFocused(now);
-      lines_.push_back(std::exchange(typed_, {}));
+      lines_.push_back({std::exchange(typed_, {})});
       break;
     case KeyName::kEscape:
       typed_.clear();
       panel.DropFocus();
       paused_ = true;
-      lines_.emplace_back("stop");
+      lines_.push_back({"stop"});
       break;
     case KeyName::kBackspace:
       return EraseLast(typed_);

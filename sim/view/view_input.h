@@ -22,7 +22,7 @@ class ViewInput {
 
   /// `now` of a steady clock [s].
   void Handle(const WindowEvent& event, double now);
-  std::optional<std::string> NextLine(double now);
+  std::optional<ViewLine> NextLine(double now);
 
  private:
   void Key(const WindowEvent& event, double now);
@@ -36,7 +36,7 @@ class ViewInput {
 
   ViewPainter& painter_;
   std::function<void(const PointerAim&)> pointer_;
-  std::deque<std::string> lines_;
+  std::deque<ViewLine> lines_;
   std::string typed_;
   bool paused_ = false;
   glm::dvec2 at_{0, 0};                                    // of the mouse [points]

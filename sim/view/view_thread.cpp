@@ -58,7 +58,7 @@ void ViewMailbox::FrameDrawn() {
   changed.notify_all();
 }
 
-void ViewMailbox::Say(std::string line) {
+void ViewMailbox::Say(ViewLine line) {
   const std::lock_guard<std::mutex> lock(mutex);
   lines.push_back(std::move(line));
 }
@@ -66,15 +66,6 @@ void ViewMailbox::Say(std::string line) {
 void ViewMailbox::Notice(std::string sentence) {
   const std::lock_guard<std::mutex> lock(mutex);
   notices.push_back(std::move(sentence));
-}
-
-std::optional<std::string> ViewMailbox::TakeFrom(std::deque<std::string> ViewMailbox::*texts) {
-  const std::lock_guard<std::mutex> lock(mutex);
-  std::deque<std::string>& from = this->*texts;
-  if (from.empty()) return std::nullopt;
-  std::string text = std::move(from.front());
-  from.pop_front();
-  return text;
 }
 
 namespace {
@@ -156,7 +147,7 @@ void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
     for (const WindowEvent& event : window.Events(std::max(wait, 0.0))) {
       input.Handle(event, Now());
     }
-    while (std::optional<std::string> line = input.NextLine(Now())) mailbox->Say(std::move(*line));
+    while (std::optional<ViewLine> line = input.NextLine(Now())) mailbox->Say(std::move(*line));
     ViewNews news = mailbox->TakeNews();
     if (!news.lines.empty()) {
       window.SetTitle(fmt::format("{} - {}", options.title, news.lines.back()));

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/view/panel.h"
@@ -55,7 +56,7 @@ struct ViewMailbox {
   bool opened = false, closed = false, finished = false;
   std::exception_ptr refused;  ///< why it could not open
   std::string failure;
-  std::deque<std::string> lines;    ///< said in the window
+  std::deque<ViewLine> lines;       ///< said in the window
   std::deque<std::string> notices;  ///< what the view has to say of itself
   TimeLog frames, changes;
 
@@ -64,10 +65,17 @@ struct ViewMailbox {
   bool Stopped();
   void Fail(const std::string& why);
   void FrameDrawn();
-  void Say(std::string line);
+  void Say(ViewLine line);
   void Notice(std::string sentence);
   /// For the viewer: the oldest of `lines` or `notices`.
-  std::optional<std::string> TakeFrom(std::deque<std::string> ViewMailbox::*texts);
+  template <typename T>
+  std::optional<T> TakeFrom(std::deque<T> ViewMailbox::*queue) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if ((this->*queue).empty()) return std::nullopt;
+    T first = std::move((this->*queue).front());
+    (this->*queue).pop_front();
+    return first;
+  }
 };
 
 /// What a viewer's thread does: opens a window, or OpenGL without a display, and draws until it is

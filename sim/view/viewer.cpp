@@ -133,7 +133,7 @@ void Viewer::ShowLine(std::string_view line) {
   lines.emplace_back(line);
 }
 
-std::optional<std::string> Viewer::NextLine() {
+std::optional<ViewLine> Viewer::NextLine() {
   return state_->mailbox->TakeFrom(&ViewMailbox::lines);
 }
 

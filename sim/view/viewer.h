@@ -40,8 +40,8 @@ class Viewer {
   /// moment, and its title.
   void ShowLine(std::string_view line);
 
-  /// What was said by panel or keyboard since the last call, in order: a line for the text face.
-  std::optional<std::string> NextLine();
+  /// What was said by panel or keyboard since the last call, in order.
+  std::optional<ViewLine> NextLine();
   /// What the view has to say of itself, a sentence: too small for its panel, minimised.
   std::optional<std::string> NextNotice();
   /// A word that concerns the view alone ("zoom in", "whole page", "print off"): done, and answered

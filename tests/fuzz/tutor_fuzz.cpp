@@ -67,7 +67,7 @@ void SetWith(const PageForm& form) {
 
 void HearLearner(std::string_view line) {
   static const Course course = LoadCourse(ResourcePath("lessons/courses/learn-moon"));
-  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kNumber, Asked::kSame}) {
     const LearnLine read = ReadLearnLine(line, asked, course);
     Require(static_cast<std::size_t>(read.word) < LearnWords().size());
     const bool speaks =

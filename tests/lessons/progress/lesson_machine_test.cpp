@@ -171,6 +171,25 @@ TEST(LessonMachine, AWrongAnswerIsToldCountedAndAskedAgainAfterOneOther) {
   EXPECT_EQ(run.state.await, Await::kAnswer);
 }
 
+TEST(LessonMachine, WhoDoesNotKnowIsToldAndAskedAgainSoon) {
+  LessonRun run(SmallCourse());
+  run.Begin();
+  ASSERT_NO_FATAL_FAILURE(GoToStep(run, 2));
+  const std::string item = run.state.item;
+  const std::size_t kept = run.kept.size();
+  run.Answer("I don't know");
+  ASSERT_NE(run.Find(Sentence::kTold), nullptr);
+  EXPECT_EQ(run.Find(Sentence::kTold)->text, item);
+  EXPECT_FALSE(run.Said(Sentence::kWrong));
+  ASSERT_EQ(run.kept.size(), kept + 1);
+  EXPECT_FALSE(run.kept.back().right) << "it is not known";
+  EXPECT_EQ(run.kept.back().answer, "");
+  EXPECT_TRUE(run.state.progress.confusions.empty()) << "nothing was taken for anything";
+  EXPECT_TRUE(run.Said(Sentence::kAnother));
+  run.Work();
+  EXPECT_EQ(run.state.item, item);
+}
+
 TEST(LessonMachine, FailuresInARowBringALargerSizeBack) {
   LessonRun run(SmallCourse());
   run.Begin();

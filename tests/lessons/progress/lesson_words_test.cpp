@@ -99,10 +99,21 @@ TEST_F(LessonWords, EveryWordIsAnsweredAtEveryState) {
   EXPECT_GT(states, 9 * 100);
 }
 
+TEST_F(LessonWords, ThereIsNoWayBackFromAQuestion) {
+  GoToQuestion();
+  const std::string item = run_.state.item;
+  const std::size_t step = run_.state.progress.step;
+  run_.Say(Word::kBack);
+  EXPECT_TRUE(run_.Said(Sentence::kNoWayBack));
+  EXPECT_EQ(run_.state.item, item);
+  EXPECT_EQ(run_.state.progress.step, step);
+  EXPECT_EQ(run_.state.await, Await::kAnswer);
+}
+
 TEST_F(LessonWords, BackShowsTheTextBeforeAndKeepsWhatIsKnown) {
   run_.Say(Word::kBack);
   EXPECT_TRUE(run_.Said(Sentence::kNoTextBefore)) << "the lesson begins with its first text";
-  GoToQuestion();
+  GoToTrace();
   const std::size_t step = run_.state.progress.step;
   const auto items = run_.state.progress.items;
   run_.Say(Word::kBack);
@@ -111,7 +122,7 @@ TEST_F(LessonWords, BackShowsTheTextBeforeAndKeepsWhatIsKnown) {
   EXPECT_EQ(run_.state.progress.items, items);
   EXPECT_EQ(LearnAll(run_.course, run_.kept), run_.state.progress) << "a new start knows it too";
   while (run_.state.progress.step != step) run_.Work();
-  EXPECT_EQ(run_.state.await, Await::kAnswer);
+  EXPECT_EQ(run_.state.await, Await::kTrace);
 }
 
 // Whatever is asked, a sign that is known is traced once more; then the question comes again.
@@ -303,7 +314,8 @@ TEST_F(LessonWords, TheTutorLeadsToOtherLessons) {
   Overrule to;
   to.lesson = "02";
   run_.Do(to);
-  EXPECT_EQ(run_.Find(Sentence::kSkipped)->text, "Lesson 01");
+  ASSERT_NE(run_.Find(Sentence::kLessonLeft), nullptr);
+  EXPECT_EQ(run_.Find(Sentence::kLessonLeft)->text, "Lesson 01");
   EXPECT_EQ(run_.Find(Sentence::kLesson)->text, "Lesson 02");
   EXPECT_EQ(run_.state.progress.lesson, "02");
   to.lesson = "no such";

@@ -148,7 +148,7 @@ TEST_F(LearnCommand, TellsWhoCannotLiftTheTipToSayDone) {
     const FakeHid fake(kind);
     return RunLine({"learn", "--course", In("course"), "--learner", "ann", "--records",
                     In("records.sqlite")},
-                   "?\nquit\n")
+                   "? all\nquit\n")
         .out;
   };
   const std::string lifts = "followed it all and lift";
@@ -164,7 +164,9 @@ TEST_F(LearnCommand, SaysThatADeviceWithoutMotorsIsNotFelt) {
                                   "next\nquit\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(Holds(outcome.out, "Nothing is felt: this device has no motors.")) << outcome.out;
-  EXPECT_TRUE(Holds(outcome.out, "One stroke: from ")) << outcome.out;  // the way, in words
+  EXPECT_TRUE(Holds(outcome.out, "The way of i, in words:\nOne stroke: from ")) << outcome.out;
+  EXPECT_FALSE(Holds(outcome.out, "be led")) << "by what? " << outcome.out;
+  EXPECT_FALSE(Holds(outcome.out, "leads")) << outcome.out;
 }
 
 TEST_F(LearnCommand, PrintsALessonInTrueSizeBlackOnWhite) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/demonstration/demonstration_messages.h"
 #include "sim/learn/learn_stage.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/sim/cli_fixture.h"
@@ -43,7 +44,7 @@ class DemonstrationTest : public testing::Test {
       : console_(in_, out_, err_),
         teller_(console_, nullptr, nullptr),
         stage_(Options(), console_),
-        demonstration_(steps_, stage_, teller_) {}
+        demonstration_(steps_, stage_, teller_, say::DemonstrationHelp()) {}
   ~DemonstrationTest() override { stage_.session().loop().End(); }
 
   static StageOptions Options() {

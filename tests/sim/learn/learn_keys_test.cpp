@@ -72,6 +72,34 @@ TEST_F(LearnKeys, MakeWordsAtOnceAndAnswersWithEnter) {
   EXPECT_EQ(lines.Take("Space", true).line, "/pause");
 }
 
+TEST_F(LearnKeys, TheTypedWordStopsToo) {
+  KeyLines lines(UsualKeys());
+  for (const char* key : {"s", "t", "o"}) lines.Take(key, false);
+  EXPECT_EQ(lines.Take("p", false).line, "/stop");  // not back
+  EXPECT_EQ(lines.Take("Enter", false).line, "");
+  for (const char* key : {"x", "S", "t", "o"}) lines.Take(key, false);
+  EXPECT_EQ(lines.Take("p", false).line, "/stop");
+  for (const char* key : {"s", "t", "Enter", "o"}) lines.Take(key, false);
+  EXPECT_EQ(lines.Take("p", false).line, "/back");
+  for (const char* key : {"s", "t", "o", "p"}) EXPECT_FALSE(lines.Take(key, true).line) << key;
+  EXPECT_EQ(lines.Take("Enter", true).line, "stop");  // which is always a word
+}
+
+TEST_F(LearnKeys, ATypedStopStopsAndSentencesNameTheKeys) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session(Learn({"--keys"}), 200);
+  ASSERT_TRUE(session.WaitFor("press n to go on.")) << session.all();
+  session.Send("stop\n");
+  EXPECT_TRUE(session.WaitFor("Stopped. Press g to go on.")) << session.all();
+  session.Send("g");
+  EXPECT_TRUE(session.WaitFor("Going on.")) << session.all();
+  session.Send("?");
+  EXPECT_TRUE(session.WaitFor("Escape stop")) << session.all();
+  session.Send("q");
+  EXPECT_EQ(session.Wait(), 0);
+  EXPECT_EQ(session.all().find("say next"), std::string::npos) << session.all();
+}
+
 TEST_F(LearnKeys, AreRefusedInAPipe) {
   const Outcome outcome = RunLine(Learn({"--keys"}), "q");
   EXPECT_EQ(outcome.code, 2);
@@ -83,12 +111,12 @@ TEST_F(LearnKeys, WorkAtATerminalWhichIsAsItWasOnEveryWayOut) {
   for (const int by : {0, SIGTERM, SIGSEGV}) {
     PtySession session(Learn({"--keys"}));
     EXPECT_TRUE(session.WaitFor("? tells the keys")) << session.all();
-    ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+    ASSERT_TRUE(session.WaitFor("press n to go on.")) << session.all();
     EXPECT_FALSE(session.echoes());
     session.Send("w");
     EXPECT_TRUE(session.WaitFor("step 1 of 8")) << session.all();
     session.Send("\x1b");
-    EXPECT_TRUE(session.WaitFor("Stopped. Say go")) << session.all();
+    EXPECT_TRUE(session.WaitFor("Stopped. Press g")) << session.all();
     if (by == 0) {
       session.Send("q");
       EXPECT_EQ(session.Wait(), 0);

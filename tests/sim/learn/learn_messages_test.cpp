@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
+#include "sim/console/line_wrap.h"
+#include "sim/learn/key_wording.h"
 #include "sim/learn/learn_keys.h"
 #include "sim/session/loop_messages.h"
 #include "tests/sim/cli_fixture.h"
@@ -61,7 +64,7 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
                                   say::NoRoomFor(0.04, 0.02),
                                   say::SizeHasNoRoom(0.04, 0.02),
                                   say::NoForceDevice(),
-                                  say::NoLeading(),
+                                  say::WayInWords("question mark"),
                                   say::LearnScaled(),
                                   say::SessionEnded(12, 3),
                                   say::TipAt("apostrophe", 2, true),
@@ -85,15 +88,16 @@ TEST(LearnMessages, ItemsAreCalledByTheirNames) {
 }
 
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
-  const std::vector<std::string> help = say::LearnHelp(true);
-  const std::string words = help[0] + help[1];
+  const say::HelpLines help = say::LearnHelp(true);
+  const std::string words = help.first.front() + help.more.front();
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     EXPECT_NE(words.find(std::to_string(i + 1) + " " + LearnWords()[i]), std::string::npos);
   }
 }
 
 TEST(LearnMessages, HelpMarksWordsThatAFirstLessonDoesWithout) {
-  const std::vector<std::string> help = say::LearnHelp(true);
+  const say::HelpLines both = say::LearnHelp(true);
+  const std::string help[] = {both.first.front(), both.more.front()};
   EXPECT_EQ(help[1].rfind("For later, ", 0), 0U) << help[1];
   // what lesson 1 names in its own texts is not for later
   for (const char* word :
@@ -185,9 +189,37 @@ TEST(LearnMessages, HaveNoJargon) {
 }
 
 TEST(LearnMessages, HelpWithKeysNamesEveryKeyWithItsWord) {
-  const std::string words = say::KeysHelp(UsualKeys(), true).front();
+  const say::HelpLines help = say::KeysHelp(UsualKeys(), true);
+  const std::string words = help.first.front() + help.more.front();
   for (const auto& [key, word] : UsualKeys()) {
-    EXPECT_NE(words.find(key + " " + word), std::string::npos) << key;
+    EXPECT_NE(words.find(KeyCalled(key) + " " + word), std::string::npos) << key;
+  }
+}
+
+// A Braille display of forty cells is read line by line: twelve lines are a page of it.
+TEST(LearnMessages, EndWithOneFullStop) {
+  const Course course;
+  for (const Sentence sentence :
+       {Sentence::kNotAnAnswer, Sentence::kNotAsked, Sentence::kCannotPractise}) {
+    lesson_action::Say say;
+    say.sentence = sentence;
+    say.text = "t.";  // as it was typed
+    EXPECT_EQ(say::LessonSentence(course, say).find(".."), std::string::npos) << static_cast<int>(sentence);
+  }
+  EXPECT_EQ(say::AskOwnText("The cat sat."),
+            "Your text? Type it and Enter; Enter alone takes: The cat sat.");
+  EXPECT_EQ(say::AskOwnText("Till it"),
+            "Your text? Type it and Enter; Enter alone takes: Till it.");
+}
+
+TEST(LearnMessages, HelpIsShortUntilItIsAskedForOnceMore) {
+  for (const say::HelpLines& help : {say::LearnHelp(true), say::KeysHelp(UsualKeys(), true)}) {
+    std::size_t lines = 0;
+    for (const std::string& sentence : help.first) {
+      const std::string wrapped = Wrapped(sentence, 40);
+      lines += static_cast<std::size_t>(std::count(wrapped.begin(), wrapped.end(), '\n'));
+    }
+    EXPECT_LE(lines, 14U);
   }
 }
 

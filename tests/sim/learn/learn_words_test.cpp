@@ -88,7 +88,7 @@ TEST(LearnWords, AnyLineIsTheTextThatWasAskedForButStopQuitAndSlashes) {
 TEST(LearnWords, FindTakesATextAndIsNoAnswer) {
   for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
     for (const char* line : {"find the Cat", "/Find the Cat", "48 the Cat"}) {
-      if (line[0] == '4' && asked != Asked::kNothing) continue;  // digits are signs then
+      if (line[0] == '4' && asked != Asked::kNothing) continue;  // nobody says so in answers
       const LearnLine read = Read(line, asked);
       EXPECT_EQ(read.kind, Kind::kPlace) << line;
       EXPECT_EQ(read.place.word, PlaceWord::kFind) << line;
@@ -152,15 +152,29 @@ TEST(LearnWords, HelpTakesTheWordItIsAskedAbout) {
 }
 
 TEST(LearnWords, GiveWayToAnswersWhereSomethingIsAsked) {
-  ExpectAnswer(Read("a", Asked::kName), "a");    // not "again"
-  ExpectAnswer(Read("B", Asked::kName), "b");    // a sign that is not taught yet
-  ExpectAnswer(Read("7", Asked::kName), "7");    // not "bigger"
-  ExpectAnswer(Read("12", Asked::kName), "12");  // not "faster"
-  ExpectAnswer(Read("go", Asked::kName), "go");  // an item of the course
+  ExpectAnswer(Read("a", Asked::kName), "a");      // not "again"
+  ExpectAnswer(Read("B", Asked::kName), "b");      // a sign that is not taught yet
+  ExpectAnswer(Read("7", Asked::kNumber), "7");    // not "bigger"
+  ExpectAnswer(Read("12", Asked::kNumber), "12");  // not "faster"
+  ExpectAnswer(Read("go", Asked::kName), "go");    // an item of the course
   ExpectAnswer(Read("the", Asked::kName), "the");
   ExpectAnswer(Read("Comma", Asked::kName), "comma");
   ExpectAnswer(Read("question mark", Asked::kName), "question mark");
   ExpectAnswer(Read("elephant", Asked::kName), "elephant");
+}
+
+TEST(LearnWords, HaveTheirNumbersWhereNoNumberIsAskedFor) {
+  ExpectWord(Read("2", Asked::kName), LearnWord::kNext);
+  ExpectWord(Read("7", Asked::kName), LearnWord::kBigger);  // though the course will teach it
+  ExpectWord(Read("18", Asked::kName), LearnWord::kQuit);
+  EXPECT_EQ(Read("0", Asked::kName).kind, Kind::kRefused);
+}
+
+TEST(LearnWords, AreNotWhatWhoDoesNotKnowSays) {
+  for (const Asked asked : {Asked::kName, Asked::kNumber, Asked::kSame}) {
+    ExpectAnswer(Read("I don't know", asked), "i don't know");
+  }
+  EXPECT_EQ(Read("I don't know").kind, Kind::kRefused);
 }
 
 TEST(LearnWords, CanBeSaidWhileSomethingIsAsked) {

@@ -211,6 +211,39 @@ TEST_F(SlowViewByHand, ThePanelIsTheTutorsInALesson) {
   EXPECT_EQ(kept, (std::vector<std::string>{"stop", "go", "size 17 mm", "depth 110 %"}));
 }
 
+TEST_F(SlowViewByHand, TheKeyboardIsTheLearners) {
+  session_ = std::make_unique<PtySession>(
+      std::vector<std::string>{"learn", "--course", In("course"), "--records", In("records.sqlite"),
+                               "--learner", "ann", "--device", "mouse", "--view"});
+  ASSERT_TRUE(session_->WaitFor("say next to go on.")) << session_->all();
+  ASSERT_TRUE(Titled("Moontrace") && display_->MoveTo(700, 300));
+  session_->Send("where\n");
+  ASSERT_TRUE(Titled("[Ll]esson 1 of 2")) << session_->all();
+  const auto type = [this](const std::string& line) {
+    return display_->Do({"type", line}) && Keys({"Return"});
+  };
+  ASSERT_TRUE(Keys({"Escape"}));
+  EXPECT_TRUE(session_->WaitFor("Stopped. Say go")) << session_->all();
+  ASSERT_TRUE(type("go"));
+  EXPECT_TRUE(session_->WaitFor("Going on.")) << session_->all();
+  ASSERT_TRUE(type("size 20"));  // a word that only tutors have
+  EXPECT_TRUE(session_->WaitFor("Letters of 20 mm")) << session_->all();
+  const std::size_t before = session_->all().size();
+  ASSERT_TRUE(type("where"));
+  EXPECT_TRUE(session_->WaitFor("Lesson 1 of 2, step 1 of 8")) << session_->all();
+  EXPECT_EQ(session_->all().find("ann: Lesson", before), std::string::npos) << "as a tutor hears";
+  ASSERT_TRUE(type("quit"));
+  EXPECT_EQ(session_->Wait(), 0);  // though nobody answers at the terminal
+  EXPECT_EQ(session_->all().find("may the path"), std::string::npos) << session_->all();
+  EXPECT_EQ(session_->all().find("Tutor: "), std::string::npos) << session_->all();
+  std::vector<std::string> kept;
+  for (const RecordedEvent& event : Records::OpenToRead(In("records.sqlite")).Events("ann")) {
+    if (event.kind == "stop" || event.kind == "tutor")
+      kept.push_back(event.kind + " " + event.text);
+  }
+  EXPECT_EQ(kept, (std::vector<std::string>{"stop learner", "tutor size 20"}));
+}
+
 TEST_F(SlowViewByHand, NothingIsFeltOfAMouse) {
   session_ = std::make_unique<PtySession>(
       std::vector<std::string>{"learn", "--course", In("course"), "--records", In("records.sqlite"),

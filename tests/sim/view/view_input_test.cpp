@@ -65,7 +65,7 @@ class ViewInputTest : public testing::Test {
     event.control = control;
     input_->Handle(event, now_);
   }
-  std::string Line() { return input_->NextLine(now_ += 1).value_or("(nothing)"); }
+  std::string Line() { return input_->NextLine(now_ += 1).value_or(ViewLine{"(nothing)"}).text; }
   glm::dvec2 Under(glm::dvec2 at) const {
     const PixelBox& page = painter_->layout().page;
     return PointUnder(painter_->camera(), painter_->aspect(),

@@ -104,13 +104,15 @@ class SlowViewWindow : public testing::Test {
     return display_->Do(words);
   }
   std::string Line() {
-    std::optional<std::string> line;
+    std::optional<ViewLine> line;
     Eventually([&] { return (line = viewer_->NextLine()).has_value(); });
-    return line.value_or("(nothing)");
+    of_panel_ = line && line->of_panel;
+    return line ? line->text : "(nothing)";
   }
 
   std::unique_ptr<TestDisplay> display_;
   std::unique_ptr<Viewer> viewer_;  // ends before its display
+  bool of_panel_ = false;           // the line that was heard last
   double time_ = 0;
 };
 
@@ -123,6 +125,7 @@ TEST_F(SlowViewWindow, EachPanelControlSaysItsLineByKeys) {
   EXPECT_EQ(Line(), "mode bead");
   ASSERT_TRUE(Keys({"Tab", "Return"}));
   EXPECT_EQ(Line(), "again");
+  EXPECT_TRUE(of_panel_);
   ASSERT_TRUE(Keys({"shift+Tab", "Down"}));
   EXPECT_EQ(Line(), "mode attract");
 }
@@ -135,8 +138,9 @@ TEST_F(SlowViewWindow, EachPanelControlSaysItsLineByMouse) {
   for (int y = 40; y < 240; y += 12) {
     ASSERT_TRUE(display_->Click(140, y));
     ASSERT_TRUE(Drawn(viewer_->report().frames + 2));
-    while (std::optional<std::string> line = viewer_->NextLine()) {
-      words.insert(line->substr(0, line->find(' ')));
+    while (std::optional<ViewLine> line = viewer_->NextLine()) {
+      EXPECT_TRUE(line->of_panel) << line->text;
+      words.insert(line->text.substr(0, line->text.find(' ')));
     }
   }
   EXPECT_EQ(words, (std::set<std::string>{"again", "mode", "size"}));
@@ -150,10 +154,12 @@ TEST_F(SlowViewWindow, WordsAreTyped) {
   ASSERT_TRUE(display_->Do({"type", "p 3"}));
   ASSERT_TRUE(Keys({"Return"}));
   EXPECT_EQ(Line(), "help 3");
+  EXPECT_FALSE(of_panel_);
   // a line that was begun does not hold up the stop
   ASSERT_TRUE(display_->Do({"type", "siz"}));
   ASSERT_TRUE(Keys({"Escape"}));
   EXPECT_EQ(Line(), "stop");
+  EXPECT_FALSE(of_panel_) << "it is not the tutor who stops";
   ASSERT_TRUE(Keys({"space", "space"}));
   EXPECT_EQ(Line(), "go");
   EXPECT_EQ(Line(), "stop");  // the panel has no "pause"
