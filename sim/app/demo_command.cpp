@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/app/messages.h"
+#include "sim/app/trace_picture.h"
 #include "sim/picture/cairo_writer.h"
 #include "sim/picture/picture_file.h"
-#include "sim/picture/trace_picture.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/trial.h"

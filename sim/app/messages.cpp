@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "sim/console/wording.h"
+#include "sim/picture/picture_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/writing_messages.h"
 #include "textures/base/text_file.h"
@@ -325,6 +326,27 @@ std::string ExhibitMissing(std::string_view title, std::string_view why) {
 
 std::string ExhibitFailed(std::string_view title, std::string_view why) {
   return fmt::format("picture '{}': {}", title, OneLine(why, 200));
+}
+
+std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank) {
+  return fmt::format("{} traced, letters {} mm high{}", script, Short(kMillimetres * style.size, 2),
+                     blank ? ", on a blank page" : "");
+}
+
+std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
+  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(text));
+  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(text),
+                     Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
+                     Times(total.excursions));
+}
+
+std::string TracePictureLegend(const TypeStyle& style, bool blank, bool rings) {
+  const std::string_view relief = ReliefWord(style);
+  const std::string ground = blank ? fmt::format("Dashed grey: where each {} would be.", relief)
+                                   : fmt::format("Grey band: the {}, {} mm wide.", relief,
+                                                 Short(kMillimetres * style.width, 2));
+  return fmt::format("{} Blue line: the tip of the stylus.{}", ground,
+                     rings ? " Orange rings: where it left." : "");
 }
 
 }  // namespace moontrace::say

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/measure/scoring.h"
 #include "sim/bench/row.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/record.h"
@@ -95,5 +96,11 @@ std::string DemoBelowBar(double size);
 std::string GalleryOutcome(std::size_t drawn, std::size_t missing);
 std::string ExhibitMissing(std::string_view title, std::string_view why);
 std::string ExhibitFailed(std::string_view title, std::string_view why);
+
+/// What the picture of a trace says: title, description and legend.
+std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank);
+std::string TracePictureWords(std::string_view text, const TraceMetrics& total);
+/// `rings`: there are some.
+std::string TracePictureLegend(const TypeStyle& style, bool blank, bool rings);
 
 }  // namespace moontrace::say

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "sim/app/messages.h"
+#include "sim/picture/link_messages.h"
 #include "sim/picture/page_picture.h"
 #include "sim/picture/picture_file.h"
 #include "sim/picture/picture_messages.h"
+#include "sim/picture/structure_messages.h"
 #include "sim/setup/help.h"
-#include "sim/setup/link_messages.h"
 #include "sim/setup/setup_messages.h"
-#include "sim/setup/structure_messages.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/setup/writing_messages.h"
 #include "textures/base/error.h"

@@ -7,8 +7,8 @@
 
 #include "sim/app/guide_messages.h"
 #include "sim/app/messages.h"
+#include "sim/picture/link_messages.h"
 #include "sim/session/loop_messages.h"
-#include "sim/setup/link_messages.h"
 #include "sim/setup/typeset_report.h"
 
 namespace moontrace {

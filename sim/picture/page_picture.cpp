@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "sim/picture/link_marks.h"
+#include "sim/picture/link_messages.h"
 #include "sim/picture/moon_marks.h"
 #include "sim/picture/picture_messages.h"
 #include "sim/picture/print_marks.h"
 #include "sim/picture/sheet_marks.h"
-#include "sim/setup/link_messages.h"
-#include "sim/setup/sheet_messages.h"
-#include "sim/setup/structure_messages.h"
+#include "sim/picture/sheet_messages.h"
+#include "sim/picture/structure_messages.h"
 #include "textures/base/units.h"
 #include "textures/relief/structure_patches.h"
 #include "textures/typeset/sheet_texture.h"

@@ -6,8 +6,6 @@
 #include "sim/picture/cairo_writer.h"
 #include "sim/picture/picture_messages.h"
 #include "sim/picture/svg_writer.h"
-#include "sim/setup/options.h"
-#include "sim/setup/setup_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/output_file.h"
 #include "textures/base/text_file.h"
@@ -113,17 +111,6 @@ std::vector<std::string> PagePictures::Finish() {
     files_ = {path_};
   }
   return files_;
-}
-
-void AddPicture(CLI::App& app, std::string& path, const std::string& description) {
-  AddValue(
-      app, "--picture", "FILE",
-      [&path](const std::string& given) {
-        if (given.empty()) throw UsageError(say::ValueEmpty("--picture"));
-        if (!HasPictureEnding(given)) throw UsageError(say::NotAPicture("--picture", given));
-        path = given;
-      },
-      description);
 }
 
 }  // namespace moontrace

@@ -7,7 +7,6 @@
 
 #include "sim/picture/drawing.h"
 #include "sim/picture/raster.h"
-#include "sim/setup/cli_app.h"
 
 namespace moontrace {
 
@@ -47,8 +46,5 @@ class PagePictures {
 /// The same for a picture of points, which is a PNG whatever else the ending says: InputError.
 /// `lasting` as in OutputFile.
 void WritePicture(const std::string& path, const Raster& raster, bool lasting = true);
-
-/// `--picture`; a path without an ending of pictures is a UsageError.
-void AddPicture(CLI::App& app, std::string& path, const std::string& description);
 
 }  // namespace moontrace

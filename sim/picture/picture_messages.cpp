@@ -3,10 +3,13 @@
 #include <fmt/core.h>
 
 #include "sim/console/wording.h"
-#include "sim/setup/setup_messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace::say {
+
+std::string_view ReliefWord(const TypeStyle& style) {
+  return style.relief == Relief::kEngraved ? "groove" : "ridge";
+}
 
 std::string TooManyPictures(std::size_t pages, std::size_t limit) {
   return fmt::format(
@@ -23,27 +26,6 @@ std::string PagePictureWords(std::size_t signs, std::size_t lines, const TypeSty
   return fmt::format("{} in {}, {} mm high, {} {} mm wide.", Counted(signs, "sign", "signs"),
                      Counted(lines, "line", "lines"), Short(kMillimetres * style.size, 2),
                      ReliefWord(style), Short(kMillimetres * style.width, 2));
-}
-
-std::string TracePictureTitle(std::string_view script, const TypeStyle& style, bool blank) {
-  return fmt::format("{} traced, letters {} mm high{}", script, Short(kMillimetres * style.size, 2),
-                     blank ? ", on a blank page" : "");
-}
-
-std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
-  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(text));
-  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(text),
-                     Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
-                     Times(total.excursions));
-}
-
-std::string TracePictureLegend(const TypeStyle& style, bool blank, bool rings) {
-  const std::string_view relief = ReliefWord(style);
-  const std::string ground = blank ? fmt::format("Dashed grey: where each {} would be.", relief)
-                                   : fmt::format("Grey band: the {}, {} mm wide.", relief,
-                                                 Short(kMillimetres * style.width, 2));
-  return fmt::format("{} Blue line: the tip of the stylus.{}", ground,
-                     rings ? " Orange rings: where it left." : "");
 }
 
 std::string TableTitle(const Script& script) {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "sim/picture/link_messages.h"
 #include "sim/setup/help.h"
-#include "sim/setup/link_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "textures/relief/groove_links.h"
 

@@ -4,9 +4,10 @@
 #include <charconv>
 #include <string_view>
 
+#include "sim/picture/picture_file.h"
+#include "sim/picture/structure_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
-#include "sim/setup/structure_messages.h"
 #include "sim/setup/writing_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
@@ -83,6 +84,17 @@ StructureStyle StructureOf(const StyleOptions& options, const Label& from) {
 }
 
 }  // namespace
+
+void AddPicture(CLI::App& app, std::string& path, const std::string& description) {
+  AddValue(
+      app, "--picture", "FILE",
+      [&path](const std::string& given) {
+        if (given.empty()) throw UsageError(say::ValueEmpty("--picture"));
+        if (!HasPictureEnding(given)) throw UsageError(say::NotAPicture("--picture", given));
+        path = given;
+      },
+      description);
+}
 
 void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all) {
   AddValue(

@@ -79,6 +79,8 @@ void AddOptions(CLI::App& app, LayoutOptions& options);
 void AddOptions(CLI::App& app, Surface& surface);
 /// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`, `--label`.
 void AddOptions(CLI::App& app, FeelOptions& options);
+/// `--picture`; a path without an ending of pictures is a UsageError.
+void AddPicture(CLI::App& app, std::string& path, const std::string& description);
 /// `--seed`. `given_at_all`, unless null, becomes true if it was.
 void AddSeed(CLI::App& app, std::uint64_t& seed, bool* given_at_all = nullptr);
 

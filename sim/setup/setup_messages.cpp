@@ -113,8 +113,4 @@ std::string BadParameters(std::string_view folder, std::string_view cause) {
                      folder, OneLine(cause));
 }
 
-std::string_view ReliefWord(const TypeStyle& style) {
-  return style.relief == Relief::kEngraved ? "groove" : "ridge";
-}
-
 }  // namespace moontrace::say

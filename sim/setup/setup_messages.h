@@ -32,7 +32,4 @@ std::string Doubtful(const Replacement& replacement);
 std::string MoreReplacements(std::size_t count);
 std::string BadParameters(std::string_view folder, std::string_view cause);
 
-/// "groove" or "ridge".
-std::string_view ReliefWord(const TypeStyle& style);
-
 }  // namespace moontrace::say

@@ -2,9 +2,9 @@
 
 #include "sim/console/console.h"
 #include "sim/physics/label.h"
+#include "sim/picture/sheet_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
-#include "sim/setup/sheet_messages.h"
 #include "textures/base/units.h"
 #include "textures/typeset/sheet_texture.h"
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "sim/picture/sheet_messages.h"
 #include "sim/setup/setup_messages.h"
-#include "sim/setup/sheet_messages.h"
 #include "textures/base/units.h"
 #include "textures/typeset/rules.h"
 

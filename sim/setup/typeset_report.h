@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "sim/setup/link_messages.h"
+#include "sim/picture/link_messages.h"
 #include "sim/trial/metrics_json.h"
 #include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"

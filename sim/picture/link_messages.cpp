@@ -1,4 +1,4 @@
-#include "sim/setup/link_messages.h"
+#include "sim/picture/link_messages.h"
 
 #include <fmt/core.h>
 

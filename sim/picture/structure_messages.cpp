@@ -1,4 +1,4 @@
-#include "sim/setup/structure_messages.h"
+#include "sim/picture/structure_messages.h"
 
 #include <fmt/core.h>
 

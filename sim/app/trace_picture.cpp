@@ -1,4 +1,4 @@
-#include "sim/picture/trace_picture.h"
+#include "sim/app/trace_picture.h"
 
 #include <fmt/core.h>
 
@@ -7,12 +7,12 @@
 #include <utility>
 #include <variant>
 
+#include "sim/app/messages.h"
 #include "sim/picture/link_marks.h"
+#include "sim/picture/link_messages.h"
 #include "sim/picture/moon_marks.h"
-#include "sim/picture/picture_messages.h"
 #include "sim/picture/sheet_marks.h"
-#include "sim/setup/link_messages.h"
-#include "sim/setup/sheet_messages.h"
+#include "sim/picture/sheet_messages.h"
 #include "textures/base/units.h"
 #include "textures/typeset/rules.h"
 

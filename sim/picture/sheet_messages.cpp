@@ -1,4 +1,4 @@
-#include "sim/setup/sheet_messages.h"
+#include "sim/picture/sheet_messages.h"
 
 #include <fmt/core.h>
 
