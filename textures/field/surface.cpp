@@ -21,6 +21,29 @@ double Saturating(double stiffness, double limit, double x) noexcept {
   return std::clamp(stiffness * x, 0.0, limit);
 }
 
+Contact ContactOf(const SurfaceLaw& law, const Sample& sample, glm::dvec3 p_P) noexcept {
+  const Surface& surface = law.surface;
+  Contact contact;
+  contact.sample = sample;
+  contact.depth = contact.sample.displacement - p_P.z;
+  // infinitely deep is as broken as NaN; the sum is finite only if all three are
+  if (!std::isfinite(contact.depth + p_P.x + p_P.y)) return contact;
+  if (surface.law == ForceLaw::kPaper) {
+    if (!(contact.depth > 0)) return contact;
+    contact.force_P = std::min(surface.stiffness * contact.depth, surface.force_cap) *
+                      NormalOf(contact.sample.gradient);
+    return contact;
+  }
+  const double supported = -p_P.z - law.support;  // a - a0
+  if (!(contact.depth > 0) && !(supported > 0)) return contact;
+  const double phi = Saturating(surface.stiffness, law.sideways, contact.depth);
+  const double psi = Saturating(surface.stiffness, law.normal - law.sideways, supported);
+  contact.force_P = phi * glm::dvec3(-contact.sample.gradient, 1.0);
+  contact.force_P.z += psi;
+  contact.depth = std::max(contact.depth, supported);
+  return contact;
+}
+
 }  // namespace
 
 SurfaceLaw LawOf(const Surface& surface, const TextureField& field) noexcept {
@@ -43,26 +66,11 @@ Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P)
 }
 
 Contact Touch(const SurfaceLaw& law, const TextureField& field, glm::dvec3 p_P) noexcept {
-  const Surface& surface = law.surface;
-  Contact contact;
-  contact.sample = field.SampleAt({p_P.x, p_P.y});
-  contact.depth = contact.sample.displacement - p_P.z;
-  // infinitely deep is as broken as NaN; the sum is finite only if all three are
-  if (!std::isfinite(contact.depth + p_P.x + p_P.y)) return contact;
-  if (surface.law == ForceLaw::kPaper) {
-    if (!(contact.depth > 0)) return contact;
-    contact.force_P = std::min(surface.stiffness * contact.depth, surface.force_cap) *
-                      NormalOf(contact.sample.gradient);
-    return contact;
-  }
-  const double supported = -p_P.z - law.support;  // a - a0
-  if (!(contact.depth > 0) && !(supported > 0)) return contact;
-  const double phi = Saturating(surface.stiffness, law.sideways, contact.depth);
-  const double psi = Saturating(surface.stiffness, law.normal - law.sideways, supported);
-  contact.force_P = phi * glm::dvec3(-contact.sample.gradient, 1.0);
-  contact.force_P.z += psi;
-  contact.depth = std::max(contact.depth, supported);
-  return contact;
+  return ContactOf(law, field.SampleAt({p_P.x, p_P.y}), p_P);
+}
+
+Contact Touch(const SurfaceLaw& law, const Sample& sample, glm::dvec3 p_P) noexcept {
+  return ContactOf(law, sample, p_P);
 }
 
 double Potential(const SurfaceLaw& law, double displacement, double z) noexcept {

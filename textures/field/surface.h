@@ -59,6 +59,8 @@ glm::dvec3 NormalOf(glm::dvec2 gradient) noexcept;
 /// D in a groove. Under deeper ones the support begins at their floor, or they would have none of
 /// their own shape: flat paper sinks there from G/k to D once it is pressed harder than G.
 Contact Touch(const SurfaceLaw& law, const TextureField& field, glm::dvec3 p_P) noexcept;
+/// The same where the texture was sampled before, at p_P's x and y.
+Contact Touch(const SurfaceLaw& law, const Sample& sample, glm::dvec3 p_P) noexcept;
 /// The same for one point: LawOf each time.
 Contact Touch(const Surface& surface, const TextureField& field, glm::dvec3 p_P) noexcept;
 
