@@ -98,14 +98,14 @@ class Places {
   std::array<glm::dvec2, kBlock> own_;
 };
 
-/// Whether all are finite, without a branch for each: x - x is 0, or not a number.
+/// Whether all are finite, without a branch for each: 0 x is 0, or not a number.
 bool AllFinite(std::span<const glm::dvec2> points) noexcept {
   std::array<glm::dvec2, 4> off{};
   std::size_t i = 0;
   for (; i + off.size() <= points.size(); i += off.size()) {
-    for (std::size_t k = 0; k < off.size(); ++k) off[k] += points[i + k] - points[i + k];
+    for (std::size_t k = 0; k < off.size(); ++k) off[k] += 0.0 * points[i + k];
   }
-  for (; i < points.size(); ++i) off[0] += points[i] - points[i];
+  for (; i < points.size(); ++i) off[0] += 0.0 * points[i];
   const glm::dvec2 sum = off[0] + off[1] + off[2] + off[3];
   return sum.x == 0 && sum.y == 0;
 }

@@ -30,7 +30,7 @@ fs::path InstalledBeside(const fs::path& file, const std::string& relative) {
   fs::path folder = file.parent_path();
   for (int up = 0; up < kMostUp && folder.has_relative_path(); ++up) {
     folder = folder.parent_path();
-    const fs::path installed = folder / "share" / "moontrace" / relative;
+    fs::path installed = folder / "share" / "moontrace" / relative;
     if (fs::exists(installed, ignored)) return installed;
   }
   return {};

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# The library as it is installed, in any folder: programs of others find, compile and run it, with its
+# own data.
+#   consumer_test.sh CMAKE BUILD_TREE SOURCE_TREE C_COMPILER CXX_COMPILER
+set -euo pipefail
+cmake=$1 build=$2 consumers=$3/tests/library/consumers c=$4 cxx=$5
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() { printf '%s\n' "$@"; exit 1; }
+
+for part in library development data; do
+  "$cmake" --install "$build" --prefix "$folder/first" --component "$part" >"$folder/log"
+done
+mv "$folder/first" "$folder/prefix"  # it may be moved
+prefix=$folder/prefix
+# which data are read: these, not those of the source tree
+sed -i 's/^title = .*/title = "Installed Moon"/' "$prefix/share/moontrace/textures/scripts/moon.toml"
+
+# nothing but the library is offered
+mapfile -t offered < <(find "$prefix" -name '*.a' -o -name '*.h' -o -name '*.hpp' | sort)
+[ "${#offered[@]}" = 2 ] || fail 'offered:' "${offered[@]}"
+config=$(find "$prefix" -name moontraceConfig.cmake)
+grep -o 'add_library([^ ]*' "$config" | sort -u >"$folder/targets"
+[ "$(cat "$folder/targets")" = 'add_library(moontrace::moontrace' ] || fail "$(cat "$folder/targets")"
+
+# C++ by find_package
+"$cmake" -S "$consumers/cpp" -B "$folder/cpp" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$cxx" \
+  -DCMAKE_BUILD_TYPE=Debug >"$folder/log" 2>&1 && "$cmake" --build "$folder/cpp" >>"$folder/log" 2>&1 || fail "$(cat "$folder/log")"
+said=$("$folder/cpp/consumer" "$folder/i.svg") || fail "the consumer in C++ ended with $?"
+# half of a groove 0.1165 em wide of letters 20 mm high is 1.165 mm; points are 0.1 mm apart
+grep -qE '^Installed Moon: i, 1\.1[0-9] mm deep$' <<<"$said" || fail "$said"
+grep -q '<svg' "$folder/i.svg" || fail 'no picture'
+
+# C by pkg-config
+pc=$(dirname "$(find "$prefix" -name moontrace.pc)")
+flags=$(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs moontrace)
+# shellcheck disable=SC2086  # several words
+"$c" -std=c99 -Wall -Wextra -Wpedantic -Werror "$consumers/c/consumer.c" -o "$folder/c" $flags
+library=$(dirname "$(find "$prefix" -name 'libmoontrace.so.0')")
+said=$(LD_LIBRARY_PATH=$library "$folder/c") || fail "the consumer in C ended with $?"
+[ "$(sed 's/ at.*//' <<<"$said" | tr '\n' ' ')" = 'Installed Moon m o o n ' ] || fail "$said"
+echo 'consumers in C++ and C find, compile and run the library'
