@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,7 +18,8 @@ using namespace moontrace;
 
 namespace {
 
-constexpr std::size_t kBlock = 512;  ///< points that are done at a time: what they need stays near
+constexpr std::size_t kBlock = 512;     ///< points that are copied at a time: they stay near
+constexpr std::size_t kStretch = 1024;  ///< points that are done at a time where none is copied
 
 /// Doubles of a caller, some bytes apart. Their addresses may be any, so they are copied one by
 /// one.
@@ -35,16 +37,40 @@ class Strided {
       throw UsageError(std::string(name) + " is longer than any memory");
     }
   }
-  double Get(std::size_t i) const noexcept {
-    double value = 0;
-    std::memcpy(&value, At(i), sizeof value);
-    return value;
+  double Get(std::size_t i) const noexcept { return Read(At(i)); }
+  void Set(std::size_t i, double value) const noexcept { Write(At(i), value); }
+  /// Gives `count` numbers from the i-th on to `take` as 0, 1, ... and their value.
+  template <class Take>
+  void GetMany(std::size_t first, std::size_t count, Take take) const noexcept {
+    const Byte* at = At(first);
+    if (step_ == sizeof(double)) {
+      for (std::size_t i = 0; i < count; ++i) take(i, Read(at + i * sizeof(double)));
+    } else {
+      for (std::size_t i = 0; i < count; ++i, at += step_) take(i, Read(at));
+    }
   }
-  void Set(std::size_t i, double value) const noexcept { std::memcpy(At(i), &value, sizeof value); }
+  /// Sets `count` numbers from the i-th on to what `value` gives for 0, 1, ...; numbers that follow
+  /// each other closely in a loop of their own, which compilers turn into vector instructions.
+  template <class Value>
+  void SetMany(std::size_t first, std::size_t count, Value value) const noexcept {
+    Byte* at = At(first);
+    if (step_ == sizeof(double)) {
+      for (std::size_t i = 0; i < count; ++i) Write(at + i * sizeof(double), value(i));
+    } else {
+      for (std::size_t i = 0; i < count; ++i, at += step_) Write(at, value(i));
+    }
+  }
   Byte* At(std::size_t i) const noexcept { return first_ + static_cast<std::ptrdiff_t>(i) * step_; }
   std::ptrdiff_t step() const noexcept { return step_; }
 
  private:
+  static double Read(const Byte* at) noexcept {
+    double value = 0;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+  }
+  static void Write(Byte* at, double value) noexcept { std::memcpy(at, &value, sizeof value); }
+
   Byte* first_;
   std::ptrdiff_t step_;
 };
@@ -88,9 +114,12 @@ class Places {
   /// Those from `first` on: where the caller has them, if they stand there side by side.
   std::span<const glm::dvec2> From(std::size_t first, std::size_t count) noexcept {
     if (side_by_side_) return {reinterpret_cast<const glm::dvec2*>(x_.At(first)), count};
-    for (std::size_t i = 0; i < count; ++i) own_[i] = {x_.Get(first + i), y_.Get(first + i)};
+    x_.GetMany(first, count, [this](std::size_t i, double x) { own_[i].x = x; });
+    y_.GetMany(first, count, [this](std::size_t i, double y) { own_[i].y = y; });
     return {own_.data(), count};
   }
+
+  bool side_by_side() const noexcept { return side_by_side_; }
 
  private:
   Input x_, y_;
@@ -100,14 +129,21 @@ class Places {
 
 /// Whether all are finite, without a branch for each: 0 x is 0, or not a number.
 bool AllFinite(std::span<const glm::dvec2> points) noexcept {
-  std::array<glm::dvec2, 4> off{};
+  std::array<double, 8> off{};  // side by side, as vectors have them
   std::size_t i = 0;
-  for (; i + off.size() <= points.size(); i += off.size()) {
-    for (std::size_t k = 0; k < off.size(); ++k) off[k] += 0.0 * points[i + k];
+  for (; i + off.size() / 2 <= points.size(); i += off.size() / 2) {
+    const glm::dvec2* four = &points[i];
+    off[0] += 0 * four[0].x;
+    off[1] += 0 * four[0].y;
+    off[2] += 0 * four[1].x;
+    off[3] += 0 * four[1].y;
+    off[4] += 0 * four[2].x;
+    off[5] += 0 * four[2].y;
+    off[6] += 0 * four[3].x;
+    off[7] += 0 * four[3].y;
   }
-  for (; i < points.size(); ++i) off[0] += 0.0 * points[i];
-  const glm::dvec2 sum = off[0] + off[1] + off[2] + off[3];
-  return sum.x == 0 && sum.y == 0;
+  for (; i < points.size(); ++i) off[0] += 0 * (points[i].x + points[i].y);
+  return std::accumulate(off.begin(), off.end(), 0.0) == 0;
 }
 
 bool IsFinite(glm::dvec2 p) noexcept { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -148,12 +184,19 @@ class SampleOutputs {
   }
   void Put(std::span<const Sample> samples, std::size_t first) const noexcept {
     if (side_by_side_) return;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (displacement_) displacement_->Set(first + i, samples[i].displacement);
-      if (gradient_x_) gradient_x_->Set(first + i, samples[i].gradient.x);
-      if (gradient_y_) gradient_y_->Set(first + i, samples[i].gradient.y);
+    const std::size_t count = samples.size();
+    if (displacement_) {
+      displacement_->SetMany(first, count, [&](std::size_t i) { return samples[i].displacement; });
+    }
+    if (gradient_x_) {
+      gradient_x_->SetMany(first, count, [&](std::size_t i) { return samples[i].gradient.x; });
+    }
+    if (gradient_y_) {
+      gradient_y_->SetMany(first, count, [&](std::size_t i) { return samples[i].gradient.y; });
     }
   }
+
+  bool side_by_side() const noexcept { return side_by_side_; }
 
  private:
   bool IsBeside(const Output& other, std::size_t numbers) const noexcept {
@@ -171,12 +214,13 @@ void SampleMany(const TextureField& field, const moontrace_samples& given) {
                 InputOf(given.y, given.y_step, given.count, "samples.y"));
   SampleOutputs outputs(given);
   FirstBad bad;
-  for (std::size_t first = 0; first < given.count; first += kBlock) {
-    const std::size_t count = std::min(kBlock, given.count - first);
+  const std::size_t most = places.side_by_side() && outputs.side_by_side() ? kStretch : kBlock;
+  for (std::size_t first = 0; first < given.count; first += most) {
+    const std::size_t count = std::min(most, given.count - first);
     const std::span<const glm::dvec2> points = places.From(first, count);
-    bad.Look(points, first);
     const std::span<Sample> samples = outputs.From(first, count);
     field.SamplesAt(points, samples);
+    bad.Look(points, first);  // now they are near
     outputs.Put(samples, first);
   }
   bad.Tell();
@@ -209,8 +253,8 @@ void ForceMany(const SurfaceLaw& law, const TextureField& field, const moontrace
   for (std::size_t first = 0; first < given.count; first += kBlock) {
     const std::size_t count = std::min(kBlock, given.count - first);
     const std::span<const glm::dvec2> points = places.From(first, count);
-    bad.Look(points, first);
     field.SamplesAt(points, samples);
+    bad.Look(points, first);
     for (std::size_t i = 0; i < count; ++i) {
       const double height = z.Get(first + i);
       if (!std::isfinite(height) && bad.number.value_or(first + i) >= first + i)
