@@ -17,3 +17,7 @@ file(RELATIVE_PATH up_to_prefix /${pkgconfig_folder} /)
 string(REGEX REPLACE "/$" "" up_to_prefix ${up_to_prefix})
 configure_file(.cmake/moontrace.pc.in moontrace.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/moontrace.pc DESTINATION ${pkgconfig_folder} COMPONENT development)
+
+# Where Debian's Python and Perl look below /usr.
+install(FILES sim/library/python/moontrace.py DESTINATION lib/python3/dist-packages COMPONENT python)
+install(FILES sim/library/perl/Moontrace.pm DESTINATION share/perl5 COMPONENT perl)

@@ -127,23 +127,21 @@ class Places {
   std::array<glm::dvec2, kBlock> own_;
 };
 
-/// Whether all are finite, without a branch for each: 0 x is 0, or not a number.
-bool AllFinite(std::span<const glm::dvec2> points) noexcept {
-  std::array<double, 8> off{};  // side by side, as vectors have them
+/// False if one of them is not finite, since then no sum is; or, rarely, if a sum is too large. In
+/// sums that do not wait for each other, as vectors have them.
+bool AllSurelyFinite(std::span<const glm::dvec2> points) noexcept {
+  constexpr std::size_t kSums = 8;
+  std::array<double, kSums> x{}, y{};
   std::size_t i = 0;
-  for (; i + off.size() / 2 <= points.size(); i += off.size() / 2) {
-    const glm::dvec2* four = &points[i];
-    off[0] += 0 * four[0].x;
-    off[1] += 0 * four[0].y;
-    off[2] += 0 * four[1].x;
-    off[3] += 0 * four[1].y;
-    off[4] += 0 * four[2].x;
-    off[5] += 0 * four[2].y;
-    off[6] += 0 * four[3].x;
-    off[7] += 0 * four[3].y;
+  for (; i + kSums <= points.size(); i += kSums) {
+    for (std::size_t k = 0; k < kSums; ++k) {
+      x[k] += points[i + k].x;
+      y[k] += points[i + k].y;
+    }
   }
-  for (; i < points.size(); ++i) off[0] += 0 * (points[i].x + points[i].y);
-  return std::accumulate(off.begin(), off.end(), 0.0) == 0;
+  for (; i < points.size(); ++i) x[0] += points[i].x + points[i].y;
+  return std::isfinite(std::accumulate(x.begin(), x.end(), 0.0) +
+                       std::accumulate(y.begin(), y.end(), 0.0));
 }
 
 bool IsFinite(glm::dvec2 p) noexcept { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -152,8 +150,9 @@ bool IsFinite(glm::dvec2 p) noexcept { return std::isfinite(p.x) && std::isfinit
 struct FirstBad {
   std::optional<std::size_t> number;
   void Look(std::span<const glm::dvec2> points, std::size_t first) noexcept {
-    if (number || AllFinite(points)) return;
+    if (number || AllSurelyFinite(points)) return;
     const auto bad = std::find_if_not(points.begin(), points.end(), IsFinite);
+    if (bad == points.end()) return;
     number = first + static_cast<std::size_t>(bad - points.begin());
   }
   void Tell() const {

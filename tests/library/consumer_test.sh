@@ -8,7 +8,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 fail() { printf '%s\n' "$@"; exit 1; }
 
-for part in library development data; do
+for part in library development data python perl; do
   "$cmake" --install "$build" --prefix "$folder/first" --component "$part" >"$folder/log"
 done
 mv "$folder/first" "$folder/prefix"  # it may be moved
@@ -39,4 +39,14 @@ flags=$(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs moontrace)
 library=$(dirname "$(find "$prefix" -name 'libmoontrace.so.0')")
 said=$(LD_LIBRARY_PATH=$library "$folder/c") || fail "the consumer in C ended with $?"
 [ "$(sed 's/ at.*//' <<<"$said" | tr '\n' ' ')" = 'Installed Moon m o o n ' ] || fail "$said"
+# Python and Perl by the modules beside it
+if [ -x /usr/bin/python3 ]; then
+  said=$(PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 -c \
+    'import moontrace; print(moontrace.Script().title, len(moontrace.page("moon").letters))')
+  [ "$said" = 'Installed Moon 4' ] || fail "$said"
+fi
+if perl -MFFI::Platypus -e 1 2>/dev/null; then
+  said=$(perl -I "$prefix/share/perl5" -MMoontrace -e 'print scalar(my @letters = Moontrace->page("moon")->letters)')
+  [ "$said" = 4 ] || fail "$said"
+fi
 echo 'consumers in C++ and C find, compile and run the library'

@@ -128,6 +128,20 @@ TEST(LibraryMisuse, OneBadPointOfManyIsNamedAndTheOthersAreDone) {
   }
 }
 
+TEST(LibraryMisuse, PointsAsFarAsNumbersGoAreNone) {
+  const OpenPage open("moon");
+  const std::vector<double> far(32, std::numeric_limits<double>::max());  // their sum is infinite
+  std::vector<double> out(far.size(), 9);
+  auto samples = Sized<moontrace_samples>();
+  samples.count = far.size();
+  samples.x = samples.y = far.data();
+  samples.x_step = samples.y_step = sizeof(double);
+  samples.displacement = out.data();
+  samples.displacement_step = sizeof(double);
+  EXPECT_EQ(moontrace_sample_many(open.page, &samples), MOONTRACE_DONE);
+  for (const double height : out) EXPECT_EQ(height, 0);
+}
+
 TEST(LibraryMisuse, ArraysThatCannotBeAreRefused) {
   const OpenPage open("moon");
   double number = 0, out[2] = {};
