@@ -100,22 +100,21 @@ void Loop::Watch() {
 }
 
 void Loop::Supervise() {
-  bool lost = false;
   int waited = 0, wait = 0, held = 0;  // [ms]
   while (SleepUnlessEnding(kPoll)) {
     // destroying and opening may block for long: no other thread waits for this one
     const std::unique_ptr<Device> detached = TakeDetached();
     if (detached != nullptr) {
-      lost = true;
+      lost_ = true;
       waited = 0;
       // a device that is lost again at once is tried at growing intervals
       wait = held < kSteady ? std::clamp(2 * wait, kReopenEvery, kLongestWait) : 0;
     }
     held += kPoll;
-    if (!lost || (waited += kPoll) < wait) continue;
+    if (!lost_ || (waited += kPoll) < wait) continue;
     waited = held = 0;
     Reopen();
-    lost = !WhyLost().empty();
+    lost_ = !WhyLost().empty();
     wait = std::max(wait, kReopenEvery);
   }
 }

@@ -120,7 +120,10 @@ class Loop {
   double TakeLateness() noexcept { return lateness_.exchange(0, std::memory_order_relaxed); }
   /// No tick for longer than the watchdog allows, now. Any thread.
   bool silent() const noexcept { return watchdog_.silent(); }
-  /// Why a lost device could not be opened again at the last try; empty if it was. Any thread.
+  /// The device is gone and not yet opened again. Any thread.
+  bool lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
+  /// Why a lost device could not be opened again at the last try; empty if it was, or if none has
+  /// ended yet. Any thread.
   std::string WhyLost() const;
   /// Device::WhyLost of the one that was lost last. Any thread but the tick's: waits up to 1.5 s
   /// for the device's answer.
@@ -154,6 +157,7 @@ class Loop {
   LoopReport report_;
   std::atomic<bool> ticking_{false};  ///< the ticking thread is running
   std::atomic<bool> ending_{false};
+  std::atomic<bool> lost_{false};  ///< see lost
   std::atomic<std::uint64_t> late_loops_{0};
   std::atomic<double> lateness_{0};  ///< see TakeLateness [us]
   mutable std::mutex mutex_;         ///< never taken by the tick: for the two threads beside it

@@ -370,8 +370,7 @@ bool Drive(LoopSession& session, const DriveOptions& options, Console& console) 
 }
 
 void RequireDevice(LoopSession& session) {
-  const std::string why = session.loop().WhyLost();
-  if (!why.empty()) throw LackError(say::EndedLost(why));
+  if (session.loop().lost()) throw LackError(say::EndedLost(session.loop().WhyLost()));
 }
 
 void SayBeginning(const LoopSession& session, Console& console) {

@@ -54,7 +54,8 @@ std::string CannotSpeak() {
 std::string InputEnded() { return "End of input: no more words can come, so this ends."; }
 
 std::string EndedLost(std::string_view why) {
-  return fmt::format("the device did not come back: {}", OneLine(why, 300));
+  const std::string line = "the device did not come back";
+  return why.empty() ? line : fmt::format("{}: {}", line, OneLine(why, 300));
 }
 
 namespace {

@@ -76,7 +76,7 @@ std::string LessonRefused(std::string_view path, std::string_view cause) {
   return fmt::format("the lesson cannot be reached, {}: {}", cause, OneLine(path, 300));
 }
 
-std::string LessonEnded() { return "The lesson has ended."; }
+std::string LessonEnded() { return "It has ended: nobody is there any more."; }
 
 std::string LessonSilent() { return "the lesson has not answered for 5 s"; }
 

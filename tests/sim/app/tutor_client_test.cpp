@@ -79,7 +79,7 @@ TEST_F(TutorCommandLine, EndsInOrderWhenTheLessonEnds) {
   Console console(in, out, err);
   EXPECT_EQ(RunCli({"tutor"}, console), 0);
   EXPECT_EQ(out.str().find("Lesson of ada.\nHeard: where\nHeard: where\n"), 0U);
-  EXPECT_EQ(Lines(out.str()).back(), "The lesson has ended.");
+  EXPECT_EQ(Lines(out.str()).back(), "It has ended: nobody is there any more.");
   EXPECT_EQ(err.str(), "");
 }
 

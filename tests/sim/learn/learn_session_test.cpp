@@ -307,6 +307,7 @@ TEST_F(LearnSessionTest, WaitsForADeviceThatIsLost) {
     ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
     ASSERT_TRUE(session.WaitFor("Device lost: ")) << session.all();
     ASSERT_TRUE(session.WaitFor(mend)) << session.all();
+    ASSERT_TRUE(session.WaitFor("Still lost: ")) << session.all();  // not by a stall: it is gone
     for (const char* word : {"next", "lesson 2", "my text it", "again", "done"}) {
       session.Send(std::string(word) + "\n");
       EXPECT_TRUE(session.WaitFor("The lesson waits for the device: nothing counts now."))

@@ -1,6 +1,7 @@
 #include "sim/loop/loop.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <glm/vec3.hpp>
 #include <system_error>
@@ -116,6 +117,26 @@ TEST(Loop, OpensALostDeviceAgain) {
   EXPECT_EQ(second.written.front(), glm::dvec3(0, 0, 0));
   EXPECT_EQ(tries, 2);
   EXPECT_EQ(loop->WhyLost(), "");
+}
+
+TEST(Loop, ADeviceIsLostFromTheFirstUntilItIsOpenedAgain) {
+  DeviceLog first, second;
+  std::atomic<bool> opens{false};
+  const std::unique_ptr<Loop> loop = Start(
+      first,
+      [](int n, DeviceState& state) {
+        return n < 300 ? HoldAt(kPressed)(n, state) : DeviceStatus::kLost;
+      },
+      [&](const std::atomic<bool>& ending) -> std::unique_ptr<Device> {
+        while (!opens && !ending) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return std::make_unique<ScriptedDevice>(second, HoldAt(kPressed));
+      });
+  EXPECT_FALSE(loop->lost());
+  Await([&loop] { return loop->lost(); });
+  EXPECT_EQ(loop->WhyLost(), "");  // the first try has not ended
+  opens = true;
+  Await([&loop] { return !loop->lost(); });
+  loop->End();
 }
 
 TEST(Loop, ChangesPagesAgainAndAgain) {
