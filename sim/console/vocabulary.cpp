@@ -152,6 +152,17 @@ const TypedWord* WholeBefore(std::string_view line, WordPlace place) {
 
 SaidLine Refused(std::string refusal) { return {nullptr, {}, std::move(refusal)}; }
 
+/// The word for what other programs, and people, call otherwise; empty: none.
+std::string CalledElsewhere(std::string_view given) {
+  constexpr std::pair<std::string_view, const char*> kOthers[] = {
+      {"exit", "quit"},    {"bye", "quit"},   {"end", "quit"},    {"goodbye", "quit"},
+      {"repeat", "again"}, {"wait", "pause"}, {"continue", "go"}, {"previous", "back"}};
+  for (const auto& [other, word] : kOthers) {
+    if (given == other) return word;
+  }
+  return {};
+}
+
 SaidLine Said(const WordFound& found, std::string_view given, std::string_view behind,
               WordPlace place) {
   if (found.word != nullptr) return {found.word, std::string(behind), {}};
@@ -166,7 +177,12 @@ SaidLine Said(const WordFound& found, std::string_view given, std::string_view b
   if (found.elsewhere != nullptr) {
     return Refused(say::WordNotHere(number ? given : found.elsewhere->word));
   }
-  return Refused(say::WordUnknown(given, NearestWord(std::string(given), WordsIn(place))));
+  const std::vector<std::string> words = WordsIn(place);
+  std::string meant = CalledElsewhere(given);
+  if (std::find(words.begin(), words.end(), meant) == words.end()) {
+    meant = NearestWord(std::string(given), words);
+  }
+  return Refused(say::WordUnknown(given, meant));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "sim/console/line_wrap.h"
 #include "sim/console/word_messages.h"
 #include "sim/demonstration/demonstration_messages.h"
+#include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
@@ -28,10 +29,29 @@ Demonstration::Clock::duration Seconds(double seconds) {
       std::chrono::duration<double>(seconds));
 }
 
+/// "t, o, i, l" is toil; what is no spelled word stays as it is.
+std::string Unspelled(const std::string& given) {
+  std::string word;
+  bool parted = true;
+  for (const char c : given) {
+    const bool parts = c == ' ' || c == ',' || c == '-' || c == '.';
+    if (!parts && !parted) return given;
+    if (!parts) word += c;
+    parted = parts;
+  }
+  return word.size() > 1 ? word : given;
+}
+
 bool IsRight(const DemonstrationStep& step, const std::string& given) {
-  return std::any_of(step.answers.begin(), step.answers.end(), [&given](const std::string& answer) {
-    return Names(Course(), answer, given);
+  const std::string word = Unspelled(given);
+  return std::any_of(step.answers.begin(), step.answers.end(), [&](const std::string& answer) {
+    return Names(Course(), answer, given) || answer == word;
   });
+}
+
+bool IsOneWord(const std::string& text) {
+  return text.size() > 1 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
 double SecondsFor(const std::string& line) {
@@ -150,8 +170,17 @@ void Demonstration::Reply(const std::string& line) {
   until_ = std::max(until_, now_) + Seconds(pace_ * SecondsFor(line));
 }
 
-/// A sign, or a word of signs that were shown. Other words and numbers are no answers.
+bool Demonstration::AsksWord() const {
+  return !step().answers.empty() &&
+         std::all_of(step().answers.begin(), step().answers.end(),
+                     [](const std::string& answer) { return CountCharacters(answer) > 1; });
+}
+
+/// A sign, or a word of signs that were shown; any word where one is asked. Other words and numbers
+/// are no answers.
 bool Demonstration::IsAnswer(const std::string& given) const {
+  const bool word = AsksWord() && IsOneWord(Unspelled(given));
+  if (word && NearestWord(given, WordsIn(WordPlace::kDemonstration)).empty()) return true;
   const std::vector<std::string> readings = ReadingsOf(given);
   return IsRight(step(), given) ||
          std::any_of(readings.begin(), readings.end(), [this](const std::string& reading) {
@@ -195,6 +224,25 @@ void Demonstration::Leave() {
   teller_.EndTurn();
 }
 
+/// An answer, or what sounds like one; false: it is for others to answer.
+bool Demonstration::Takes(const std::string& given) {
+  const bool unknown = DoesNotKnow(given);
+  if (!asking_) {
+    if (!unknown && (!IsAnswer(given) || Unspelled(given).find(' ') != std::string::npos)) {
+      return false;
+    }
+    Reply(say::NothingAsked(paused_));
+  } else if (!unknown && AsksWord() && CountCharacters(given) == 1) {
+    Reply(say::WholeWordAsked());
+    StillAsk();
+  } else if (unknown || IsAnswer(given)) {
+    Answer(given);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void Demonstration::Obey(const std::string& line) {
   teller_.Interrupt();
   const std::string given = Trimmed(line);
@@ -207,19 +255,23 @@ void Demonstration::Obey(const std::string& line) {
                                            : say::DemonstrationGoesOn());
   } else if (CameLate(given)) {
     TellLate();
-  } else if (asking_ && (DoesNotKnow(given) || (IsAnswer(given) && !word))) {
-    Answer(given);
   } else if (word) {
     Do(said.word->word);
   } else if (said.word != nullptr) {  // only "help" takes something behind it here
     Reply(say::HelpWith(said.behind, WordPlace::kDemonstration));
-  } else if (sign && !asking_) {
-    Reply(say::NothingAsked());
-  } else {
+  } else if (!Takes(given)) {
     Reply(said.refusal);
     if (asking_) StillAsk();
   }
   teller_.EndTurn();
+}
+
+/// After a pause. What is asked is asked anew: it may have been long.
+void Demonstration::GoOnAgain() {
+  paused_ = false;
+  until_ = asking_ ? now_ : now_ + left_;
+  teller_.Say(Priority::kText, say::DemonstrationGoesOn());
+  if (asking_) StillAsk();
 }
 
 void Demonstration::Do(std::string_view word) {
@@ -241,11 +293,13 @@ void Demonstration::Do(std::string_view word) {
     WaitFor(asking_ ? kAnswering : SecondsFor(last_));
     teller_.Say(Priority::kText, say::DemonstrationSlower());
   } else if (paused_) {  // go, next
-    paused_ = false;
-    until_ = now_ + left_;
-    teller_.Say(Priority::kText, say::DemonstrationGoesOn());
+    GoOnAgain();
   } else {
     until_ = now_;
+    if (asking_) {  // skipped: what comes now is no late answer to it
+      asking_ = false;
+      return Say(step().wrong);
+    }
     if (word == "go") teller_.Say(Priority::kText, say::DemonstrationGoesOn());
   }
 }

@@ -64,7 +64,10 @@ class Demonstration final : public RunningStage, private LoopListener {
   void Say(const std::string& line);
   void Reply(const std::string& line);
   void Answer(const std::string& given);
+  bool AsksWord() const;
   bool IsAnswer(const std::string& given) const;
+  bool Takes(const std::string& given);
+  void GoOnAgain();
   bool CameLate(const std::string& given) const;
   void TellLate();
   void StillAsk();

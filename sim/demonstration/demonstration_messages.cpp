@@ -24,8 +24,13 @@ std::string WrongAnswer(std::string_view given) {
   return fmt::format("Wrong: you said {}.", OneLine(given, 12));
 }
 std::string AnswerCameLate() { return "That came too late for the question before."; }
-std::string NothingAsked() { return "Nothing is asked now."; }
-std::string DemonstrationLeft() { return "The demonstration ends here."; }
+std::string WholeWordAsked() { return "The whole word is asked."; }
+std::string NothingAsked(bool paused) {
+  return paused ? "Nothing is asked now: say go." : "Nothing is asked now.";
+}
+std::string DemonstrationLeft() {
+  return "The demonstration ends here. moontrace learn --device simulated begins it again.";
+}
 std::string DemonstrationCutOff() { return "End of input: the demonstration ends."; }
 std::string DemonstrationPauses() { return "A pause. Say go when you like."; }
 std::string DemonstrationGoesOn() { return "Going on."; }

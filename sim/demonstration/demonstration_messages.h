@@ -14,7 +14,8 @@ std::vector<std::string> DemonstrationKeysHelp(const std::map<std::string, std::
 std::string WrongAnswer(std::string_view given);
 /// An answer whose question is over.
 std::string AnswerCameLate();
-std::string NothingAsked();
+std::string WholeWordAsked();
+std::string NothingAsked(bool paused);
 std::string DemonstrationLeft();
 std::string DemonstrationCutOff();
 std::string DemonstrationPauses();

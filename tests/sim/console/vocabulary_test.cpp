@@ -149,6 +149,8 @@ TEST(Vocabulary, SaysWhyALineIsNone) {
   EXPECT_EQ(refused("5"), "5 is no word here. Type ? for the words.");
   EXPECT_EQ(refused("m"), "m is short for more help elsewhere: say mark.");
   EXPECT_EQ(refused("99"), "Unknown: 99. Type ? for the words.");
+  EXPECT_EQ(refused("exit"), "Unknown: exit. Did you mean quit? Type ? for the words.");
+  EXPECT_EQ(refused("wait"), "Unknown: wait. Did you mean pause? Type ? for the words.");
 }
 
 /// Every "7 `bigger`" of a document.

@@ -208,6 +208,53 @@ TEST_F(DemonstrationTest, AnAnswerThatComesLateCountsForNoOtherQuestion) {
   EXPECT_EQ(Said("Toil it is."), 1U);
 }
 
+TEST_F(DemonstrationTest, AWholeWordIsAnsweredByAnyWordAndMayBeSpelled) {
+  for (const auto& [given, answer] : {std::pair{"foil", "Wrong: you said foil. The word is toil"},
+                                      {"T, O, I, L", "Toil it is."},
+                                      {"t o i l", "Toil it is."},
+                                      {"the word is toil", "Toil it is."}}) {
+    Demonstration one(steps_, stage_, teller_, say::DemonstrationHelp());
+    Forget();
+    for (int i = 0; i < 3600 && Said("what is the word?") == 0; ++i) {
+      one.Look(now_ += seconds(1));
+      if (one.asks() && Said("what is the word?") == 0) one.Obey("next");
+    }
+    for (int i = 0; i < 5; ++i) one.Look(now_ += seconds(1));  // it has been heard
+    one.Obey("t");
+    EXPECT_EQ(Said("The whole word is asked. And what is the word?"), 1U)
+        << out_.str().substr(from_);
+    one.Obey("pasue");  // no answer, a slip
+    EXPECT_TRUE(one.asks());
+    one.Obey(given);
+    EXPECT_EQ(Said(answer), 1U) << given << out_.str().substr(from_);
+    EXPECT_EQ(Said("too late"), 0U) << "what was skipped is not awaited";
+  }
+}
+
+TEST_F(DemonstrationTest, AfterAPauseAQuestionIsAskedAnew) {
+  Until("which letter is it");
+  Pass(25);
+  Forget();
+  demonstration_.Obey("pause");
+  Pass(100);
+  demonstration_.Obey("go");
+  EXPECT_EQ(Said("Going on. One level line: which letter is it"), 1U) << out_.str().substr(from_);
+  Pass(28);
+  EXPECT_TRUE(demonstration_.asks()) << "with all its time";
+}
+
+TEST_F(DemonstrationTest, WhatIsNoAnswerNowIsCalledSo) {
+  Until("It is I, as in print.");
+  for (const char* line : {"i", "I don't know"}) {
+    Forget();
+    demonstration_.Obey(line);
+    EXPECT_EQ(Said("Nothing is asked now."), 1U) << line << out_.str().substr(from_);
+  }
+  demonstration_.Obey("pause");
+  demonstration_.Obey("i");
+  EXPECT_EQ(Said("Nothing is asked now: say go."), 1U) << out_.str().substr(from_);
+}
+
 // What is told as "It is X" or "It is X, as in print" is asked for later, alone.
 TEST_F(DemonstrationTest, AsksForEveryLetterThatItTells) {
   std::string told, asked;
@@ -251,7 +298,7 @@ TEST_F(DemonstrationTest, EveryLineIsAnswered) {
   }
   Forget();
   demonstration_.Obey("quit");
-  EXPECT_EQ(Said("The demonstration ends here."), 1U);
+  EXPECT_EQ(Said("The demonstration ends here. moontrace learn --device simulated begins it"), 1U);
   EXPECT_TRUE(demonstration_.over());
 }
 
