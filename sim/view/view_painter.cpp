@@ -1,6 +1,5 @@
 #include "sim/view/view_painter.h"
 
-#include <fmt/ranges.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
@@ -69,8 +68,9 @@ struct ViewPainter::State {
   bool camera_moved = false;  // by someone: a new page leaves it
   bool follow = false;
   ViewLayout layout;
-  int letter = 0;                       // height of a small one on the canvas [points]
-  std::string talk, line, typed, hint;  // all lines that came together, and their last
+  int letter = 0;                 // height of a small one on the canvas [points]
+  std::vector<std::string> talk;  // all lines that came together, the newest last
+  std::string line, typed, hint;  // the newest
   Clock::time_point read_by;
   bool reading = false;  // when it was drawn last
   bool changed = true;
@@ -181,19 +181,20 @@ void ViewPainter::State::Follow() {
 }
 
 /// One row of large letters, or small ones: while they are read as many as it takes, upwards over
-/// the page.
+/// a quarter of the page at most, and then the newest.
 void ViewPainter::State::DrawTalk(int x, int y, int room) {
   const ViewColors colors = ColorsOf(look);
   reading = Clock::now() < read_by;
-  const std::string& told = reading ? talk : line;
-  if (canvas->TextWidth(told, true) <= room) {
-    return WriteText(told, x, y, room, true, colors.text, *canvas);
+  const bool one = !reading || talk.size() == 1;
+  if (one && canvas->TextWidth(line, true) <= room) {
+    return WriteText(line, x, y, room, true, colors.text, *canvas);
   }
   const int row = letter + kRowGap / 2;
-  const int most = reading ? std::max(layout.page.height / 2 / row, 1) : 1;
+  const int most = reading ? std::max(layout.page.height / 4 / row, 1) : 1;
   const auto width_of = [this](std::string_view text) { return canvas->TextWidth(text, false); };
+  const std::vector<std::string> told = one ? std::vector<std::string>{line} : talk;
   const std::vector<std::string> rows =
-      RowsOf(told, room, static_cast<std::size_t>(most), width_of);
+      NewestRowsOf(told, room, static_cast<std::size_t>(most), width_of);
   const int top = y + static_cast<int>(rows.size()) * row;
   canvas->Fill({layout.text.x, y, layout.text.width, top - y}, colors.back);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -264,9 +265,10 @@ void ViewPainter::ShowLines(std::vector<std::string> lines) {
   if (lines.empty()) return;
   State& s = *state_;
   const bool first = s.line.empty();
-  s.talk = fmt::format("{}", fmt::join(lines, " "));
   s.line = lines.back();
-  s.read_by = Clock::now() + kReadLine + kReadLetter * s.talk.size();
+  s.read_by = Clock::now() + kReadLine;
+  for (const std::string& line : lines) s.read_by += kReadLetter * line.size();
+  s.talk = std::move(lines);
   if (first) s.Arrange();
   s.changed = true;
 }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <sstream>
+#include <utility>
 
 namespace moontrace {
 
@@ -43,6 +44,18 @@ std::vector<std::string> RowsOf(std::string_view text, int room, std::size_t mos
     }
   }
   return rows;
+}
+
+std::vector<std::string> NewestRowsOf(const std::vector<std::string>& texts, int room,
+                                      std::size_t most, const TextWidthOf& width) {
+  std::string told;
+  for (std::size_t i = texts.size(); i-- > 0;) {
+    std::string longer = told.empty() ? texts[i] : texts[i] + ' ' + told;
+    const bool fits = RowsOf(longer, room, most + 1, width).size() <= most;
+    if (!fits && !told.empty()) break;
+    told = std::move(longer);
+  }
+  return RowsOf(told, room, most, width);
 }
 
 void WriteText(std::string_view text, int x, int y, int room, bool big, const Color& color,

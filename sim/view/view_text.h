@@ -17,6 +17,11 @@ using TextWidthOf = std::function<int(std::string_view text)>;
 std::vector<std::string> RowsOf(std::string_view text, int room, std::size_t most,
                                 const TextWidthOf& width);
 
+/// The same of the newest of several texts, the newest last: as many of them as fit wholly, and the
+/// newest in any case.
+std::vector<std::string> NewestRowsOf(const std::vector<std::string>& texts, int room,
+                                      std::size_t most, const TextWidthOf& width);
+
 /// Writes one line with its left lower corner at a point, no wider than `room`: what does not fit
 /// is cut off at its end.
 void WriteText(std::string_view text, int x, int y, int room, bool big, const Color& color,

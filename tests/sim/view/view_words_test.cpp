@@ -58,5 +58,17 @@ TEST(ViewText, BreaksBetweenWords) {
   EXPECT_EQ(Rows("", 30, 2), Texts({""}));
 }
 
+TEST(ViewText, OfMoreThanThereIsRoomForTheNewestStays) {
+  using Texts = std::vector<std::string>;
+  const auto newest = [](const Texts& texts) {
+    return NewestRowsOf(texts, 90, 2,
+                        [](std::string_view row) { return 10 * static_cast<int>(row.size()); });
+  };
+  EXPECT_EQ(newest({"One.", "Two.", "Three."}), Texts({"One. Two.", "Three."}));
+  EXPECT_EQ(newest({"Old words.", "New ones."}), Texts({"New ones."}));
+  EXPECT_EQ(newest({"Old.", "New words of three rows"}), Texts({"New words", "of thr..."}));
+  EXPECT_EQ(newest({"Old.", ""}), Texts({"Old."}));
+}
+
 }  // namespace
 }  // namespace moontrace
