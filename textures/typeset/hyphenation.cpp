@@ -4,7 +4,7 @@
 
 #ifdef MOONTRACE_HAVE_HYPHEN
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <hyphen.h>
 #include <utf8proc.h>
 
@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "textures/base/nearest_word.h"
+#include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 
 namespace moontrace {
@@ -25,6 +26,23 @@ namespace fs = std::filesystem;
 constexpr const char* kFolder = "/usr/share/hyphen";
 constexpr std::size_t kLongestWord = 100;  // [characters]; no word of a language is longer
 
+// The package of Debian 12 that holds the patterns of a language; empty where none does.
+std::string PackageOf(std::string_view language) {
+  constexpr std::string_view kPackages =
+      " af as be bg bn ca cs da de el en-gb en-us es fr gl gu hi hr hu id is it kn lt lv ml mn mr "
+      "nl "
+      "no or pa pl pt-br pt-pt ro ru sk sl sr sv ta te th uk zu ";
+  std::string name = LowerCase(language);
+  std::replace(name.begin(), name.end(), '_', '-');
+  const std::string first = name.substr(0, name.find('-'));
+  const bool norwegian = first == "nb" || first == "nn";
+  for (const std::string& one : {name, norwegian ? std::string("no") : first}) {
+    const bool plain = one.find(' ') == std::string::npos;
+    if (plain && kPackages.find(" " + one + " ") != std::string_view::npos) return "hyphen-" + one;
+  }
+  return {};
+}
+
 std::string FileOf(const std::string& language) {
   std::vector<std::string> names;
   std::error_code none;
@@ -34,16 +52,15 @@ std::string FileOf(const std::string& language) {
     names.push_back(name.substr(5, name.size() - 9));
     if (names.back() == language) return entry.path().string();
   }
-  if (names.empty()) {
-    throw InputError(
-        "no hyphenation patterns are installed: on Debian, \"apt install hyphen-en-us\"");
-  }
   std::sort(names.begin(), names.end());
-  const std::string nearest = NearestWord(language, names);
-  std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+  const std::string package = PackageOf(language);
+  const std::string nearest = package.empty() ? NearestWord(language, names) : std::string();
+  std::string advice;
+  if (!package.empty()) advice = "on Debian, \"apt install " + package + "\"; ";
+  if (!nearest.empty()) advice = "did you mean " + nearest + "? ";
   throw InputError(fmt::format("no hyphenation patterns '{}': {}there are {}", Shown(language),
-                               nearest.empty() ? "" : "did you mean " + nearest + "? ", known));
+                               advice,
+                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
 }  // namespace

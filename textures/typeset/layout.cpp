@@ -151,11 +151,13 @@ void Layout::PutHead() {
   const double number_length = length_of(number), head_length = length_of(head_);
   const double between = head_.empty() || number.empty() ? 0 : Row().space;
   if (head_length + between + number_length > line_length_ + kSlack) {
-    throw InputError(fmt::format(
-        "running head and page number need {:.4g} mm, lines are {:.4g} mm: choose fewer words or "
-        "smaller "
-        "letters",
-        InMillimetres(head_length + between + number_length), InMillimetres(line_length_)));
+    const char* what = number.empty()  ? "the running head needs"
+                       : head_.empty() ? "page numbers need"
+                                       : "running head and page number need";
+    throw InputError(fmt::format("{} {:.4g} mm, lines are {:.4g} mm: choose {}smaller letters",
+                                 what, InMillimetres(head_length + between + number_length),
+                                 InMillimetres(line_length_),
+                                 head_.empty() ? "" : "fewer words or "));
   }
   put(head_, 0);
   if (!number.empty()) put(number, line_length_ - number_length);

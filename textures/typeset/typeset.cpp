@@ -79,7 +79,13 @@ std::vector<Sign> SignsOf(const std::string& words, const char* what, const Scri
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
   if (folder.NextLine(line)) writer.Write(words, 0, line, signs, notes);
-  if (notes.missing_count > 0 || notes.untaught_count > 0 ||
+  if (notes.untaught_count > 0) {
+    throw InputError(fmt::format(
+        "{}: '{}' is not among the signs taught (--only): add what it needs, or leave the {} out{}",
+        what, notes.untaught.front().was, what,
+        script.digits.empty() ? "" : "; a digit needs numeral and its letter"));
+  }
+  if (notes.missing_count > 0 ||
       std::all_of(signs.begin(), signs.end(), [](const Sign& sign) { return sign.space; })) {
     throw InputError(
         fmt::format("{}: script {} has no sign for '{}'", what, script.name,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "textures/base/error.h"
@@ -98,6 +99,30 @@ TEST(Hyphenation, NeverPartsASign) {
           << row;  // t-h
     }
   }
+}
+
+TEST(Hyphenation, NamesTheDebianPackageOfALanguage) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  const auto told = [](const std::string& language) -> std::string {
+    try {
+      const Hyphenation patterns(language);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "installed";
+  };
+  // Debian 12 has one package for all German, one for each English and Portuguese.
+  const std::vector<std::pair<std::string, std::string>> packages = {{"de_DE", "hyphen-de"},
+                                                                     {"pt_BR", "hyphen-pt-br"},
+                                                                     {"en_GB", "hyphen-en-gb"},
+                                                                     {"nb_NO", "hyphen-no"}};
+  for (const auto& [language, package] : packages) {
+    const std::string said = told(language);
+    EXPECT_TRUE(said == "installed" ||
+                said.find("apt install " + package + "\"") != std::string::npos)
+        << said;
+  }
+  EXPECT_EQ(told("tlh").find("apt"), std::string::npos) << told("tlh");
 }
 
 TEST(Hyphenation, UnknownLanguagesNameTheNearest) {
@@ -226,6 +251,32 @@ TEST(PageHead, WhatDoesNotFitIsToldInOneLine) {
   TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, script);
   style.page_numbers = true;
   EXPECT_THROW(SetText("moon", script, style, FindPage("100x35")), InputError);  // one row only
+}
+
+TEST(PageHead, NamesWhatWasAskedFor) {
+  const auto told = [](const std::string& head, bool numbers, std::vector<std::string> only,
+                       const char* page) -> std::string {
+    const Script script = FindScript("moon");
+    TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, script);
+    style.running_head = head;
+    style.page_numbers = numbers;
+    style.only = std::move(only);
+    try {
+      SetText("o", script, style, FindPage(page));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "set";
+  };
+  const std::string untaught = told("", true, {"m", "o", "n"}, "160x120");
+  EXPECT_NE(untaught.find("page numbers: '1' is not among the signs taught (--only)"),
+            std::string::npos)
+      << untaught;
+  EXPECT_EQ(told("", true, {"o", "a", "numeral"}, "160x120"), "set");
+  const std::string narrow = told("", true, {}, "35x120");
+  EXPECT_EQ(narrow.rfind("page numbers need", 0), 0U) << narrow;
+  EXPECT_EQ(narrow.find("head"), std::string::npos) << narrow;
+  EXPECT_EQ(told("mmmm", false, {}, "35x120").rfind("the running head needs", 0), 0U);
 }
 
 }  // namespace
