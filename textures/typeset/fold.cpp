@@ -4,6 +4,7 @@
 #include <utf8proc.h>
 
 #include <array>
+#include <utility>
 
 #include "textures/base/error.h"
 #include "textures/base/utf8.h"
@@ -126,10 +127,12 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
     column_ = 1;
     written_ = 0;
   }
+  const std::size_t line_begin = at_;
   while (at_ < text_.size()) {
     std::size_t base_end = 0;
     const char32_t c = Read(at_, base_end);
     if (EndsLine(c)) {
+      if (begins_line_ && at_ == line_begin) in_low_double_ = in_low_single_ = false;
       at_ = base_end;
       if (c == U'\r' && at_ < text_.size() && text_[at_] == '\n') ++at_;
       line_ended_ = true;
@@ -142,7 +145,7 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
     first.end = static_cast<std::uint32_t>(end);
     first.column = static_cast<std::uint32_t>(column_);
     if (end == base_end) {
-      const Form& form = FormOf(c);
+      const Form& form = FormInQuotation(c);
       const bool padded = form.text.size() > 1 && form.changed &&
                           (form.text.front() == U' ' || form.text.back() == U' ');
       Append(padded ? Parted(form, end, line) : form, first, line);
@@ -233,6 +236,23 @@ const Folder::Form& Folder::FormOf(char32_t c) {
   const auto found = forms_.find(c);
   if (found != forms_.end()) return found->second;
   return forms_.emplace(c, Fold(c)).first->second;
+}
+
+// The form of a character, and of “ where it closes what a low mark opened.
+const Folder::Form& Folder::FormInQuotation(char32_t c) {
+  constexpr char32_t kLowDouble = 0x201E, kLowSingle = 0x201A;
+  constexpr char32_t kDouble = 0x201C, kSingle = 0x2018, kBehind = 1;  // ” is behind “ in Unicode
+  const Form& form = FormOf(c);
+  if (c == kLowDouble) in_low_double_ = form.text == std::u32string(1, kDouble);
+  if (c == kLowSingle) in_low_single_ = form.text == std::u32string(1, kSingle);
+  if (c == kDouble + kBehind) in_low_double_ = false;
+  if (c != kDouble && c != kSingle) return form;
+  bool& open = c == kDouble ? in_low_double_ : in_low_single_;
+  if (!std::exchange(open, false) || !HasSign(c + kBehind)) return form;
+  Form& closing = closing_[c];
+  closing = FormOf(c + kBehind);
+  closing.changed = true;
+  return closing;
 }
 
 // The character's sign, or that of its small letter.

@@ -79,6 +79,7 @@ class Folder {
   char32_t Read(std::size_t at, std::size_t& next) const;
   std::size_t ClusterEnd(std::size_t next, std::size_t& code_points) const;
   const Form& FormOf(char32_t c);
+  const Form& FormInQuotation(char32_t c);
   Form Fold(char32_t c) const;
   bool FoldByTable(char32_t c, Form& form) const;
   Form Parted(const Form& form, std::size_t next, const std::vector<FoldedChar>& line);
@@ -97,9 +98,11 @@ class Folder {
   std::size_t at_ = 0;
   bool begins_line_ = true, line_ended_ = true;
   std::size_t line_number_ = 0;
-  std::size_t column_ = 1;                    // of what is next, in code points
-  std::size_t written_ = 0;                   // characters of the line's former parts
-  std::unordered_map<char32_t, Form> forms_;  // by character: each is worked out once
+  std::size_t column_ = 1;                              // of what is next, in code points
+  std::size_t written_ = 0;                             // characters of the line's former parts
+  bool in_low_double_ = false, in_low_single_ = false;  // opened by a low mark that has no form
+  std::unordered_map<char32_t, Form> forms_;            // by character: each is worked out once
+  std::unordered_map<char32_t, Form> closing_;          // of marks that open, where they close
 };
 
 }  // namespace moontrace

@@ -160,5 +160,20 @@ TEST(BrailleRules, GiveUsualMeasures) {
             "b.toml:7:10: depth_em: not above 0 and up to 1 em; correct it");
 }
 
+// German marks by Unified English Braille: “ is dots 236, ” dots 356, ‘ 6 236, ’ 6 356.
+TEST_F(Braille, ClosesWhatALowQuotationMarkOpens) {
+  for (const double grade : {1.0, 2.0}) {
+    EXPECT_EQ(Names(Set("\u201Ea\u201C", grade)), Names(Set("\u201Ca\u201D", grade)));
+    EXPECT_EQ(Names(Set("\u201Ea\u201C \u201Cb\u201D", grade)),
+              Names(Set("\u201Ca\u201D \u201Cb\u201D", grade)));
+    EXPECT_EQ(Names(Set("\u201Ea \u201Ab\u2018\u201C", grade)),
+              Names(Set("\u201Ca \u2018b\u2019\u201D", grade)));
+    // Closed by another mark, or never: what comes behind is English again.
+    EXPECT_EQ(Names(Set("\u201Ea\u201D \u201Cb", grade)),
+              Names(Set("\u201Ca\u201D \u201Cb", grade)));
+    EXPECT_EQ(Names(Set("\u201Ea\n\n\u201Cb", grade)), Names(Set("\u201Ca\n\n\u201Cb", grade)));
+  }
+}
+
 }  // namespace
 }  // namespace moontrace
