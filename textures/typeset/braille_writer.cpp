@@ -49,7 +49,9 @@ bool BrailleWriter::Has(char32_t c) const {
   return c != kSoftHyphen && (table_.Has(c) || script_.signs.count(c) > 0);
 }
 
-void BrailleWriter::WriteRun(const std::vector<FoldedChar>& run, std::vector<Sign>& signs) const {
+// `ends` are those of the run's characters.
+void BrailleWriter::WriteRun(const std::vector<FoldedChar>& run, const std::vector<LineEnd>& ends,
+                             std::vector<Sign>& signs) const {
   std::u32string characters;
   for (const FoldedChar& c : run) characters += c.code;
   for (const BrailleCell& cell : table_.Translate(characters)) {
@@ -65,7 +67,9 @@ void BrailleWriter::WriteRun(const std::vector<FoldedChar>& run, std::vector<Sig
       throw InputError(fmt::format("script {}: its font lacks the cell U+{:04X}: draw it",
                                    script_.name, 0x2800 + cell.dots));
     }
-    sign.keep_next = !stands;
+    sign.keep_next = !stands || ends[cell.end - 1].keep_next;
+    sign.bound = !stands || ends[cell.end - 1].bound;
+    sign.mark = stands && ends[cell.end - 1].mark;
     sign.break_after = MayBreak(run, cell.begin, cell.end);
     signs.push_back(sign);
   }
@@ -74,10 +78,13 @@ void BrailleWriter::WriteRun(const std::vector<FoldedChar>& run, std::vector<Sig
 void BrailleWriter::Write(std::string_view text, std::size_t line_number,
                           const std::vector<FoldedChar>& line, std::vector<Sign>& signs,
                           Typeset& typeset) const {
+  const std::vector<LineEnd> ends = LineEndsOf(line);
   std::vector<FoldedChar> run;
+  std::vector<LineEnd> run_ends;
   const auto end_run = [&] {
-    if (!run.empty()) WriteRun(run, signs);
+    if (!run.empty()) WriteRun(run, run_ends, signs);
     run.clear();
+    run_ends.clear();
   };
   for (std::size_t i = 0; i < line.size(); ++i) {
     const FoldedChar& c = line[i];
@@ -88,9 +95,13 @@ void BrailleWriter::Write(std::string_view text, std::size_t line_number,
       Note(typeset.missing, typeset.missing_count, text, line_number, c, {});
     } else if (c.kind == Kind::kSpace || (c.kind == Kind::kSign && table_.Has(c.code))) {
       run.push_back(c);
+      run_ends.push_back(ends[i]);
     } else if (c.kind == Kind::kSign) {
       end_run();
       signs.push_back({GlyphOf(script_, c.code), c.begin, c.end});
+      signs.back().keep_next = ends[i].keep_next;
+      signs.back().bound = ends[i].bound;
+      signs.back().mark = ends[i].mark;
     }
   }
   end_run();

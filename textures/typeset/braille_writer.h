@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "textures/typeset/line_ends.h"
 #include "textures/typeset/louis.h"
 #include "textures/typeset/writer.h"
 
@@ -23,7 +24,8 @@ class BrailleWriter : public Writer {
              std::vector<Sign>& signs, Typeset& typeset) const override;
 
  private:
-  void WriteRun(const std::vector<FoldedChar>& run, std::vector<Sign>& signs) const;
+  void WriteRun(const std::vector<FoldedChar>& run, const std::vector<LineEnd>& ends,
+                std::vector<Sign>& signs) const;
 
   const Script& script_;
   BrailleTable table_;

@@ -12,7 +12,6 @@
 namespace moontrace {
 namespace {
 
-constexpr double kSlack = 1e-9;        // a line that fits but for rounding fits [m]
 constexpr double kGuideAdvance = 0.9;  // [em]; nothing follows a guide on its line
 
 constexpr double kMostIndent = 0.125;  // of a quotation, of the line
@@ -97,6 +96,7 @@ Layout::Layout(const Script& script, const TypeStyle& style, const PageSpec& pag
   }
   empty_rows_ = !style.paragraph_gap;
   paragraph_gap_ = style.paragraph_gap.value_or(Alternates() ? 2 * plain_.space : line_pitch_);
+  if (!script.digits.empty()) numeral_ = script.Find(script.numeral_sign);
   if (Alternates()) {
     guide_right_ = script.Find("guide-right");
     guide_left_ = script.Find("guide-left");
@@ -258,25 +258,8 @@ void Layout::StartRow() {
   }
   kind_before_ = kind_;
   pages_.back().lines = ++next_row_;
-  pen_ = indent_;
+  pen_ = text_start_ = indent_;
   row_empty_ = true;
-}
-
-// A chunk is what no line may end within: up to a space or behind a hyphen.
-std::size_t Layout::ChunkEnd(const std::vector<Sign>& signs, std::size_t at) const {
-  while (at < signs.size() && !signs[at].space) {
-    if (signs[at++].break_after) break;
-  }
-  return at;
-}
-
-bool Layout::Fits(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
-                  double pen) const {
-  for (; at < end; ++at) {
-    if (pen + Row().extent[signs[at].glyph] > line_length_ + kSlack) return false;
-    pen += Row().advance[signs[at].glyph];
-  }
-  return true;
 }
 
 // Where a glyph stands whose start is `pen` from the start of the current row.
@@ -290,21 +273,6 @@ glm::dvec2 Layout::OriginOf(std::size_t glyph, double pen) const {
   const double x =
       RunsBack() ? page_.width - page_.margin - pen - Row().right[glyph] : page_.margin + pen;
   return {x, base};
-}
-
-// The last place before `end` at which the row can end with a hyphen; `at` if there is none.
-std::size_t Layout::BreakBefore(const std::vector<Sign>& signs, std::size_t at,
-                                std::size_t end) const {
-  if (!hyphen_) return at;
-  std::size_t best = at;
-  double pen = pen_;
-  for (std::size_t i = at; i < end; ++i) {
-    if (pen + Row().extent[signs[i].glyph] > line_length_ + kSlack) break;
-    pen += Row().advance[signs[i].glyph];
-    const bool fits = pen + Row().extent[hyphen_->glyph] <= line_length_ + kSlack;
-    if (signs[i].hyphen_after && fits && i + 1 < end) best = i + 1;
-  }
-  return best;
 }
 
 void Layout::Put(const Sign& sign) {
@@ -330,19 +298,6 @@ void Layout::Put(const Sign& sign) {
   row_empty_ = false;
 }
 
-void Layout::Place(const std::vector<Sign>& signs, std::size_t at) {
-  const Sign& sign = signs[at];
-  const std::size_t together = std::min(at + (sign.keep_next ? 2 : 1), signs.size());
-  if (!row_empty_ && !Fits(signs, at, together, pen_)) StartRow();
-  if (!Fits(signs, at, at + 1, pen_)) {
-    throw InputError(fmt::format(
-        "lines are {:.4g} mm {}, the letter '{}' needs {:.4g} mm: choose smaller letters",
-        InMillimetres(line_length_), direction_ == LineDirection::kVertical ? "high" : "wide",
-        script_.glyphs[sign.glyph].name, InMillimetres(Row().extent[sign.glyph])));
-  }
-  Put(sign);
-}
-
 void Layout::AddLine(const std::vector<Sign>& signs, LineKind kind, bool begins) {
   line_begun_ = line_begun_ && !begins;
   kind_ = kind;
@@ -360,116 +315,6 @@ void Layout::AddLine(const std::vector<Sign>& signs, LineKind kind, bool begins)
     AddWrapped(signs);
   }
   line_begun_ = true;
-}
-
-void Layout::AddWrapped(const std::vector<Sign>& signs) {
-  bool new_word = true;
-  for (std::size_t at = 0; at < signs.size();) {
-    if (signs[at].space) {
-      pen_ += Row().space;
-      ++at;
-      new_word = true;
-      continue;
-    }
-    const std::size_t end = ChunkEnd(signs, at);
-    if (!Fits(signs, at, end, pen_)) {
-      const std::size_t part = BreakBefore(signs, at, end);
-      if (part > at) {
-        if (std::exchange(new_word, false)) ++words_;
-        for (; at < part; ++at) Place(signs, at);
-        Sign hyphen = *hyphen_;
-        hyphen.begin = hyphen.end = signs[part - 1].end;
-        Put(hyphen);
-        StartRow();
-        continue;
-      }
-      const bool retry = hyphen_ && !row_empty_;
-      if (!row_empty_) StartRow();
-      pen_ = indent_;  // spaces at the wrap, or an indent that leaves no room
-      if (retry) continue;
-    }
-    if (new_word) ++words_;
-    new_word = false;
-    for (; at < end; ++at) Place(signs, at);
-  }
-}
-
-// From the strokes of a line's last sign to its guide: the usual gap, and behind a finished word
-// the space too.
-double Layout::ClosingGap(std::size_t glyph, bool finished) const {
-  return Row().advance[glyph] - Row().extent[glyph] + (finished ? Row().space : 0);
-}
-
-// Whether a sign fits on the row with its guide behind it.
-bool Layout::FitsBeforeGuide(const std::vector<Sign>& signs, std::size_t at) const {
-  const bool together = signs[at].keep_next && at + 1 < signs.size() && !signs[at + 1].space;
-  const double pen = pen_ + (together ? Row().advance[signs[at].glyph] : 0);
-  const std::size_t last = together ? at + 1 : at;
-  const bool finished = last + 1 == signs.size() || signs[last + 1].space;
-  const std::size_t glyph = signs[last].glyph;
-  return pen + Row().extent[glyph] + ClosingGap(glyph, finished) + Row().bulge <=
-         line_length_ + kSlack;
-}
-
-// Ends a running row behind the sign that was set last, with a guide to the next.
-void Layout::Wrap(const Sign& last) {
-  const bool finished = last.space;
-  const PlacedGlyph end = pages_.back().glyphs.back();
-  const double gap = ClosingGap(end.glyph, finished);
-  // What was added behind the last sign (its own gap, spaces) is not counted.
-  const glm::dvec2 origin = end.origin_P;
-  const double reached = RunsBack() ? page_.width - page_.margin - origin.x
-                                    : origin.x + Row().right[end.glyph] - page_.margin;
-  const double guide = reached + gap;  // from the row's start
-  const std::size_t glyph = RunsBack() ? guide_left_ : guide_right_;
-  PlacedGlyph placed = end;
-  placed.glyph = glyph;
-  placed.source_begin = placed.source_end;
-  placed.link = false;
-  placed.origin_P = {RunsBack() ? page_.width - page_.margin - guide : page_.margin + guide,
-                     origin.y};
-  if (glyph != Script::npos) pages_.back().glyphs.push_back(placed);
-  StartRow();
-  const bool new_page =
-      std::all_of(pages_.back().glyphs.begin(), pages_.back().glyphs.end(),
-                  [](const PlacedGlyph& placed_one) { return placed_one.kind == LineKind::kHead; });
-  if (new_page) {  // no line follows on that page
-    if (glyph != Script::npos) pages_[pages_.size() - 2].glyphs.pop_back();
-    return;
-  }
-  pen_ = line_length_ - guide + gap;
-}
-
-void Layout::BeginRunning() {
-  const bool own_row = kind_ == LineKind::kHeading || kind_ != kind_before_;
-  if (own_row) run_row_ = next_row_;
-  if (pages_.empty() || own_row) StartRow();
-  if (!row_empty_) pen_ += paragraph_gap_;
-  paragraph_ended_ = false;
-}
-
-void Layout::AddRunning(const std::vector<Sign>& signs) {
-  bool new_word = true;
-  const Sign* before = nullptr;
-  for (std::size_t at = 0; at < signs.size(); ++at) {
-    const Sign& sign = signs[at];
-    if (sign.space) {
-      if (!row_empty_) pen_ += Row().space;
-      new_word = true;
-    } else {
-      Sign end;
-      end.space = before == nullptr || before->space;
-      if (!row_empty_ && !FitsBeforeGuide(signs, at)) {
-        Wrap(end);
-        // A line too short to begin under its guide begins at the margin.
-        if (!Fits(signs, at, at + 1, pen_)) pen_ = 0;
-      }
-      if (new_word) ++words_;
-      new_word = false;
-      Place(signs, at);
-    }
-    before = &sign;
-  }
 }
 
 }  // namespace moontrace

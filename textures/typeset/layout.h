@@ -40,6 +40,10 @@ void AddGuides(Script& script, const TypeStyle& style);
 /// its page goes to the next with what does, unless it begins the page. Rows of a quotation are
 /// indented by an em, where lines do not alternate.
 ///
+/// A word that no line holds is broken where no mark is parted from what it belongs to
+/// (line_ends.h), else between any two signs; a number that is broken has its numeral sign again on
+/// the new row.
+///
 /// Alternating lines follow old Moon: text runs on, a line of the text ends in a paragraph's space;
 /// a word is broken where the line ends, without a mark; a broken part stands close to the guide
 /// line, a finished word keeps its space; the next line begins under the guide's lower end. A
@@ -53,7 +57,9 @@ class Layout {
   /// gives for the page, counted from 1. Throws InputError when no row of text is left below it.
   using NumberSigns = std::function<std::vector<Sign>(std::size_t page)>;
   void SetHead(std::vector<Sign> head, NumberSigns number);
-  /// Words may end a row where their signs say `hyphen_after`, with this sign behind them.
+  /// Words may end a row where their signs say `hyphen_after`, with this sign behind them, though
+  /// not right behind a hyphen of the text; it then stands at every break within a word, unless
+  /// that is behind a mark.
   void SetHyphen(const Sign& hyphen) { hyphen_ = hyphen; }
 
   /// Sets one line of the text, wrapped into as many rows as it needs. Throws InputError when a
@@ -65,6 +71,8 @@ class Layout {
   void Finish() { GiveAllBut(0); }
 
  private:
+  static constexpr double kSlack = 1e-9;  // a line that fits but for rounding fits [m]
+
   bool Alternates() const { return direction_ == LineDirection::kAlternate; }
   bool RunsBack() const;
   const RowMetrics& RowsOf(LineKind kind) const {
@@ -76,7 +84,6 @@ class Layout {
   double Deviation() const;
   void NextPage();
   void PutHead();
-  std::size_t BreakBefore(const std::vector<Sign>& signs, std::size_t at, std::size_t end) const;
   void GiveAllBut(std::size_t kept);
   void StartRow();
   void EndParagraph();
@@ -84,9 +91,19 @@ class Layout {
   void BeginRunning();
   void AddRunning(const std::vector<Sign>& signs);
   void AddWrapped(const std::vector<Sign>& signs);
+  // Where a row may end within a chunk, in the order of choice.
+  enum class Break { kPattern, kBehindMark, kKeepingMarks, kKeepingGroups, kAnywhere };
+  static bool MayEnd(const Sign& sign, Break how);
+  bool NeedsHyphen(const Sign& last, const Sign& next) const;
+  std::size_t PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
+                      Break how) const;
+  std::size_t PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end) const;
+  void BreakRow(const Sign& last, const Sign& next);
+  void RepeatNumeral(const Sign& digit);
   std::size_t ChunkEnd(const std::vector<Sign>& signs, std::size_t at) const;
   bool Fits(const std::vector<Sign>& signs, std::size_t at, std::size_t end, double pen) const;
-  bool FitsBeforeGuide(const std::vector<Sign>& signs, std::size_t at) const;
+  bool FitsBeforeGuide(const std::vector<Sign>& signs, std::size_t at, double pen) const;
+  bool MustWrap(const std::vector<Sign>& signs, std::size_t at) const;
   double ClosingGap(std::size_t glyph, bool finished) const;
   void Place(const std::vector<Sign>& signs, std::size_t at);
   void Put(const Sign& sign);
@@ -100,6 +117,7 @@ class Layout {
   double paragraph_gap_ = 0;                            // [m]
   bool empty_rows_ = true;                              // between paragraphs, in place of the gap
   std::size_t guide_right_ = Script::npos, guide_left_ = Script::npos;
+  std::size_t numeral_ = Script::npos;
 
   std::vector<Sign> head_;
   NumberSigns number_;
@@ -116,6 +134,7 @@ class Layout {
   bool line_begun_ = false;       // the line that goes on has signs
   LineKind kind_ = LineKind::kPlain, kind_before_ = LineKind::kPlain;  // of this row, the last one
   double indent_ = 0, pen_ = 0;                                        // from the row's start [m]
+  double text_start_ = 0;  // of the row: behind its indent and a repeated numeral sign [m]
   bool row_empty_ = true;
   std::size_t words_ = 0;
   std::size_t run_row_ = 0;  // the row at which alternating lines began to run

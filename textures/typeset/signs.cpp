@@ -7,6 +7,7 @@
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/utf8.h"
+#include "textures/typeset/line_ends.h"
 
 namespace moontrace {
 namespace {
@@ -132,9 +133,11 @@ void SignWriter::WriteGroup(const Group& group, const std::vector<FoldedChar>& l
   sign.end = line[at + group.print.size() - 1].end;
   for (const std::uint32_t glyph : group.glyphs) {
     sign.glyph = glyph;
+    sign.keep_next = sign.bound = true;
     signs.push_back(sign);
     sign.begin = sign.end;
   }
+  signs.back().keep_next = signs.back().bound = false;
 }
 
 void SignWriter::Write(std::string_view text, std::size_t line_number,
@@ -144,6 +147,7 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
   bool in_number = false, in_word = false;  // in_word: a sign other than a hyphen since the space
   bool reads_on = false;                    // the next sign reads as a digit if it can
   std::size_t spelled = line.size();        // where the protect mark forbids a group
+  const std::vector<LineEnd> ends = LineEndsOf(line);
   for (std::size_t at = 0; at < line.size();) {
     const FoldedChar& c = line[at];
     if (script_.protect_mark != 0 && c.code == script_.protect_mark && Match(line, at + 1, false)) {
@@ -160,15 +164,19 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
     const auto digit = digits_.find(c.code);
     const bool taught = group || c.kind != Kind::kSign || IsTaught(c.code);
     const bool is_digit = taught && !group && c.kind == Kind::kSign && digit != digits_.end();
+    const std::size_t written = signs.size();
     if (group) {
       WriteGroup(*group, line, at, signs);
     } else if (!taught) {
       Note(typeset.untaught, typeset.untaught_count, text, line_number, c, {});
     } else if (is_digit) {
-      if (!in_number || c.apart != line[at - 1].apart) {
+      const bool goes_on = in_number && c.apart == line[at - 1].apart;
+      if (!goes_on) {
         signs.push_back({numeral_, c.begin, c.begin, false, false, true});
+        signs.back().bound = true;
       }
       signs.push_back({digit->second, c.begin, c.end});
+      signs.back().in_number = goes_on;
     } else if (c.kind == Kind::kSign) {
       signs.push_back({signs_.at(c.code), c.begin, c.end});
       const auto read_as = read_as_.find(signs.back().glyph);
@@ -183,6 +191,12 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
       signs.push_back({0, c.begin, c.end, true});
     } else if (c.kind == Kind::kMissing) {
       Note(typeset.missing, typeset.missing_count, text, line_number, c, {});
+    }
+    if (signs.size() > written) {
+      const LineEnd& end = ends[at + length - 1];
+      signs.back().keep_next = end.keep_next;
+      signs.back().bound = end.bound;
+      signs.back().mark = end.mark;
     }
     if (group || c.kind == Kind::kSpace) reads_on = false;
     if (is_digit) reads_on = true;

@@ -32,6 +32,7 @@ struct PlacedGlyph {
   std::size_t word = 0;              ///< running number in the text
   LineKind kind = LineKind::kPlain;  ///< of its line: the size it has, see ScaleOf
   bool link = false;                 ///< of a link's words
+  bool bridge = false;  ///< leads to the next line and is not of the text: a hyphen, a guide line
 };
 
 struct GrooveLinks;

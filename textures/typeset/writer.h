@@ -19,9 +19,14 @@ struct Sign {
   std::uint32_t end = 0;
   bool space = false;
   bool break_after = false;   ///< a hyphen within a word: the line may end behind it
-  bool keep_next = false;     ///< a numeral sign: stays on the line of its first digit
+  bool keep_next = false;     ///< the next stays on its line: of a numeral sign the first digit, of
+                              ///< a mark that opens the letter, of a letter the mark that closes
   bool hyphen_after = false;  ///< the line may end behind it, with a hyphen
   bool link = false;          ///< of a link's words
+  bool bound = false;         ///< the next stays on its line above all: of a group, the same mark
+  bool mark = false;          ///< of punctuation: at a line's end no hyphen stands behind it
+  bool in_number = false;     ///< a digit behind a digit: a new line repeats the numeral sign
+  bool begins_row = false;    ///< only where signs are read from a page: the first of its row
 };
 
 /// Turns folded text into signs: by a script's own rules (signs.h) or by liblouis

@@ -101,6 +101,35 @@ TEST(Hyphenation, NeverPartsASign) {
   }
 }
 
+// What stands at a line's end within a word is a hyphen, of the text where it has one; no hyphen
+// begins a line.
+TEST(Hyphenation, ShowsEveryBrokenWord) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  const std::string hyphen = "hyphen";
+  const std::set<std::string> word_ends = {"g", "s", "w"};
+  const std::string text = "extraordinary-looking circumstances mother-in-law amazing strengths";
+  int broken = 0;
+  for (int width = 40; width < 160; ++width) {
+    for (const std::string& row : Rows(text, "en_US", width)) {
+      EXPECT_NE(row.rfind(hyphen, 0), 0U) << width << " mm: " << row;
+      const bool ends =
+          row.size() > hyphen.size() && row.substr(row.size() - hyphen.size()) == hyphen;
+      EXPECT_TRUE(ends || word_ends.count(row.substr(row.size() - 1)) > 0) << width << ": " << row;
+      if (ends) ++broken;
+      EXPECT_EQ(row.find(hyphen + hyphen), std::string::npos) << width << " mm: " << row;
+    }
+  }
+  EXPECT_GT(broken, 100);
+}
+
+TEST(Hyphenation, PrefersTheHyphenOfTheText) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  // "well-infor-" has room on the first line, all of "information" on the second.
+  const std::vector<std::string> rows = Rows("well-information", "en_US", 175);
+  ASSERT_FALSE(rows.empty());
+  EXPECT_EQ(rows.front(), "wellhyphen");
+}
+
 TEST(Hyphenation, NamesTheDebianPackageOfALanguage) {
   if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
   const auto told = [](const std::string& language) -> std::string {

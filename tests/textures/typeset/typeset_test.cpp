@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
@@ -147,6 +148,48 @@ TEST(SetText, BreaksAWordThatNoLineHolds) {
 TEST(SetText, KeepsTheNumeralSignWithItsDigit) {
   // Too long for a line: x y z, then the sign and its digits.
   EXPECT_EQ(Drawn(Set("xyz12", 4, 9)), "xyz\n#ab");
+}
+
+// Behind a new line the letters a to j would else be letters.
+TEST(SetText, RepeatsTheNumeralSignOfABrokenNumber) {
+  EXPECT_EQ(Drawn(Set("1234567", 4, 9)), "#abc\n#def\n#g");
+  EXPECT_EQ(Drawn(Set("12,345", 4, 9)), "#ab#\n#cde");  // the first row ends in the comma
+  EXPECT_EQ(Drawn(Set("123", 1, 9)), "#\na\nb\nc");     // no room for it
+}
+
+TEST(SetText, BeginsNoLineWithAMarkThatCloses) {
+  EXPECT_EQ(Drawn(Set("abcd, ef", 4, 9)), "abc\nd#\nef");
+  EXPECT_EQ(Drawn(Set("abcd.,. ef", 4, 9)), "abc\nd###\nef");
+  EXPECT_EQ(Drawn(Set("ab-, cd", 4, 9)), "ab-#\ncd");
+  EXPECT_EQ(Drawn(Set("......", 4, 9)), "####\n##");  // nothing else is left
+  EXPECT_EQ(Drawn(Set("a....", 4, 9)), "a\n####");    // the marks at least stay together
+}
+
+TEST(SetText, PartsNoMarkThatOpensFromItsWord) {
+  EXPECT_EQ(Drawn(Set("ab -,cdef", 4, 9)), "ab\n-#cd\nef");
+}
+
+TEST(SetText, KeepsMarksInAlternatingLines) {
+  Script script = SmallScript();
+  TypeStyle style = Style();
+  style.lines = LineDirection::kAlternate;
+  AddGuides(script, style);
+  std::string text;
+  for (int i = 0; i < 60; ++i) text += std::string(1 + i % 5, 'x') + "., 123456 ";
+  const Typeset set = SetText(text, script, style, Page(14, 40));
+  const std::size_t numeral = script.Find("numeral");
+  std::size_t row = ~std::size_t{0}, repeated = 0;
+  for (const PlacedGlyph& placed : set.pages.front().glyphs) {
+    if (placed.bridge) continue;
+    const bool begins = std::exchange(row, placed.line) != placed.line;
+    if (!begins) continue;
+    const char first = text[placed.source_begin];
+    EXPECT_TRUE(first != '.' && first != ',') << placed.line;
+    const bool digit = first >= '1' && first <= '6';
+    EXPECT_EQ(placed.glyph == numeral, digit) << placed.line;
+    if (first > '1' && first <= '6') ++repeated;
+  }
+  EXPECT_GT(repeated, 0U);
 }
 
 TEST(SetText, KeepsLinesAndBlanksAsTyped) {
