@@ -226,7 +226,7 @@ int Run(const PageOptions& options, Console& console) {
   std::vector<std::string> pictures;
   if (!options.picture.empty()) pictures = DrawPages(book, options, console);
   std::optional<BackTranslation> back;
-  if (options.read_back) back = TranslateBack(text, script, style);
+  if (options.read_back) back = TranslateBack(text, script, style, &set.page);
   if (options.output.json) {
     WriteJson(book, pictures, back, console);
     return exit_code::kGood;

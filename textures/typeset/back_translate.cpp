@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "textures/base/utf8.h"
 #include "textures/typeset/braille_reader.h"
 #include "textures/typeset/fold.h"
 #include "textures/typeset/make_writer.h"
 #include "textures/typeset/older_punctuation.h"
+#include "textures/typeset/typeset.h"
 #include "textures/typeset/writer.h"
 
 namespace moontrace {
@@ -98,7 +101,8 @@ const SignReader::Group* SignReader::Match(const std::vector<Sign>& signs, std::
     if (end > signs.size()) continue;
     bool same = true;
     for (std::size_t i = at; i < end && same; ++i) {
-      same = !signs[i].space && signs[i].glyph == group.glyphs[i - at];
+      const bool here = !signs[i].space && (i == at || !signs[i].begins_row);
+      same = here && signs[i].glyph == group.glyphs[i - at];
     }
     if (!same) continue;
     const bool behind = IsLetterSign(signs, end);
@@ -125,6 +129,7 @@ std::string SignReader::Read(const std::vector<Sign>& signs) {
   for (std::size_t at = 0; at < signs.size();) {
     const std::uint32_t glyph = signs[at].glyph;
     const auto digit = digits_.find(glyph);
+    if (signs[at].begins_row) in_number = false;
     if (signs[at].space || glyph == numeral_) {
       if (signs[at].space) text += ' ';
       in_number = !signs[at].space;
@@ -176,14 +181,25 @@ class CellReader : public Reader {
   std::vector<std::uint8_t> cells_;  // of each glyph
 };
 
-// The characters that have signs, in order; blanks as spaces.
-std::string Wanted(const std::vector<FoldedChar>& line) {
-  std::string text;
+/// A word of what is wanted, and the bytes of the text that it stands for: none of a word that a
+/// character's replacement has behind its first ("and" of &, in its whole).
+struct WantedWord {
+  std::string folded;
+  std::size_t begin = 0, end = 0;
+};
+
+// The characters that have signs, in order, parted at blanks.
+std::vector<WantedWord> Wanted(const std::vector<FoldedChar>& line) {
+  std::vector<WantedWord> words;
+  bool in_word = false;
   for (const FoldedChar& c : line) {
-    if (c.kind == FoldedChar::Kind::kSpace) text += ' ';
-    if (c.kind == FoldedChar::Kind::kSign) text += ToUtf8(c.code);
+    if (c.kind == FoldedChar::Kind::kSpace) in_word = false;
+    if (c.kind != FoldedChar::Kind::kSign) continue;
+    if (!std::exchange(in_word, true)) words.push_back({{}, c.begin, c.begin});
+    words.back().folded += ToUtf8(c.code);
+    words.back().end = c.end;
   }
-  return text;
+  return words;
 }
 
 std::vector<std::string> Words(const std::string& text) {
@@ -230,29 +246,82 @@ std::string Joined(const std::vector<std::string>& words) {
   return text;
 }
 
-void Compare(const std::string& read, const std::string& wanted, const Rewriter& rewriter,
-             BackTranslation& result) {
-  const std::vector<std::string> have = Words(read), want = Words(wanted);
-  const std::string have_text = Joined(have), want_text = Joined(want);
+void Compare(const std::string& read, const std::vector<WantedWord>& want, std::string_view text,
+             const Rewriter& rewriter, BackTranslation& result) {
+  const std::vector<std::string> have = Words(read);
+  std::vector<std::string> folded;
+  folded.reserve(want.size());
+  for (const WantedWord& word : want) folded.push_back(word.folded);
+  const std::string have_text = Joined(have), want_text = Joined(folded);
   const bool all_alike = have_text != want_text && rewriter.Alike(have_text, want_text);
   result.words += want.size();
   for (std::size_t i = 0; i < std::max(have.size(), want.size()); ++i) {
+    const std::string wanted = i < want.size() ? want[i].folded : std::string();
     DifferentWord word;
-    if (i < want.size()) word.first = want[i];
     if (i < have.size()) word.second = have[i];
-    if (word.first == word.second) continue;
-    word.alike = all_alike || rewriter.Alike(word.first, word.second);
+    if (wanted == word.second) continue;
+    word.alike = all_alike || rewriter.Alike(wanted, word.second);
     ++result.differ_count;
     if (word.alike) ++result.alike_count;
-    if (result.differ.size() < kMostDiffering) result.differ.push_back(std::move(word));
+    if (result.differ.size() >= kMostDiffering) continue;
+    const bool of_text = i < want.size() && want[i].begin < want[i].end;
+    word.first =
+        of_text ? std::string(text.substr(want[i].begin, want[i].end - want[i].begin)) : wanted;
+    result.differ.push_back(std::move(word));
   }
   result.text += have_text + '\n';
   result.wanted += want_text + '\n';
 }
 
+/// The signs of a page's rows, in the order in which they are read.
+class PageSigns {
+ public:
+  PageSigns(std::string_view text, const Script& script, const TypeStyle& style,
+            const PageSpec& page) {
+    SetPages(text, script, style, page, [this](TextPage&& one) { Add(one); });
+  }
+
+  /// Those of the text before `end`, which no call has given yet.
+  std::vector<Sign> Before(std::size_t end) {
+    std::vector<Sign> signs;
+    for (; next_ < signs_.size() && (signs_[next_].begin < end || signs_[next_].end <= end);
+         ++next_) {
+      signs.push_back(signs_[next_]);
+    }
+    return signs;
+  }
+
+ private:
+  void Add(const TextPage& page) {
+    std::size_t row = ~std::size_t{0};
+    for (const PlacedGlyph& placed : page.glyphs) {
+      if (placed.kind == LineKind::kHead || placed.bridge) continue;
+      Sign sign;
+      sign.begin = static_cast<std::uint32_t>(placed.source_begin);
+      sign.end = static_cast<std::uint32_t>(placed.source_end);
+      if (!signs_.empty() && placed.word != word_) {
+        sign.space = true;
+        sign.end = sign.begin;
+        signs_.push_back(sign);
+        sign.end = static_cast<std::uint32_t>(placed.source_end);
+        sign.space = false;
+      }
+      sign.glyph = static_cast<std::uint32_t>(placed.glyph);
+      sign.begins_row = placed.line != row;
+      row = placed.line;
+      word_ = placed.word;
+      signs_.push_back(sign);
+    }
+  }
+
+  std::vector<Sign> signs_;
+  std::size_t word_ = 0, next_ = 0;
+};
+
 }  // namespace
 
-BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style) {
+BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style,
+                              const PageSpec* page) {
   const std::unique_ptr<Writer> writer = MakeWriter(script, style);
   std::unique_ptr<Reader> reader;
   if (script.braille_tables.empty()) {
@@ -262,16 +331,20 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
   }
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
   const Rewriter rewriter(*writer, script);
+  std::optional<PageSigns> rows;
+  if (page != nullptr) rows.emplace(text, script, style, *page);
   BackTranslation result;
   Typeset notes;  // only counted here; SetText reports them one by one
   std::vector<FoldedChar> line;
   std::vector<Sign> signs;
   while (folder.NextLine(line)) {
     signs.clear();
+    const std::size_t end = line.empty() ? 0 : line.back().end;
     if (style.structure.read) TakeMarks(text, line, folder.begins_line());
     if (style.older_punctuation) UseOlderPunctuation(text, script, line);
     writer->Write(text, folder.line_number(), line, signs, notes);
-    Compare(reader->Read(signs), Wanted(line), rewriter, result);
+    if (rows) signs = rows->Before(end);
+    Compare(reader->Read(signs), Wanted(line), text, rewriter, result);
   }
   result.left_out = notes.missing_count + notes.untaught_count;
   result.replaced = notes.folded_count;

@@ -12,7 +12,7 @@ namespace moontrace {
 
 /// A word that reads otherwise.
 struct DifferentWord {
-  std::string first;   ///< as wanted
+  std::string first;   ///< as in the text
   std::string second;  ///< as read
   bool alike = false;  ///< both are written in the same signs: no reader can tell them apart
 };
@@ -41,7 +41,12 @@ struct BackTranslation {
 /// `wanted` is what the Folder makes of the text: small letters where the script has no others,
 /// without accents that it lacks, and without protect marks and characters that have no sign.
 /// Letters that are not among TypeStyle::only are in it, so that they differ. Linear in the text.
-/// Throws as SetText does, but for the page.
-BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style);
+///
+/// With a page the signs are read from its rows: a hyphen at a row's end that is not of the text is
+/// passed over, a number ends with its row, and no group of signs is read across two rows. Braille
+/// is read as if no word were broken.
+/// Throws as SetText does, without a page but for the page.
+BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style,
+                              const PageSpec* page = nullptr);
 
 }  // namespace moontrace

@@ -35,6 +35,35 @@ TEST(BackTranslation, ReadsMoonByItsRules) {
   EXPECT_EQ(Back("Hath 8", 1, "reverse-n").text, "hath 8\n");
 }
 
+/// Reads the rows of a page whose lines are `width_mm` wide.
+BackTranslation BackFromPage(std::string_view text, double width_mm) {
+  const TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, Moon());
+  const PageSpec page{"custom", width_mm / 1000 + 0.010, 0.200, 0.005};
+  return TranslateBack(text, Moon(), style, &page);
+}
+
+TEST(BackTranslation, ReadsTheRowsOfAPage) {
+  const std::string text =
+      "The band, and \"then\" 1234567890123 years...\n\nwait... 3.14 it's (no) 4th R&D\n";
+  for (double width_mm = 30; width_mm < 200; width_mm += 1) {
+    EXPECT_EQ(BackFromPage(text, width_mm).text, Back(text).text) << width_mm;
+  }
+}
+
+// A row that has room for one sign has none for a numeral sign of its own.
+TEST(BackTranslation, ReadsABrokenNumberWithoutItsSignAsLetters) {
+  const BackTranslation back = BackFromPage("12", 10);
+  EXPECT_EQ(back.differ_count, 1U);
+}
+
+// What differs is told as it was written, not as it was folded.
+TEST(BackTranslation, QuotesTheTextAsItWasWritten) {
+  const BackTranslation back = Back("\u00C9tude \u201E3D\u201C 3D");
+  ASSERT_EQ(back.differ.size(), 2U);
+  EXPECT_EQ(back.differ[0].first, "\u201E3D\u201C");
+  EXPECT_EQ(back.differ[1].first, "3D");
+}
+
 // What the script cannot tell apart (moon-script reference, sections 5 and 7).
 TEST(BackTranslation, ShowsWhatMoonCannotTellApart) {
   const BackTranslation digits = Back("3d");
