@@ -230,7 +230,8 @@ void Layout::AddRunning(const std::vector<Sign>& signs) {
       if (!row_empty_ && MustWrap(signs, at)) {
         Wrap(end);
         // A line too short to begin under its guide begins at the margin.
-        if (!Fits(signs, at, at + 1, pen_)) pen_ = 0;
+        const bool parted = sign.bound && MustWrap(signs, at);
+        if (parted || !Fits(signs, at, at + 1, pen_)) pen_ = 0;
         RepeatNumeral(sign);
       }
       if (new_word) ++words_;

@@ -176,11 +176,15 @@ TEST(SetText, KeepsMarksInAlternatingLines) {
   AddGuides(script, style);
   std::string text;
   for (int i = 0; i < 60; ++i) text += std::string(1 + i % 5, 'x') + "., 123456 ";
-  const Typeset set = SetText(text, script, style, Page(14, 40));
   const std::size_t numeral = script.Find("numeral");
-  std::size_t row = ~std::size_t{0}, repeated = 0;
+  const Typeset set = SetText(text, script, style, Page(14, 40));
+  std::size_t row = ~std::size_t{0}, before = numeral, repeated = 0;
   for (const PlacedGlyph& placed : set.pages.front().glyphs) {
-    if (placed.bridge) continue;
+    const std::size_t last = std::exchange(before, placed.glyph);
+    if (placed.bridge) {
+      EXPECT_NE(last, numeral) << placed.line;
+      continue;
+    }
     const bool begins = std::exchange(row, placed.line) != placed.line;
     if (!begins) continue;
     const char first = text[placed.source_begin];
@@ -190,6 +194,26 @@ TEST(SetText, KeepsMarksInAlternatingLines) {
     if (first > '1' && first <= '6') ++repeated;
   }
   EXPECT_GT(repeated, 0U);
+}
+
+// Under the guide of a short line there may be room for the sign alone.
+TEST(SetText, KeepsTheNumeralSignInAlternatingLines) {
+  Script script = SmallScript();
+  TypeStyle style = Style();
+  style.lines = LineDirection::kAlternate;
+  AddGuides(script, style);
+  const std::size_t numeral = script.Find("numeral");
+  for (int columns = 5; columns < 16; ++columns) {
+    const Typeset set =
+        SetText("abc, de 1234567890 abcd 12 abcde 1 a 12", script, style, Page(columns, 40));
+    std::size_t before = script.glyphs.size();
+    for (const PlacedGlyph& placed : set.pages.front().glyphs) {
+      const std::size_t last = std::exchange(before, placed.glyph);
+      if (placed.bridge) {
+        EXPECT_NE(last, numeral) << columns << ", " << placed.line;
+      }
+    }
+  }
 }
 
 TEST(SetText, KeepsLinesAndBlanksAsTyped) {
