@@ -219,12 +219,11 @@ std::string NearestCommand(std::string_view word, const std::vector<CommandCard>
   std::vector<std::string> names(cards.size());
   std::transform(cards.begin(), cards.end(), names.begin(),
                  [](const CommandCard& card) { return card.name; });
-  // half a short word's letters changed would make nearly any word a command
-  std::string nearest = NearestWord(meant, names, 3);
+  std::string nearest = NearestWord(meant, names);
   if (!nearest.empty()) return nearest;
   names.clear();
   for (const auto& [also, name] : known) names.push_back(also);
-  nearest = NearestWord(meant, names, 3);
+  nearest = NearestWord(meant, names);
   return nearest.empty() ? nearest : known.at(nearest);
 }
 

@@ -27,6 +27,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
 
 // Longer words come from broken files, not from slips of the finger; this bounds the time.
 constexpr std::size_t kLongestWord = 64;
+constexpr std::size_t kBytesAnEdit = 3;
 
 /// The first of those within `longest` bytes that take the fewest edits, empty if all take more
 /// than `most`.
@@ -47,21 +48,20 @@ std::string FewestEdits(std::string_view word, const std::vector<std::string>& c
 
 }  // namespace
 
-std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates,
-                        std::size_t bytes_an_edit) {
+std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates) {
   std::string nearest;
   if (word.empty() || word.size() > kLongestWord) return nearest;
   for (const std::string& candidate : candidates) {
     if (candidate.compare(0, word.size(), word) != 0) continue;
     if (nearest.empty() || candidate.size() < nearest.size()) nearest = candidate;
   }
-  return nearest.empty() ? FewestEdits(word, candidates, kLongestWord, word.size() / bytes_an_edit)
+  return nearest.empty() ? FewestEdits(word, candidates, kLongestWord, word.size() / kBytesAnEdit)
                          : nearest;
 }
 
 std::string NearestName(std::string_view word, const std::vector<std::string>& names) {
   if (word.size() > kLongestWord) return {};
-  return FewestEdits(word, names, std::string::npos, word.size() / 2);
+  return FewestEdits(word, names, std::string::npos, word.size() / kBytesAnEdit);
 }
 
 }  // namespace moontrace

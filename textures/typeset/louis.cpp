@@ -143,8 +143,9 @@ char** Resolve(const char* list, const char* base) {
   return pointers.data();
 }
 
+// Near by what stands before the ending, which most tables share: "xx.ctb" is near none.
 std::string NearestTable(const std::string& name) {
-  std::vector<std::string> known;
+  std::vector<std::string> known, stems;
   std::error_code error;
   for (const fs::path& folder : TableFolders()) {
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -155,7 +156,12 @@ std::string NearestTable(const std::string& name) {
     }
   }
   std::sort(known.begin(), known.end());
-  return NearestWord(name, known);
+  stems.reserve(known.size());
+  for (const std::string& table : known) stems.push_back(fs::path(table).stem().string());
+  const std::string stem = NearestWord(fs::path(name).stem().string(), stems);
+  const auto nearest = std::find(stems.begin(), stems.end(), stem);
+  return nearest == stems.end() ? std::string()
+                                : known[static_cast<std::size_t>(nearest - stems.begin())];
 }
 
 void CheckName(const std::string& name) {

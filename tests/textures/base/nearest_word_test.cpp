@@ -15,21 +15,19 @@ TEST(NearestWord, PrefersTheShortestThatItBegins) {
   EXPECT_EQ(NearestWord("p", {"picture", "page", "press-n"}), "page");
 }
 
-TEST(NearestWord, IsEmptyWhenMoreThanHalfMustChange) {
-  EXPECT_EQ(NearestWord("abcd", {"abxy"}), "abxy");  // two of four
-  EXPECT_EQ(NearestWord("abcde", {"abxyz"}), "");    // three of five
+TEST(NearestWord, IsEmptyWhenMoreThanAThirdMustChange) {
+  EXPECT_EQ(NearestWord("abcdef", {"abcdxy"}), "abcdxy");  // two of six
+  EXPECT_EQ(NearestWord("abcde", {"abcxy"}), "");          // two of five
+  EXPECT_EQ(NearestWord("quit", {"gui"}), "");
+  EXPECT_EQ(NearestWord("grade2", {"moon", "greek"}), "");
+  EXPECT_EQ(NearestWord("a3", {"a4", "a5"}), "");
   EXPECT_EQ(NearestWord("xyz", {"csv", "page"}), "");
   EXPECT_EQ(NearestWord("", {"page"}), "");
 }
 
 TEST(NearestWord, CountsTwoNeighboursSwappedAsOneEdit) {
-  EXPECT_EQ(NearestWord("tset", {"view", "text", "test"}, 3), "test");
-  EXPECT_EQ(NearestWord("leanr", {"lean-to", "learn"}, 3), "learn");
-}
-
-TEST(NearestWord, TakesFewerEditsWhereTheCallerAsks) {
-  EXPECT_EQ(NearestWord("quit", {"gui"}), "gui");  // two of four
-  EXPECT_EQ(NearestWord("quit", {"gui"}, 3), "");
+  EXPECT_EQ(NearestWord("tset", {"view", "text", "test"}), "test");
+  EXPECT_EQ(NearestWord("leanr", {"lean-to", "learn"}), "learn");
 }
 
 TEST(NearestName, TakesTheFewestChanges) {
@@ -37,9 +35,9 @@ TEST(NearestName, TakesTheFewestChanges) {
   EXPECT_EQ(NearestName("rate", {"rat", "gate", "rate"}), "rate");
 }
 
-TEST(NearestName, IsEmptyWhenMoreThanHalfMustChange) {
-  EXPECT_EQ(NearestName("abcd", {"wxyz"}), "");
-  EXPECT_EQ(NearestName("ab", {"axx"}), "");  // two changes of two bytes
+TEST(NearestName, IsEmptyWhenMoreThanAThirdMustChange) {
+  EXPECT_EQ(NearestName("abcd", {"abyz"}), "");  // two changes of four bytes
+  EXPECT_EQ(NearestName("ab", {"ax"}), "");
   EXPECT_EQ(NearestName("", {"a"}), "");
 }
 

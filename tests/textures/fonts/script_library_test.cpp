@@ -117,6 +117,8 @@ TEST_F(ScriptLibrary, TellsHowToNameAFolderThatLiesHere) {
 
 TEST_F(ScriptLibrary, SaysWhatIsKnownAndWhatIsNoScript) {
   EXPECT_EQ(Error("mon"), "unknown script 'mon'; did you mean 'moon'?");
+  // half of its letters are those of 'hershey:greek'
+  EXPECT_EQ(Error("grade2"), "unknown script 'grade2': give a font's path or see script list");
   EXPECT_EQ(Error(kData),
             kData + ": a folder without characters: give KanjiVG's or hanzi-writer-data's");
   EXPECT_NE(Error("./none.jhf").find("./none.jhf"), std::string::npos);

@@ -118,8 +118,8 @@ TEST(ParseScript, NamesPlaceCauseAndCureOfABrokenRule) {
             "small.toml:8:6: ab: 'ab' is not one character; give one");
   EXPECT_EQ(RulesError("[signs]\nt = 'comma'\n"),
             "small.toml:8:5: t: the font binds this character to 't'; keep one of the two");
-  EXPECT_EQ(RulesError("[[contractions]]\nprint = 'th'\nsigns = ['ht']\ngrade = 1\n"),
-            "small.toml:9:9: signs: no glyph 'ht' in the font; did you mean 'h'?");
+  EXPECT_EQ(RulesError("[[contractions]]\nprint = 'th'\nsigns = ['thh']\ngrade = 1\n"),
+            "small.toml:9:9: signs: no glyph 'thh' in the font; did you mean 'th'?");
   EXPECT_EQ(RulesError("[[contractions]]\nprint = 'th'\nsigns = ['th']\ngrade = 1\nwhere = 'x'\n"),
             "small.toml:11:9: where: 'x' is none of anywhere, whole-word, part-of-word, word-end");
   EXPECT_EQ(RulesError("[[contractions]]\nprint = ''\n"),

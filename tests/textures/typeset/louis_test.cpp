@@ -212,6 +212,10 @@ std::string ErrorOf(const std::string& table) {
 TEST_F(Louis, NamesATableThatIsMissingOrBrokenInOneLine) {
   EXPECT_EQ(ErrorOf("en-ueb-g3.ctb"),
             "no Braille table 'en-ueb-g3.ctb': did you mean en-ueb-g1.ctb?");
+  EXPECT_EQ(ErrorOf("en-ueb-g2"), "no Braille table 'en-ueb-g2': did you mean en-ueb-g2.ctb?");
+  // not "as.tbl", of another language, for the ending that they share
+  EXPECT_EQ(ErrorOf("xx.ctb"),
+            "no Braille table 'xx.ctb': give one of liblouis, like en-ueb-g2.ctb");
   EXPECT_NE(ErrorOf("").find("give a liblouis table"), std::string::npos);
   EXPECT_NE(ErrorOf("a\nb").find("Braille table 'a?b'"), std::string::npos);
   EXPECT_NE(ErrorOf(std::string(5000, 'a')).find("give a liblouis table"), std::string::npos);
