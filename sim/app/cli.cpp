@@ -28,7 +28,6 @@
 #include "sim/setup/help.h"
 #include "sim/tutor/tutor_messages.h"
 #include "textures/base/error.h"
-#include "textures/base/nearest_word.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -37,14 +36,13 @@ namespace {
 
 using Args = std::vector<std::string>;
 
-/// The option nearest to what was given; dashes do not count, they are the same in all.
-std::string NearestOption(const CLI::App& app, std::string_view given) {
+/// The option of a command that is meant by one that it lacks; empty where none is near.
+std::string NearestOptionOf(const CLI::App& app, std::string_view given) {
   std::vector<std::string> names{"help"};
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back(name);
   }
-  given.remove_prefix(std::min(given.find_first_not_of('-'), given.size()));
-  const std::string nearest = NearestWord(given, names);
+  const std::string nearest = NearestOption(given, names);
   return nearest.empty() ? nearest : "--" + nearest;
 }
 
@@ -67,7 +65,7 @@ void RefuseSpare(const CLI::App& app) {
       throw UsageError(say::SpareArgument(given, app.get_name(), TakesText(app)));
     }
     const std::string name = given.substr(0, given.find('='));
-    throw UsageError(say::UnknownOption(name, app.get_name(), NearestOption(app, name)));
+    throw UsageError(say::UnknownOption(name, app.get_name(), NearestOptionOf(app, name)));
   }
 }
 
@@ -160,7 +158,7 @@ constexpr Command kCommands[] = {
     Of<TutorOptions>({"tutor", help::kTutor, Audience::kTutor, "", "teacher teach"}),
     Of<ReportOptions>({"report", help::kReport, Audience::kTutor, "", "progress results"}),
     Of<RecordsOptions>({"records", help::kRecordsCommand, Audience::kTutor, "",
-                        "learners learner export import erase consent"}),
+                        "learners export import erase consent"}),
     Of<CourseOptions>({"course", help::kCourseCommand, Audience::kTutor, "", "courses"}),
     Of<PageOptions>({"page", help::kPage, Audience::kWriter,
                      "TEXT --file --size-mm --script --embossed --page --picture --letters",
@@ -193,35 +191,70 @@ std::vector<CommandCard> Cards() {
   return cards;
 }
 
-const Command& FindCommand(const std::string& name) {
-  for (const Command& command : kCommands) {
-    if (name == command.card.name) return command;
+/// A word that may stand first and is no command.
+struct PlainWord {
+  const char* name;
+  const char* also;  ///< other words that mean it
+  const char* help;
+  bool launchers;  ///< the launcher takes it before the program starts
+};
+constexpr PlainWord kPlainWords[] = {
+    {"help", "commands manual man usage", help::kHelpWord, false},
+    {"version", "about -v -V", help::kVersionWord, false},
+    {"test", "tests", help::kTestWord, true},
+    {"packages", "package install", help::kPackagesWord, true},
+};
+
+const PlainWord* PlainWordNamed(const std::string& name) {
+  for (const PlainWord& word : kPlainWords) {
+    if (name == word.name) return &word;
   }
-  if (name == "test" || name == "packages") throw UsageError(say::LaunchersWord(name));
+  return nullptr;
+}
+
+const Command* CommandNamed(const std::string& name) {
+  for (const Command& command : kCommands) {
+    if (name == command.card.name) return &command;
+  }
+  return nullptr;
+}
+
+/// Throws UsageError for a line that begins with no command.
+[[noreturn]] void RefuseCommand(const Args& args) {
+  const std::string& given = args.front();
+  const PlainWord* plain = PlainWordNamed(given);
+  if (plain != nullptr && plain->launchers) throw UsageError(plain->help);
   std::vector<CommandCard> cards = Cards();
-  cards.push_back({"help", "", {}, "", "commands manual man usage"});
-  cards.push_back({"version", "", {}, "", "about -v -V"});
-  // the launcher's own words, which it takes before the program starts
-  cards.push_back({"test", "", {}, "", "tests"});
-  cards.push_back({"packages", "", {}, "", "package install"});
-  throw UsageError(say::UnknownCommand(name, NearestCommand(name, cards)));
+  for (const PlainWord& word : kPlainWords) cards.push_back({word.name, "", {}, "", word.also});
+  std::string nearest = NearestCommand(given, cards);
+  if (nearest.empty()) nearest = TextAsPage(args);
+  throw UsageError(say::UnknownCommand(given, nearest));
+}
+
+/// Behind what help is asked for stands nothing but a wish for all of it.
+void CheckHelp(const Args& args) {
+  for (std::size_t i = 1; i < args.size(); ++i) {
+    if (AsksForHelp({args[i]}) == HelpAsked::kNo) throw UsageError(say::HelpTakesOne(args[i]));
+  }
 }
 
 /// `help`, `help COMMAND`, `help --markdown`.
 int Help(const Args& args, Console& console) {
-  const std::string what = args.empty() ? "help" : args.front();
-  if (what == "help" || what == "version" || what == "--help") {
+  CheckHelp(args);
+  const std::string what = args.empty() ? "--help" : args.front();
+  if (AsksForHelp({what}) != HelpAsked::kNo) {
     console.Help(ProgramHelp(Cards()));
-  } else if (what == "test" || what == "packages") {
-    console.Result(say::LaunchersWord(what));
+  } else if (const PlainWord* word = PlainWordNamed(what)) {
+    console.Result(word->help);
   } else if (what == "--markdown") {
     std::vector<CommandSheet> sheets;
     for (const Command& command : kCommands) sheets.push_back(command.sheet(command.card));
     console.out() << Reference(Cards(), sheets);
   } else {
-    const Command& command = FindCommand(what);
+    const Command* command = CommandNamed(what);
+    if (command == nullptr) RefuseCommand(args);
     const bool all = AsksForHelp(args) == HelpAsked::kAll;
-    console.Help(CommandHelp(command.card, command.sheet(command.card), all));
+    console.Help(CommandHelp(command->card, command->sheet(command->card), all));
   }
   return exit_code::kGood;
 }
@@ -235,17 +268,20 @@ int Dispatch(const Args& args, Console& console) {
   const Args rest(args.begin() + 1, args.end());
   if (first == "help" || AsksForHelp({first}) != HelpAsked::kNo) return Help(rest, console);
   if (first == "version" || first == "--version") {
+    if (!rest.empty()) throw UsageError(say::SpareArgument(rest.front(), "version", false));
     console.Result(say::Version(MOONTRACE_VERSION, mj_versionString()));
     return exit_code::kGood;
   }
-  const Command& command = FindCommand(first);
-  return command.run(command.card, rest, console);
+  const Command* command = CommandNamed(first);
+  if (command == nullptr) RefuseCommand(args);
+  return command->run(command->card, rest, console);
 }
 
 }  // namespace
 
 std::vector<std::string> TypedAfterName() {
-  std::vector<std::string> words{"help", "version", "COMMAND"};
+  std::vector<std::string> words{"COMMAND"};
+  for (const PlainWord& word : kPlainWords) words.emplace_back(word.name);
   for (const Command& command : kCommands) words.emplace_back(command.card.name);
   return words;
 }

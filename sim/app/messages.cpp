@@ -12,14 +12,18 @@
 namespace moontrace::say {
 
 std::string UnknownCommand(std::string_view given, std::string_view nearest) {
+  const bool is_option = !given.empty() && given.front() == '-';
+  const std::string mend = is_option && nearest.empty()
+                               ? "write the command first, its options behind it; "
+                               : DidYouMean(nearest);
   return fmt::format("unknown command {}: {}\"moontrace help\" lists the commands", Quoted(given),
-                     DidYouMean(nearest));
+                     mend);
 }
 
-std::string LaunchersWord(std::string_view word) {
-  return word == "test"
-             ? "./moontrace test: in a clone, builds and runs the quick tests."
-             : "./moontrace packages run, test or ci: in a clone, installs what is needed.";
+std::string HelpTakesOne(std::string_view given) {
+  return fmt::format(
+      "one argument too many for help: {}; name one command, as in moontrace help page",
+      Quoted(given));
 }
 
 std::string UnknownOption(std::string_view given, std::string_view command,

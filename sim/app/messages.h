@@ -18,7 +18,7 @@ namespace moontrace::say {
 
 // The command line.
 std::string UnknownCommand(std::string_view given, std::string_view nearest);
-std::string LaunchersWord(std::string_view word);
+std::string HelpTakesOne(std::string_view given);
 std::string UnknownOption(std::string_view given, std::string_view command,
                           std::string_view nearest);
 /// `takes_text`: the command takes one, which quotes would keep together.

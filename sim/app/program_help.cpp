@@ -19,6 +19,7 @@ constexpr const char* kExitCodes =
     "machine lacks something: a device, a library, a permission, room; 130 interrupted; 141 "
     "whoever "
     "read its output has left.";
+constexpr std::size_t kLongestExample = 40;  // [bytes]
 /// CLI11's own heading, for options that were added before any other.
 constexpr const char* kOwn = "Options";
 
@@ -37,6 +38,25 @@ const char* HeadingOf(Audience audience) {
   }
   return "";
 }
+
+/// What people call an option elsewhere, and what does it here: the first that the command has.
+struct UsualOption {
+  const char* words;
+  const char* options;
+  const char* value;  ///< that is to stand behind it
+};
+constexpr UsualOption kUsualOptions[] = {
+    {"font fonts typeface alphabet", "script", ""},
+    {"braille", "script", " braille"},
+    {"height letter-size font-size fontsize", "size-mm", ""},
+    {"pdf", "picture print", " page.pdf"},
+    {"svg", "picture print", " page.svg"},
+    {"png", "picture print", " page.png"},
+    {"output out o save image draw", "output picture print to html folder", ""},
+    {"input in i", "file", ""},
+    {"paper format paper-size", "page", ""},
+    {"name user pupil student", "learner", ""},
+};
 
 std::vector<std::string> Words(const char* text) {
   std::istringstream in(text);
@@ -207,6 +227,34 @@ std::string Reference(const std::vector<CommandCard>& cards,
   return text;
 }
 
+std::string TextAsPage(const std::vector<std::string>& args) {
+  std::string text;
+  std::size_t words = 0;
+  for (const std::string& word : args) {
+    if (word.empty() || word.front() == '-') break;
+    text += (words++ == 0 ? "" : " ") + word;
+  }
+  if (text.find(' ') == std::string::npos) return {};
+  // what a shell would change within quotes, and what is too long to be typed again
+  const bool as_given = text.size() <= kLongestExample && OneLine(text) == text &&
+                        text.find_first_of("\"$`\\!") == std::string::npos;
+  return fmt::format("moontrace page \"{}\"", as_given ? text : "your text");
+}
+
+std::string NearestOption(std::string_view given, const std::vector<std::string>& names) {
+  given.remove_prefix(std::min(given.find_first_not_of('-'), given.size()));
+  const auto holds = [](const std::vector<std::string>& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  for (const UsualOption& usual : kUsualOptions) {
+    if (!holds(Words(usual.words), given)) continue;
+    for (const std::string& name : Words(usual.options)) {
+      if (holds(names, name)) return name + usual.value;
+    }
+  }
+  return NearestWord(given, names);
+}
+
 std::string NearestCommand(std::string_view word, const std::vector<CommandCard>& cards) {
   const std::string meant = LowerCase(word);
   std::map<std::string, std::string> known;
@@ -216,6 +264,8 @@ std::string NearestCommand(std::string_view word, const std::vector<CommandCard>
   for (const CommandCard& card : cards) known.insert_or_assign(card.name, card.name);
   const auto exact = known.find(meant);
   if (exact != known.end()) return exact->second;
+  const std::size_t dashes = std::min(meant.find_first_not_of('-'), meant.size());
+  if (dashes > 0) return NearestCommand(meant.substr(dashes), cards);
   std::vector<std::string> names(cards.size());
   std::transform(cards.begin(), cards.end(), names.begin(),
                  [](const CommandCard& card) { return card.name; });

@@ -32,7 +32,14 @@ std::string CommandHelp(const CommandCard& card, const CommandSheet& sheet, bool
 std::string Reference(const std::vector<CommandCard>& cards,
                       const std::vector<CommandSheet>& sheets);
 /// The command meant by a word that is none: one of its other words, otherwise the nearest name or
-/// other word; empty where none is near.
+/// other word; empty where none is near. Dashes in front do not count.
 std::string NearestCommand(std::string_view word, const std::vector<CommandCard>& cards);
+/// The option of a command that is meant by one that it lacks, without the dashes in front: by what
+/// people call it elsewhere ("pdf": "picture page.pdf"), otherwise the nearest of `names`; empty
+/// where none is near. Dashes in front of `given` do not count.
+std::string NearestOption(std::string_view given, const std::vector<std::string>& names);
+/// "moontrace page \"the moon\"" for a line that begins with a text where a command should stand:
+/// with blanks, or of several words, up to the first option. Empty for any other.
+std::string TextAsPage(const std::vector<std::string>& args);
 
 }  // namespace moontrace

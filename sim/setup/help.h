@@ -52,6 +52,14 @@ inline constexpr const char* kReplay = "runs a recorded trace again and compares
 inline constexpr const char* kBench = "measures speed and accuracy against other methods";
 inline constexpr const char* kDemo = "traces a word at four sizes and leaves pictures";
 
+inline constexpr const char* kHelpWord = "moontrace help: tells all commands, or one of them.";
+inline constexpr const char* kVersionWord =
+    "moontrace version: says which Moontrace this is, and which MuJoCo. It takes nothing more.";
+inline constexpr const char* kTestWord =
+    "./moontrace test: in a clone, builds and runs the quick tests.";
+inline constexpr const char* kPackagesWord =
+    "./moontrace packages run, test or ci: in a clone, installs what is needed.";
+
 inline constexpr const char* kGallery =
     "draws each kind of script and setting, gathered in one page with words";
 inline constexpr const char* kDevices =

@@ -120,6 +120,7 @@ TEST(Cli, WordsThatMeanACommandNameIt) {
       {"font", "script"},   {"fonts", "script"},  {"device", "devices"},   {"window", "view"},
       {"teacher", "tutor"}, {"halp", "help"},     {"experiment", "study"}, {"-v", "version"},
       {"tset", "test"},     {"tests", "test"},    {"package", "packages"}, {"quit", ""},
+      {"learner", "learn"}, {"--hlep", "help"},   {"--page", "page"},      {"--quiet", ""},
       {"exit", ""},         {"stop", ""},         {"xyzzyx", ""}};
   for (const auto& [word, command] : meant) {
     const Outcome outcome = RunLine({word});
@@ -132,8 +133,44 @@ TEST(Cli, WordsThatMeanACommandNameIt) {
   EXPECT_EQ(RunLine({"test"}).err.find("did you mean"), std::string::npos);
   EXPECT_NE(RunLine({"test"}).err.find("in a clone"), std::string::npos);
   EXPECT_NE(RunLine({"help", "test"}).out.find("quick tests"), std::string::npos);
-  EXPECT_EQ(RunLine({"help", "version"}).out, RunLine({"help"}).out);
   EXPECT_NE(RunLine({"help", "pgae"}).err.find("did you mean page?"), std::string::npos);
+}
+
+TEST(Cli, ATextWithoutACommandIsShownBehindPage) {
+  const auto refusal = [](const std::vector<std::string>& line) {
+    const Outcome outcome = RunLine(line);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+    return outcome.err;
+  };
+  const std::string meant = "did you mean moontrace page \"the moon\"? ";
+  EXPECT_NE(refusal({"the moon"}).find(meant), std::string::npos);
+  EXPECT_NE(refusal({"the", "moon"}).find(meant), std::string::npos);
+  EXPECT_NE(refusal({"the moon", "--picture", "x.pdf"}).find(meant), std::string::npos);
+  EXPECT_EQ(refusal({"xyzzyx"}).find("did you mean"), std::string::npos);
+  // a shell would put something else for these
+  EXPECT_NE(refusal({"the $HOME"}).find("mean moontrace page \"your text\"?"), std::string::npos);
+}
+
+TEST(Cli, AnOptionBeforeTheCommandIsTold) {
+  EXPECT_NE(RunLine({"--quiet", "page", "A"}).err.find("write the command first"),
+            std::string::npos);
+  EXPECT_NE(RunLine({"--hlep", "page"}).err.find("did you mean help?"), std::string::npos);
+}
+
+TEST(Cli, HelpAndVersionTellAWordTooMany) {
+  EXPECT_EQ(RunLine({"help", "page", "trace"}).err,
+            "one argument too many for help: \"trace\"; name one command, as in moontrace help "
+            "page\n");
+  EXPECT_EQ(RunLine({"help", "test", "x"}).code, 2);
+  EXPECT_EQ(RunLine({"help", "--markdown", "x"}).code, 2);
+  EXPECT_EQ(RunLine({"version", "x"}).code, 2);
+  EXPECT_NE(RunLine({"--version", "x"}).err.find("one argument too many for version: \"x\""),
+            std::string::npos);
+  EXPECT_EQ(RunLine({"help", "page", "--help-all"}).out, RunLine({"page", "--help-all"}).out);
+  const Outcome version = RunLine({"help", "version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.out.rfind("moontrace version: ", 0), 0U) << version.out;
 }
 
 TEST(Cli, AnArgumentTooManyIsNoMissingQuoteWhereNoTextIsTaken) {
@@ -183,6 +220,27 @@ TEST(Cli, UnknownOptionNamesTheOneItBeginsAndNoneThatIsFar) {
     const Outcome outcome = RunLine({"page", "A", far});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err.find("did you mean"), std::string::npos) << outcome.err;
+  }
+}
+
+// Names that other programs give the same thing; each is an option that the command has.
+TEST(Cli, OptionsByTheirUsualNamesNameOurs) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> usual = {
+      {{"page", "A", "--font", "x"}, "--script"},
+      {{"page", "A", "--pdf", "x"}, "--picture page.pdf"},
+      {{"page", "A", "--output", "x"}, "--picture"},
+      {{"page", "A", "-o", "x"}, "--picture"},
+      {{"page", "A", "--height", "20"}, "--size-mm"},
+      {{"page", "A", "--height=20"}, "--size-mm"},
+      {{"page", "A", "--braille"}, "--script braille"},
+      {{"read", "book.txt", "--pdf", "x"}, "--print page.pdf"},
+      {{"records", "export", "Ada", "--out", "x"}, "--output"},
+      {{"report", "Ada", "--out", "x"}, "--html"},
+      {{"learn", "--name", "Ada"}, "--learner"}};
+  for (const auto& [line, ours] : usual) {
+    const Outcome outcome = RunLine(line);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("did you mean " + ours + "? "), std::string::npos) << outcome.err;
   }
 }
 
