@@ -264,7 +264,8 @@ void CheckUse(const CourseOptions& options) {
   const std::vector<std::string>& words = options.words;
   const std::string action = words.empty() ? "" : words.front();
   if (action != "check" && action != "show") {
-    throw UsageError(say::NotACourseAction(action, NearestWord(action, {"check", "show"})));
+    throw UsageError(say::NotAnAction("course", action, NearestWord(action, {"check", "show"}),
+                                      "check or show"));
   }
   if (action == "check" && words.size() < 2) throw UsageError(say::NoCourseNamed());
   if (action == "show" && !options.device.empty()) throw UsageError(say::DeviceOnlyForCheck());

@@ -19,10 +19,6 @@ std::string Named(const Course& course, const std::vector<std::string>& items) {
   return Joined(names, ", ");
 }
 
-std::string PerhapsMeant(std::string_view nearest) {
-  return nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
-}
-
 std::string Doing(const Step& step) {
   switch (step.kind) {
     case StepKind::kExplore:
@@ -54,12 +50,6 @@ std::string InOneLine(std::string_view text) {
 
 }  // namespace
 
-std::string NotACourseAction(std::string_view given, std::string_view nearest) {
-  if (given.empty()) return "course: say what to do: check or show";
-  return fmt::format("course: unknown action '{}'{}: give check or show", OneLine(given, 40),
-                     PerhapsMeant(nearest));
-}
-
 std::string NoCourseNamed() {
   return "course check: name a course, as in: moontrace course check learn-moon";
 }
@@ -69,9 +59,9 @@ std::string TooManyCourses() {
 std::string DeviceOnlyForCheck() { return "course show: --device is not for this; leave it out"; }
 
 std::string UnknownProfile(std::string_view given, std::string_view nearest) {
-  return fmt::format(
-      "--device: no profile '{}'{}", OneLine(given, 40),
-      nearest.empty() ? "; moontrace devices lists what there is" : PerhapsMeant(nearest));
+  return fmt::format("--device: no profile '{}'; {}", OneLine(given, 40),
+                     nearest.empty() ? "moontrace devices lists what there is"
+                                     : fmt::format("did you mean {}?", nearest));
 }
 
 std::string CourseSound(std::string_view name, std::size_t lessons, std::size_t items,

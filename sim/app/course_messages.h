@@ -11,7 +11,6 @@
 /// reads them (lessons/course/course.h).
 namespace moontrace::say {
 
-std::string NotACourseAction(std::string_view given, std::string_view nearest);
 std::string NoCourseNamed();
 std::string TooManyCourses();
 std::string DeviceOnlyForCheck();

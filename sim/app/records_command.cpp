@@ -15,6 +15,7 @@
 #include "sim/html_report/records_messages.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/setup/help.h"
+#include "sim/setup/setup_messages.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/metrics_json.h"
 #include "textures/base/error.h"
@@ -33,7 +34,9 @@ const std::vector<std::string> kActions{"list", "export", "import", "erase", "co
 void CheckUse(const RecordsOptions& options) {
   const std::string& action = options.action;
   if (std::find(kActions.begin(), kActions.end(), action) == kActions.end()) {
-    throw UsageError(say::NotARecordsAction(action, NearestWord(action, kActions)));
+    throw UsageError(say::NotAnAction("records", action, NearestWord(action, kActions),
+                                      "list, export NAME, import FILE, erase NAME or consent NAME "
+                                      "yes|no"));
   }
   if (action == "list" ? !options.subject.empty() : options.subject.empty()) {
     throw UsageError(action == "list" ? say::SpareArgument(options.subject, "records list", false)

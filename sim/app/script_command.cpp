@@ -307,7 +307,8 @@ void CheckUse(const ScriptOptions& options) {
   const std::vector<std::string> known = {"list", "info", "check", "convert", "picture"};
   const std::string& action = options.action;
   if (std::find(known.begin(), known.end(), action) == known.end()) {
-    throw UsageError(say::NotAScriptAction(action, NearestWord(action, known)));
+    throw UsageError(say::NotAnAction("script", action, NearestWord(action, known),
+                                      "list, info, check, convert or picture"));
   }
   const auto only_for = [&action](const char* option, bool given, const char* owner) {
     if (given && action != owner) throw UsageError(say::NotOfThisAction(option, action));

@@ -64,16 +64,6 @@ std::string Explained(const ScriptFinding& finding) {
 
 }  // namespace
 
-std::string NotAScriptAction(std::string_view given, std::string_view nearest) {
-  if (given.empty()) return "script: say what to do: list, info, check, convert or picture";
-  if (!nearest.empty()) {
-    return fmt::format("script: unknown action '{}'; did you mean '{}'?", OneLine(given, 40),
-                       nearest);
-  }
-  return fmt::format("script: unknown action '{}': give list, info, check, convert or picture",
-                     OneLine(given, 40));
-}
-
 std::string NoScriptNamed(std::string_view action) {
   return fmt::format("script {}: name a script, as in: moontrace script {} moon", action, action);
 }

@@ -11,8 +11,6 @@
 /// The sentences of `moontrace script`.
 namespace moontrace::say {
 
-/// `nearest`: a known one, or empty.
-std::string NotAScriptAction(std::string_view given, std::string_view nearest);
 std::string NoScriptNamed(std::string_view action);
 std::string NotOfThisAction(std::string_view option, std::string_view action);
 std::string ScriptCount(std::size_t count);

@@ -9,14 +9,6 @@
 
 namespace moontrace::say {
 
-std::string NotARecordsAction(std::string_view given, std::string_view nearest) {
-  const std::string_view actions =
-      "list, export NAME, import FILE, erase NAME, consent NAME yes|no";
-  if (given.empty()) return fmt::format("say what to do with the records: {}", actions);
-  return fmt::format("records cannot \"{}\": {}write {}", OneLine(given),
-                     nearest.empty() ? "" : fmt::format("did you mean {}? ", nearest), actions);
-}
-
 std::string NoSubject(std::string_view action) {
   if (action == "import") return "records import lacks its file: write records import FILE";
   return fmt::format("records {0} lacks a learner: write records {0} NAME", action);

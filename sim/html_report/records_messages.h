@@ -9,7 +9,6 @@
 /// The sentences of `moontrace records`.
 namespace moontrace::say {
 
-std::string NotARecordsAction(std::string_view given, std::string_view nearest);
 std::string NoSubject(std::string_view action);
 std::string NoConsentAnswer();
 std::string OnlyWith(std::string_view option, std::string_view action);

@@ -52,6 +52,13 @@ std::string NotAChoice(std::string_view option, std::string_view given, std::str
                      DidYouMean(NearestListed(given, choices)), choices);
 }
 
+std::string NotAnAction(std::string_view command, std::string_view given, std::string_view nearest,
+                        std::string_view actions) {
+  if (given.empty()) return fmt::format("{}: say what to do: {}", command, actions);
+  return fmt::format("{}: unknown action {}: {}write {}", command, Quoted(given),
+                     DidYouMean(nearest), actions);
+}
+
 std::string NotAPage(std::string_view given) {
   constexpr const char* kChoices = "a4, a5, workspace or width x height like 120x80";
   return fmt::format("--page is {}: {}write {}", Quoted(given),

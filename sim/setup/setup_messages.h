@@ -17,6 +17,9 @@ std::string NotAWholeNumber(std::string_view option, std::string_view given);
 std::string OutOfRange(std::string_view option, std::string_view given, double low, double high);
 std::string AlternateLinesBreakWords();
 std::string NotAChoice(std::string_view option, std::string_view given, std::string_view choices);
+/// A command's first word, which says what to do. `actions`: "check or show"; empty `given`: none.
+std::string NotAnAction(std::string_view command, std::string_view given, std::string_view nearest,
+                        std::string_view actions);
 std::string NotAPage(std::string_view given);
 std::string NotAPicture(std::string_view option, std::string_view given);
 std::string NeedsOther(std::string_view option, std::string_view other);

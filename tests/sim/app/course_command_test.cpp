@@ -183,7 +183,7 @@ TEST_F(CourseCommand, RefusesWhatItCannotDoInOneLine) {
   };
   EXPECT_EQ(error({"course"}, 2), "course: say what to do: check or show\n");
   EXPECT_EQ(error({"course", "chek", "x"}, 2),
-            "course: unknown action 'chek'; did you mean check?: give check or show\n");
+            "course: unknown action \"chek\": did you mean check? write check or show\n");
   EXPECT_EQ(error({"course", "check"}, 2),
             "course check: name a course, as in: moontrace course check learn-moon\n");
   error({"course", "show", "learn-moon", "learn-moon"}, 2);

@@ -156,9 +156,12 @@ TEST_F(ScriptCommand, ListsEachFindingWhereAskedAndInJson) {
 }
 
 TEST_F(ScriptCommand, NamesTheNearestAction) {
-  EXPECT_EQ(RunLine({"script", "lst"}).err, "script: unknown action 'lst'; did you mean 'list'?\n");
+  EXPECT_EQ(
+      RunLine({"script", "lst"}).err,
+      "script: unknown action \"lst\": did you mean list? write list, info, check, convert or "
+      "picture\n");
   EXPECT_EQ(RunLine({"script", "zzzzzz"}).err,
-            "script: unknown action 'zzzzzz': give list, info, check, convert or picture\n");
+            "script: unknown action \"zzzzzz\": write list, info, check, convert or picture\n");
 }
 
 TEST_F(ScriptCommand, FindsMoreAtSmallerSizes) {
