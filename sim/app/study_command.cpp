@@ -19,6 +19,7 @@
 #include "sim/study/study_summary.h"
 #include "sim/trial/metrics_json.h"
 #include "textures/base/error.h"
+#include "textures/base/nearest_word.h"
 #include "textures/base/output_file.h"
 #include "textures/base/resources.h"
 #include "textures/fonts/script.h"
@@ -61,12 +62,27 @@ StudyProtocol ProtocolAt(const std::string& file) {
   return protocol;
 }
 
+/// The names of the protocols in a folder, by the alphabet.
+std::vector<std::string> StudiesIn(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() == ".toml") names.push_back(it->path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// A shipped protocol by its name, otherwise a path.
 std::string ProtocolPath(const std::string& given) {
   const bool name = given.find('/') == std::string::npos && given.find('.') == std::string::npos;
   if (!name || fs::exists(given)) return given;
-  std::string shipped = ResourcePath("lessons/studies") + "/" + given + ".toml";
-  if (!fs::exists(shipped)) throw InputError(say::NoSuchStudy(given));
+  const std::string folder = ResourcePath("lessons/studies");
+  std::string shipped = folder + "/" + given + ".toml";
+  if (!fs::exists(shipped)) {
+    const std::vector<std::string> names = StudiesIn(folder);
+    throw InputError(say::NoSuchStudy(given, names, NearestWord(given, names)));
+  }
   return shipped;
 }
 

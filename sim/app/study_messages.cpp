@@ -11,9 +11,10 @@ std::string NoStudyNamed() {
   return "no protocol was named: moontrace study guidance, or a TOML file";
 }
 
-std::string NoSuchStudy(std::string_view given) {
-  return fmt::format("no study \"{}\": there is guidance; or name a TOML file by its path",
-                     OneLine(given, 40));
+std::string NoSuchStudy(std::string_view given, const std::vector<std::string>& names,
+                        std::string_view nearest) {
+  return fmt::format("no study \"{}\": {}there is {}; or name a TOML file by its path",
+                     OneLine(given, 40), DidYouMean(nearest), Joined(names, " and "));
 }
 
 std::string TooManyStudies(std::string_view first) {

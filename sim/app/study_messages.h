@@ -12,7 +12,9 @@
 namespace moontrace::say {
 
 std::string NoStudyNamed();
-std::string NoSuchStudy(std::string_view given);
+/// `names`: of the shipped ones; `nearest`: one of them, or empty.
+std::string NoSuchStudy(std::string_view given, const std::vector<std::string>& names,
+                        std::string_view nearest);
 std::string TooManyStudies(std::string_view first);
 std::string NothingToMerge();
 std::string MergeNeedsOutput();

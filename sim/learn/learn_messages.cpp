@@ -89,8 +89,8 @@ HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts) {
     list.push_back(fmt::format("{} {}", KeyCalled(key), word));
   }
   return {{fmt::format("One key a word, without Enter: {}.", Joined(first, ", ")),
-           "While something is asked, type the answer and Enter. Escape always stops.",
-           kButton, "The question mark once more tells the other keys."},
+           "While something is asked, type the answer and Enter. Escape always stops.", kButton,
+           "The question mark once more tells the other keys."},
           {fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")), kUnknown,
            kSlash, TraceEnds(lifts)}};
 }
@@ -355,9 +355,9 @@ std::string PrintedInstruction(std::string_view title, std::size_t page, std::si
       OneLine(title), page, pages, Millimetres(size), OneLine(lines, 120));
 }
 std::string NoSuchLesson(std::string_view given, std::string_view nearest) {
-  return fmt::format("no such lesson: {}; {}{}", OneLine(given, 40),
-                     nearest.empty() ? "moontrace course show lists them" : "did you mean ",
-                     OneLine(nearest));
+  return fmt::format("no such lesson: {}; {}", OneLine(given, 40),
+                     nearest.empty() ? "moontrace course show lists them"
+                                     : fmt::format("did you mean {}?", OneLine(nearest)));
 }
 std::string NothingToPrint(std::string_view lesson) {
   return fmt::format("lesson {} shows nothing that could be printed; name another",

@@ -170,7 +170,7 @@ TEST_F(CourseCommand, ShowsALessonByItsNumberOrName) {
   EXPECT_EQ(none.code, 2);
   EXPECT_EQ(none.err, "no such lesson: 99; moontrace course show lists them\n");
   EXPECT_EQ(RunLine({"course", "show", "04-e-z"}).err,
-            "no such lesson: 04-e-z; did you mean 04-e-s\n");
+            "no such lesson: 04-e-z; did you mean 04-e-s?\n");
 }
 
 TEST_F(CourseCommand, RefusesWhatItCannotDoInOneLine) {
