@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,6 +27,8 @@
 namespace moontrace {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t kGreatestImport = std::size_t{256} << 20U;
 
@@ -57,7 +60,16 @@ void CheckUse(const RecordsOptions& options) {
   only(options.yes, "--yes", "erase");
 }
 
-int List(const Records& records, const RecordsOptions& options, Console& console) {
+/// No file of records yet is no error, but one that was named and is not there.
+int List(const std::string& path, const RecordsOptions& options, Console& console) {
+  std::error_code ignored;
+  const bool none = options.records.empty() && !fs::exists(fs::symlink_status(path, ignored));
+  if (none) {
+    console.Result(say::NobodyHasLearnt());
+    if (options.output.json) console.Json(Dump(Json{{"learners", Json::array()}}));
+    return exit_code::kGood;
+  }
+  const Records records = Records::OpenToRead(path);
   const std::vector<LearnerEntry> learners = records.Learners();
   Json list = Json::array();
   console.Result(say::LearnersOutcome(learners.size()));
@@ -181,7 +193,7 @@ int Run(const RecordsOptions& options, Console& console) {
   CheckUse(options);
   const std::string path = RecordsPathOf(options.records);
   if (options.action == "import") return Import(path, options, console);
-  if (options.action == "list") return List(Records::OpenToRead(path), options, console);
+  if (options.action == "list") return List(path, options, console);
   if (options.action == "export") return Export(Records::OpenToRead(path), options, console);
   Records::OpenToRead(path);  // it must be there: to be written to it would be made
   if (options.action == "erase") return Erase(Records::Open(path), options, console);

@@ -26,6 +26,8 @@ std::string NoSuchLearner(std::string_view given, std::string_view nearest) {
       nearest.empty() ? "" : fmt::format("did you mean {}? ", ShownPseudonym(nearest)));
 }
 
+std::string NobodyHasLearnt() { return "Nobody has learnt here yet. To begin: moontrace learn."; }
+
 std::string LearnersOutcome(std::size_t count) {
   return fmt::format("{} in the records.", Counted(count, "learner", "learners"));
 }

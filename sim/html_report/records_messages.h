@@ -13,6 +13,7 @@ std::string NoSubject(std::string_view action);
 std::string NoConsentAnswer();
 std::string OnlyWith(std::string_view option, std::string_view action);
 std::string NoSuchLearner(std::string_view given, std::string_view nearest);
+std::string NobodyHasLearnt();
 std::string LearnersOutcome(std::size_t count);
 std::string LearnerLine(const LearnerEntry& learner, std::size_t trials);
 std::string Exported(bool anonymous);

@@ -67,6 +67,19 @@ TEST_F(RecordsCommand, ListsLearners) {
   EXPECT_EQ(json["learners"][1]["simulated"], true);
 }
 
+// Whoever looks first has done nothing wrong.
+TEST_F(RecordsCommand, BeforeAnybodyHasLearntTellsHowToBegin) {
+  setenv("XDG_DATA_HOME", In("empty").c_str(), 1);
+  const Outcome list = RunLine({"records", "list"});
+  const Outcome json = RunLine({"records", "list", "--json"});
+  unsetenv("XDG_DATA_HOME");
+  EXPECT_EQ(list.code, 0) << list.err;
+  EXPECT_EQ(list.out, "Nobody has learnt here yet. To begin: moontrace learn.\n");
+  EXPECT_EQ(json.code, 0) << json.err;
+  EXPECT_EQ(json.Json(), nlohmann::json::parse(R"({"learners": []})"));
+  EXPECT_FALSE(std::filesystem::exists(In("empty")));
+}
+
 // A file from elsewhere may hold what AddLearner refuses: nothing of it reaches the terminal.
 TEST_F(RecordsCommand, ShowsEscapeCodesAndLineEndsInANameAsQuestionMarks) {
   Database(path_, true)
