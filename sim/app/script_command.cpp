@@ -224,6 +224,19 @@ WrittenScript Written(const Script& script, const std::string& svg_name) {
   }
 }
 
+/// Throws LackError where something lies in the place of a file that nobody named: a link too, even
+/// a broken one, and what cannot be read. The very same text may lie there.
+void RequireFree(const std::string& path, const std::string& text) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(path, ignored))) return;
+  try {
+    if (ReadTextFile(path, kMaxRulesBytes) == text) return;
+  } catch (const InputError&) {
+    // then it is another's
+  }
+  throw LackError(say::RulesInTheWay(path));
+}
+
 int Convert(const ScriptOptions& options, Script script, Console& console) {
   std::size_t joined = 0;
   for (Glyph& glyph : script.glyphs) {
@@ -233,6 +246,7 @@ int Convert(const ScriptOptions& options, Script script, Console& console) {
   }
   const std::string rules = fs::path(options.to).replace_extension(".toml").string();
   const WrittenScript written = Written(script, options.to);
+  RequireFree(rules, written.toml);
   // neither stands there without the other where one cannot be written
   OutputFile font_file(options.to), rules_file(rules);
   font_file.Append(written.svg);

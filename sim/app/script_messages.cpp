@@ -171,6 +171,13 @@ std::string NotConverted(std::string_view why) {
       why);
 }
 
+std::string RulesInTheWay(std::string_view path) {
+  return fmt::format(
+      "nothing converted: another file lies where the rules would go; give --to another name, or "
+      "remove it: {}",
+      OneLine(path, 300));
+}
+
 std::string Converted(std::size_t glyphs, std::size_t joined) {
   const std::string signs = Counted(glyphs, "sign", "signs");
   if (joined == 0) return fmt::format("Converted {}; the font and its rules are in:", signs);

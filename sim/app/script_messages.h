@@ -32,6 +32,8 @@ std::string FindingsSummedUp();
 std::string MoreFindings(std::size_t count);
 /// `why`: the line that reading it back would say.
 std::string NotConverted(std::string_view why);
+/// What lies where the rules would be written is not theirs.
+std::string RulesInTheWay(std::string_view path);
 std::string Converted(std::size_t glyphs, std::size_t joined);
 std::string TableOutcome(std::size_t shown, std::size_t glyphs);
 std::string TableRow(std::size_t row, std::string_view names);
@@ -49,7 +51,8 @@ inline constexpr const char* kScriptSize =
 inline constexpr const char* kScriptAll =
     "check: list each finding; else kinds with more than 20 are summed up.";
 inline constexpr const char* kScriptTo =
-    "convert: write this SVG font, and a TOML file of its rules beside it.";
+    "convert: write this SVG font, and a TOML file of its rules beside it; where another file lies "
+    "there, nothing is written (exit code 4).";
 inline constexpr const char* kScriptJoin =
     "convert: make one stroke of strokes that follow each other.";
 inline constexpr const char* kScriptPicture = "picture: write this file, .svg, .png or .pdf.";

@@ -192,6 +192,41 @@ TEST_F(ScriptCommand, WritesNoFontThatItCouldNotReadAgain) {
   ExpectOnly({"m.txt"});
 }
 
+// Nobody named the rules' file: what lies there may be somebody's work.
+TEST_F(ScriptCommand, WritesNoRulesOverAnotherFile) {
+  const auto convert = [this] {
+    return RunLine({"script", "convert", "shapes", "--to", In("z.svg")});
+  };
+  const auto refused = [&] {
+    const Outcome outcome = convert();
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err,
+              "nothing converted: another file lies where the rules would go; give --to another "
+              "name, or remove it: " +
+                  In("z.toml") + "\n");
+    EXPECT_FALSE(std::filesystem::exists(In("z.svg")));
+  };
+  WriteAll(In("z.toml"), "title = 'mine'\n");
+  refused();
+  EXPECT_EQ(ReadAll(In("z.toml")), "title = 'mine'\n");
+  ExpectOnly({"z.toml"});
+  std::filesystem::rename(In("z.toml"), In("other.toml"));
+  std::filesystem::create_symlink(In("other.toml"), In("z.toml"));
+  refused();
+  EXPECT_EQ(ReadAll(In("other.toml")), "title = 'mine'\n");
+  std::filesystem::remove(In("other.toml"));
+  refused();  // nor is a file made at the other end of a link
+  ExpectOnly({"z.toml"});
+  std::filesystem::remove(In("z.toml"));
+  ASSERT_EQ(convert().code, 0);
+  // the same once more is no other file
+  const std::string rules = ReadAll(In("z.toml"));
+  EXPECT_EQ(convert().code, 0);
+  EXPECT_EQ(ReadAll(In("z.toml")), rules);
+  ExpectOnly({"z.svg", "z.toml"});
+}
+
 TEST_F(ScriptCommand, JoinsStrokesWhereAsked) {
   WriteAll(In("split.svg"), Font("M0 0L500 0M500 0L1000 0"));
   ASSERT_EQ(RunLine({"script", "convert", In("split.svg"), "--to", In("one.svg"), "--join"}).code,
