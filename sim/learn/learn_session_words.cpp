@@ -390,7 +390,12 @@ std::string LearnSession::Status() const {
 
 std::vector<std::string> LearnSession::StatusForTutor() const {
   const bool set = state_.overrule.size || state_.overrule.help || state_.overrule.mode;
-  return {say::PageAndHelp(stage_.size(), state_.mode, state_.help, set),
+  say::PushNow push{false, state_.mode, state_.help, set};
+  const bool demonstrates = leading_ && state_.mode != GuidanceMode::kOff;
+  push.led = led_by_tutor_ || (demonstrates && stage_.pushes());
+  // the help of a demonstration is the leading itself: what was said of help comes behind it
+  if (push.led && demonstrates) push.help = state_.overrule.help.value_or(-1);
+  return {say::PageAndHelp(stage_.size(), push),
           say::LastTrials(course_, last_right_, last_wrong_)};
 }
 

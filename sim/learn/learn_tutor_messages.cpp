@@ -29,12 +29,24 @@ std::string LessonNotFound(std::string_view given, std::size_t lessons) {
   return fmt::format("No such lesson, or several: {}. A number from 1 to {}, as where says it.",
                      OneLine(given, 20), lessons);
 }
-std::string PageAndHelp(double size, GuidanceMode mode, int help, bool set) {
-  const std::string push = mode == GuidanceMode::kOff || help <= 0
-                               ? std::string("no push")
-                               : fmt::format("help {} of 10, push {}", help, NameOf(mode));
-  return fmt::format("Letters {} mm, {}{}.", Short(kMillimetres * size, 1), push,
-                     set ? ", in part set by hand" : "");
+namespace {
+
+std::string InWords(const PushNow& push) {
+  if (push.led) {
+    if (push.help < 0) return "the hand is led to the end";
+    return push.help == 0
+               ? "the hand is led to the end, then no help"
+               : fmt::format("the hand is led to the end, then help {} of 10", push.help);
+  }
+  if (push.mode == GuidanceMode::kOff || push.help <= 0) return "no push";
+  return fmt::format("not led, help {} of 10, push {}", push.help, NameOf(push.mode));
+}
+
+}  // namespace
+
+std::string PageAndHelp(double size, const PushNow& push) {
+  return fmt::format("Letters {} mm, {}{}.", Short(kMillimetres * size, 1), InWords(push),
+                     push.set ? ", in part set by hand" : "");
 }
 
 std::string LastTrials(const Course& course, const Trial& right, const Trial& wrong) {

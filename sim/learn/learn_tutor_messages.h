@@ -19,8 +19,16 @@ std::string TutorWordsHelp();
 std::string TutorsInWindow();
 std::string NothingRests();
 std::string LessonNotFound(std::string_view given, std::size_t lessons);
-/// What the learner's page and push are now; `set`: by learner or tutor, not by the course's rules.
-std::string PageAndHelp(double size, GuidanceMode mode, int help, bool set);
+/// The push at this moment, and whether learner or tutor set it or the size, not the course's
+/// rules.
+struct PushNow {
+  bool led = false;  ///< the whole way, as in a demonstration
+  GuidanceMode mode = GuidanceMode::kOff;
+  int help = 0;  ///< 0 to 10; while the hand is led, once it is no longer; below zero: by the rules
+  bool set = false;
+};
+/// What the learner's page and push are now.
+std::string PageAndHelp(double size, const PushNow& push);
 /// Of this session; a trial without an item: none yet.
 std::string LastTrials(const Course& course, const Trial& right, const Trial& wrong);
 std::string NoNextLesson();

@@ -102,6 +102,29 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
   EXPECT_EQ(kept, 22U);  // all but "go", "lesson nine", "lesson 3", "record" and "form star"
 }
 
+// While the hand is led the whole way, "help 7" changes nothing: "where" said "help 10 of 10".
+TEST_F(LearnTutor, WhereTellsTheHandThatIsLedFromOneThatIsHelped) {
+  SKIP_WITHOUT_TERMINALS();
+  setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
+  std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
+  const FakeHid fake("moontrace-raw");
+  const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+  PtySession session(Learn({"--tutor", "--device", name}));
+  ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
+  RawTutor tutor(In("moontrace/tutor-ann.sock"));
+  ASSERT_TRUE(session.WaitFor("Tutor 1 is here")) << session.all();
+  tutor.Send("help 7\nwhere\n");
+  EXPECT_TRUE(Hears(tutor, "Letters 16 mm, not led, help 7 of 10, push attract"));
+  session.Send("next\n");  // the course's demonstration
+  ASSERT_TRUE(session.WaitFor("Led: ")) << session.all();
+  tutor.Send("where\n");
+  EXPECT_TRUE(Hears(tutor, "Letters 16 mm, the hand is led to the end, then help 7 of 10"));
+  tutor.Send("mode off\nwhere\n");  // nothing leads it
+  EXPECT_TRUE(Hears(tutor, "Letters 16 mm, no push"));
+  session.Send("quit\n\n");
+  EXPECT_EQ(session.Wait(), 0);
+}
+
 TEST_F(LearnTutor, TakesTheTutorsStrokeFromADevice) {
   SKIP_WITHOUT_TERMINALS();
   setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
