@@ -34,6 +34,7 @@
 #include "sim/session/view_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
+#include "sim/tutor/tutor_messages.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -89,6 +90,7 @@ void SayBeginning(const LearnParts& parts, const LearnOptions& options, bool key
   if (session.device().felt() && !session.loop().not_realtime().empty()) {
     teller.Remark(say::NotRealtime(session.loop().not_realtime()));
   }
+  if (options.tutor) teller.Happening(Priority::kText, say::TutorMayJoin());
   if (!brief) teller.Remark(keys ? say::LearnBeginsWithKeys() : say::LearnBegins());
   teller.EndTurn();
 }

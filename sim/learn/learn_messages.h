@@ -43,7 +43,9 @@ inline constexpr const char* kBrief =
 inline constexpr const char* kSpeak = "speak everything too, by speech-dispatcher. Default off.";
 inline constexpr const char* kSound = "sounds of the way and of what happens. Default off.";
 inline constexpr const char* kLetTutor =
-    "let a tutor speak to the lesson: moontrace tutor, on this machine only. Default off.";
+    "a tutor may join, by moontrace tutor in a second terminal of this machine or over ssh. "
+    "Default "
+    "off.";
 }  // namespace help
 
 /// A sentence of the lesson machine in words.

@@ -8,6 +8,8 @@
 
 namespace moontrace::say {
 
+std::string TutorMayJoin() { return "A tutor may join from a second terminal: moontrace tutor."; }
+
 std::string TutorSaidNothing() { return "Nothing was said. Type ? for the words."; }
 
 std::string TutorCame(std::size_t tutor) {

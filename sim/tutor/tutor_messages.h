@@ -18,6 +18,8 @@ inline constexpr const char* kTutorLearner =
 }  // namespace help
 
 /// A line that is no command.
+/// Once, at the beginning of what a tutor may join.
+std::string TutorMayJoin();
 std::string TutorSaidNothing();
 
 // What comes and goes, for the learner and for the tutor.

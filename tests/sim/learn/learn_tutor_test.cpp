@@ -29,6 +29,7 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
   std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
   {
     PtySession session(Learn({"--tutor"}));
+    ASSERT_TRUE(session.WaitFor("A tutor may join from a second terminal: ")) << session.all();
     ASSERT_TRUE(session.WaitFor("say next to go on.")) << session.all();
     RawTutor tutor(In("moontrace/tutor-ann.sock"));
     ASSERT_TRUE(session.WaitFor("Tutor 1 is here")) << session.all();
