@@ -345,6 +345,13 @@ std::string PrintedBroken() { return "Words are broken: no size keeps them in a 
 std::string PrintedHow() {
   return "Print at 100 percent on swell paper; the slanting line marks the upper right corner.";
 }
+std::string PrintNext(std::string_view file, std::size_t number, std::string_view course) {
+  const std::string of = course.empty() ? "" : fmt::format(" --course {}", Quoted(course));
+  return fmt::format("Next: moontrace learn{} --print {} --lesson {}", of, file, number);
+}
+std::string PrintedLast() {
+  return "This is the last lesson. To feel letters with a device: moontrace learn";
+}
 std::string PrintedPageInMoon(std::size_t page) { return fmt::format("page {}", page); }
 std::string PrintedInstructionInMoon() { return "follow each line"; }
 std::string PrintedInstruction(std::string_view title, std::size_t page, std::size_t pages,

@@ -173,6 +173,9 @@ std::string PrintedSideways();
 std::string PrintedSmaller(double wanted);
 std::string PrintedBroken();
 std::string PrintedHow();
+/// What to type for lesson `number`; `course`: one that has to be named, or empty.
+std::string PrintNext(std::string_view file, std::size_t number, std::string_view course);
+std::string PrintedLast();
 // On the sheet itself: at its head and foot in raised letters, then in print for who helps.
 std::string PrintedPageInMoon(std::size_t page);
 std::string PrintedInstructionInMoon();

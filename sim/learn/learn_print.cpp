@@ -1,6 +1,9 @@
 #include "sim/learn/learn_print.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -233,6 +236,16 @@ Drawing SwellPage(const Wanted& wanted, const Sheets& sheets, std::size_t page) 
   return drawing;
 }
 
+/// What to type for the lesson behind this one.
+std::string NextToPrint(const LearnOptions& options, const Course& course, const Lesson& lesson) {
+  const auto number = static_cast<std::size_t>(&lesson - course.lessons.data()) + 1;
+  if (number == course.lessons.size()) return say::PrintedLast();
+  const std::string file = fmt::format("lesson{}{}", number + 1,
+                                       std::filesystem::path(options.print).extension().string());
+  const std::string own = options.course == LearnOptions().course ? "" : options.course;
+  return say::PrintNext(file, number + 1, own);
+}
+
 }  // namespace
 
 int PrintLesson(const LearnOptions& options, const Course& course, Console& console) {
@@ -255,6 +268,7 @@ int PrintLesson(const LearnOptions& options, const Course& course, Console& cons
   if (BreaksAWord(set, wanted.text)) console.Result(say::PrintedBroken());
   console.Result(say::PrintedHow());
   for (const std::string& file : files) console.Path(file);
+  console.Result(NextToPrint(options, course, lesson));
   return exit_code::kGood;
 }
 

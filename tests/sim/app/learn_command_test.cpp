@@ -180,6 +180,19 @@ TEST_F(LearnCommand, PrintsALessonInTrueSizeBlackOnWhite) {
   EXPECT_TRUE(Holds(svg, "#000000") || Holds(svg, "rgb(0,0,0)") || Holds(svg, "\"#000\""));
 }
 
+TEST_F(LearnCommand, PrintingEndsWithWhatToTypeNext) {
+  const auto last = [this](const std::vector<std::string>& more) {
+    return Lines(RunLine(With({"learn", "--print", In("l.pdf")}, more)).out).back();
+  };
+  EXPECT_EQ(last({}), "Next: moontrace learn --print lesson2.pdf --lesson 2");
+  EXPECT_EQ(last({"--lesson", "2"}), "Next: moontrace learn --print lesson3.pdf --lesson 3");
+  const std::string course = In("course");
+  EXPECT_EQ(last({"--course", course}),
+            "Next: moontrace learn --course \"" + course + "\" --print lesson2.pdf --lesson 2");
+  EXPECT_EQ(last({"--course", course, "--lesson", "two"}),
+            "This is the last lesson. To feel letters with a device: moontrace learn");
+}
+
 // "toil" at 40 mm was printed as "toi" and "l".
 TEST_F(LearnCommand, PrintsNoBrokenWordButTurnsTheSheetOrTakesSmallerLetters) {
   const auto print = [this](const std::string& size) {
