@@ -8,14 +8,29 @@ namespace moontrace {
 
 namespace {
 
+bool IsNumber(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("0123456789.") == std::string_view::npos &&
+         word.front() != '.' && word.back() != '.';
+}
+
+/// Where the next piece that stays on one line ends: a word, or a number with what it counts or
+/// names ("26 back", "12 mm"), if that goes into `columns`.
+std::size_t PieceEnd(std::string_view text, std::size_t columns) {
+  const std::size_t space = std::min(text.find(' '), text.size());
+  if (space == text.size() || !IsNumber(text.substr(0, space))) return space;
+  const std::size_t next = std::min(text.find(' ', space + 1), text.size());
+  const bool alone = next == space + 1 || CountCharacters(text.substr(0, next)) > columns;
+  return alone ? space : next;
+}
+
 std::string WrappedLine(std::string_view text, std::size_t columns) {
   if (columns == 0) return std::string(text) + '\n';
   std::string lines;
   std::size_t used = 0;
   while (!text.empty()) {
-    const std::size_t space = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, space);
-    text.remove_prefix(std::min(space + 1, text.size()));
+    const std::size_t end = PieceEnd(text, columns);
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
     const std::size_t length = CountCharacters(word);
     if (used > 0 && used + 1 + length > columns) {
       lines += '\n';

@@ -8,7 +8,8 @@
 namespace moontrace {
 
 /// Breaks at spaces so that no line passes `columns` characters (not bytes); a longer word stands
-/// alone. 0: nothing is broken. Line ends in the text stay. Lines end with a newline each.
+/// alone. A number stays on the line of the word behind it: "26 back", "12 mm". 0: nothing is
+/// broken. Line ends in the text stay. Lines end with a newline each.
 std::string Wrapped(std::string_view text, std::size_t columns = 80);
 
 /// The sentences of a text, whose line ends are spaces: each ends in a full stop, an exclamation or

@@ -26,6 +26,16 @@ TEST(Wrapped, KeepsTheLinesOfAText) {
   EXPECT_EQ(Wrapped("one\ntwo\n", 0), "one\ntwo\n");
 }
 
+// A number heard at a line's end belongs to nothing.
+TEST(Wrapped, KeepsANumberWithTheWordBehindIt) {
+  EXPECT_EQ(Wrapped("Words, or their beginning or number: 1 stop, 2 next.", 40),
+            "Words, or their beginning or number:\n1 stop, 2 next.\n");
+  EXPECT_EQ(Wrapped("Letters of 12.5 mm", 14), "Letters of\n12.5 mm\n");
+  EXPECT_EQ(Wrapped("page 1", 5), "page\n1\n") << "nothing is behind it";
+  EXPECT_EQ(Wrapped("of 100 unbreakable", 8), "of 100\nunbreakable\n") << "too long together";
+  EXPECT_EQ(Wrapped("7  two", 4), "7\ntwo\n");
+}
+
 TEST(Sentences, EndAtAMarkBeforeASpaceAndACapital) {
   EXPECT_EQ(Sentences("Feel it. It is\nupright! Is it?  Yes."),
             (List{"Feel it.", "It is upright!", "Is it?", "Yes."}));
