@@ -174,6 +174,9 @@ SaidLine Said(const WordFound& found, std::string_view given, std::string_view b
   }
   // what nobody typed is not answered: of a number the number is told
   const bool number = given.find_first_not_of("0123456789") == std::string_view::npos;
+  if (given == "size" && place == WordPlace::kLesson) {  // a learner's letters have steps
+    return Refused(say::WordInstead(given, "bigger or smaller"));
+  }
   if (found.elsewhere != nullptr) {
     return Refused(say::WordNotHere(number ? given : found.elsewhere->word));
   }

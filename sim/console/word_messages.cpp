@@ -34,6 +34,10 @@ std::string WordNotHere(std::string_view word) {
   return fmt::format("{} is no word here. Type ? for the words.", word);
 }
 
+std::string WordInstead(std::string_view word, std::string_view instead) {
+  return fmt::format("{} is no word here: say {}.", word, instead);
+}
+
 std::string WordShortElsewhere(std::string_view given, std::string_view elsewhere,
                                std::string_view here) {
   return fmt::format("{} is short for {} elsewhere: say {}.", Given(given), elsewhere, here);
@@ -69,7 +73,7 @@ std::string Unstopped(std::string text) {
 std::string NoTerminal() { return "single keys need a terminal: standard input is none"; }
 
 std::string WordStandsAlone(std::string_view word, std::string_view given) {
-  return fmt::format("{} stands alone: leave out {}.", word, OneLine(given, 36));
+  return fmt::format("Say {} alone, without {}.", word, Unstopped(OneLine(given, 36)));
 }
 
 }  // namespace moontrace::say

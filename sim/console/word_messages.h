@@ -16,6 +16,8 @@ std::string HelpWith(std::string_view given, WordPlace place);
 std::string WordUnknown(std::string_view given, std::string_view nearest);
 /// It holds in other places.
 std::string WordNotHere(std::string_view word);
+/// Likewise; `instead`: what does that here.
+std::string WordInstead(std::string_view word, std::string_view instead);
 /// A beginning that is short for `elsewhere` in another place, and would be for `here`.
 std::string WordShortElsewhere(std::string_view given, std::string_view elsewhere,
                                std::string_view here);

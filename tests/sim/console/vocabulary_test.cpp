@@ -136,7 +136,7 @@ TEST(Vocabulary, ReadsWordsWithWhatStandsBehind) {
   EXPECT_EQ(read("next l").refusal, "next l could be next lesson or next line.");
   EXPECT_EQ(read("next h").word, WordNamed("next heading"));
   EXPECT_EQ(read("re").word, WordNamed("record"));  // the older one
-  EXPECT_EQ(read("pause now").refusal, "pause stands alone: leave out now.");
+  EXPECT_EQ(read("pause now").refusal, "Say pause alone, without now.");
 }
 
 TEST(Vocabulary, SaysWhyALineIsNone) {
@@ -151,6 +151,13 @@ TEST(Vocabulary, SaysWhyALineIsNone) {
   EXPECT_EQ(refused("99"), "Unknown: 99. Type ? for the words.");
   EXPECT_EQ(refused("exit"), "Unknown: exit. Did you mean quit? Type ? for the words.");
   EXPECT_EQ(refused("wait"), "Unknown: wait. Did you mean pause? Type ? for the words.");
+  const auto in_lesson = [](std::string_view line) {
+    return ReadLine(line, WordPlace::kLesson).refusal;
+  };
+  for (const char* line : {"size", "Size 20", "size 20 mm"}) {
+    EXPECT_EQ(in_lesson(line), "size is no word here: say bigger or smaller.") << line;
+  }
+  EXPECT_EQ(in_lesson("letter t."), "Say letter alone, without t.");
 }
 
 /// Every "7 `bigger`" of a document.

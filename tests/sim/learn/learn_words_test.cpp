@@ -138,7 +138,7 @@ TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(refused("28"), "28 is no word here. Type ? for the words.");
   EXPECT_EQ(refused("le"), "le could be letter or less help.");
   EXPECT_EQ(refused("/w"), "w could be where or word.");
-  EXPECT_EQ(refused("pause now"), "pause stands alone: leave out now.");
+  EXPECT_EQ(refused("pause now"), "Say pause alone, without now.");
 }
 
 TEST(LearnWords, HelpTakesTheWordItIsAskedAbout) {

@@ -65,7 +65,7 @@ TEST(LoopWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(Read(""), LoopWord::kNothing);
   EXPECT_EQ(Read(" \t"), LoopWord::kNothing);
   EXPECT_EQ(Refused("99"), "Unknown: 99. Type ? for the words.");
-  EXPECT_EQ(Refused("stop now"), "stop stands alone: leave out now.");
+  EXPECT_EQ(Refused("stop now"), "Say stop alone, without now.");
 }
 
 TEST(LineReader, GivesLinesAndAtTheirEndNothing) {

@@ -73,7 +73,7 @@ TEST(PageWords, RefuseWhatIsNoneOfTheirs) {
             "paper lacks what it wants: smooth, sine, grid or noise.");
   EXPECT_EQ(Refused(PageWord::kForm, ""),
             "form lacks what it wants: crescent, arc, pocket or reverse-n.");
-  EXPECT_EQ(Refused(PageWord::kEngraved, "2"), "engraved stands alone: leave out 2.");
+  EXPECT_EQ(Refused(PageWord::kEngraved, "2"), "Say engraved alone, without 2.");
 }
 
 TEST(PageWords, TakeNamesInAnyCapitals) {

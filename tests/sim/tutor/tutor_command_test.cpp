@@ -83,8 +83,8 @@ TEST(TutorCommand, ThatIsNoneOrSeveralIsToldApart) {
   EXPECT_EQ(Refused("99"), "Unknown: 99. Type ? for the words.");
   EXPECT_EQ(Refused("0"), "Unknown: 0. Type ? for the words.");
   EXPECT_EQ(Refused(""), "Nothing was said. Type ? for the words.");
-  EXPECT_EQ(Refused("pause now"), "pause stands alone: leave out now.");
-  EXPECT_EQ(Refused("next page"), "next stands alone: leave out page.");
+  EXPECT_EQ(Refused("pause now"), "Say pause alone, without now.");
+  EXPECT_EQ(Refused("next page"), "Say next alone, without page.");
   EXPECT_EQ(Refused("mode magic"),
             "No mode magic: it wants off, attract, rail, bead, amplify, corridor.");
 }
