@@ -31,7 +31,6 @@
 #include "sim/picture/picture_file.h"
 #include "sim/session/loop_drive.h"
 #include "sim/session/loop_messages.h"
-#include "sim/session/view_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/tutor/tutor_messages.h"
@@ -74,6 +73,18 @@ void SayProgramsHand(const LearnMemory& memory, bool tutor, LearnTeller& teller)
   if (tell) teller.Say(Priority::kText, say::DemonstrationIsAlone());
 }
 
+/// How it presses, and what cannot be felt of it.
+void SayDevice(const LearnParts& parts, LearnTeller& teller) {
+  const LearnStage& stage = parts.stage;
+  if (stage.session().device().mouse()) {
+    teller.Say(Priority::kText, say::MousePresses());
+    return teller.Say(Priority::kText, say::MouseCannotPush());
+  }
+  if (!stage.pushes()) teller.Say(Priority::kText, say::NotFelt());
+  const bool fresh = parts.memory.trials() == 0;
+  if (fresh && !stage.lifts()) teller.Say(Priority::kText, say::TipStaysDown());
+}
+
 void SayBeginning(const LearnParts& parts, const LearnOptions& options, bool keys) {
   LearnStage& stage = parts.stage;
   LearnTeller& teller = parts.teller;
@@ -83,8 +94,7 @@ void SayBeginning(const LearnParts& parts, const LearnOptions& options, bool key
     SayProgramsHand(parts.memory, options.tutor, teller);
   } else {
     teller.Say(Priority::kText, say::WithDevice(options.live.device));
-    if (session.device().mouse()) teller.Say(Priority::kText, say::MouseIsSeen());
-    if (!stage.pushes()) teller.Say(Priority::kText, say::NotFelt());
+    SayDevice(parts, teller);
   }
   if (session.device().scale() != 1) teller.Say(Priority::kText, say::LearnScaled());
   if (session.device().felt() && !session.loop().not_realtime().empty()) {
@@ -93,6 +103,11 @@ void SayBeginning(const LearnParts& parts, const LearnOptions& options, bool key
   if (options.tutor) teller.Happening(Priority::kText, say::TutorMayJoin());
   if (!brief) teller.Remark(keys ? say::LearnBeginsWithKeys() : say::LearnBegins());
   teller.EndTurn();
+}
+
+/// One that speaks and stops: the simulated hand has none, and a mouse's presses the tip.
+bool HasButton(const LiveDevice& device) {
+  return !device.simulated() && !device.mouse() && device.limits().buttons > 0;
 }
 
 /// For tutors at the door and for the one at the window.
@@ -152,8 +167,10 @@ int Learn(LearnOptions options, Course course, Console& console) {
   LearnStage stage({options.live, options.press, options.seed, aims, memory.keeps_tracks()},
                    console);
   const LearnParts parts{course, memory, stage, teller};
-  LearnSession session(parts, options.seed,
-                       keys ? say::KeysHelp(*keys, stage.lifts()) : say::LearnHelp(stage.lifts()));
+  const bool button = HasButton(stage.session().device());
+  LearnSession session(
+      parts, options.seed,
+      keys ? say::KeysHelp(*keys, stage.lifts(), button) : say::LearnHelp(stage.lifts(), button));
   const std::unique_ptr<TutorDesk> tutor = DeskFor(options, parts, session, feed.get());
   SayBeginning(parts, options, keys.has_value());  // once nothing can be refused any more
   std::unique_ptr<LearnView> view;

@@ -42,18 +42,23 @@ std::string Awaited(lesson_action::Await await, Question question, std::string_v
 
 namespace {
 
-std::string TraceEnds(bool lifts) {
+std::string TraceEnds(bool lifts, bool button) {
   return fmt::format(
-      "A trace has ended when {}you say done, or press the button twice. The word next leaves a "
-      "sign for later.",
-      lifts ? "you have followed it all and lift for half a second, when " : "");
+      "A trace has ended when {}you say done{}. The word next leaves a sign for later.",
+      lifts ? "you have followed it all and lift for half a second, when " : "",
+      button ? ", or press the button twice" : "");
 }
 constexpr const char* kUnknown =
     "Asked for what you do not know, say I don't know: you are told, and asked again later.";
 constexpr const char* kSlash =
     "A line that begins with / is a word, never an answer: /a is again. Once you have learnt "
     "numbers, a number is an answer, and /7 is bigger.";
-constexpr const char* kButton = "One press tells where you are; held, it stops.";
+
+void TellButton(HelpLines& help, bool button) {
+  if (!button) return;
+  help.first.emplace_back(
+      "One press of the device's button tells where you are; held down, it stops.");
+}
 
 }  // namespace
 
@@ -80,7 +85,7 @@ bool IsForLater(LearnWord word) {
 
 }  // namespace
 
-HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts) {
+HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts, bool button) {
   std::vector<std::string> first, later;
   for (const auto& [key, word] : keys) {
     const auto& words = LearnWords();
@@ -88,31 +93,35 @@ HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts) {
     std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(at)) ? later : first;
     list.push_back(fmt::format("{} {}", KeyCalled(key), word));
   }
-  return {{fmt::format("One key a word, without Enter: {}.", Joined(first, ", ")),
-           "While something is asked, type the answer and Enter. Escape always stops.", kButton,
-           "The question mark once more tells the other keys."},
-          {fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")), kUnknown,
-           kSlash, TraceEnds(lifts)}};
+  HelpLines help{{fmt::format("One key a word, without Enter: {}.", Joined(first, ", ")),
+                  "While something is asked, type the answer and Enter. Escape always stops."},
+                 {fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
+                  kUnknown, kSlash, TraceEnds(lifts, button)}};
+  TellButton(help, button);
+  help.first.emplace_back("The question mark once more tells the other keys.");
+  return help;
 }
 
-HelpLines LearnHelp(bool lifts) {
+HelpLines LearnHelp(bool lifts, bool button) {
   std::vector<std::string> first, later;
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     const std::string& word = LearnWords()[i];
     std::vector<std::string>& list = IsForLater(static_cast<LearnWord>(i)) ? later : first;
     list.push_back(fmt::format("{} {}", WordNamed(word)->number, word));
   }
-  return {{fmt::format("Words, or their beginning or number: {}.", Joined(first, ", ")),
-           "While something is asked, a sign or its name is the answer.", kButton,
-           "? once more tells the other words; help next tells what next does."},
-          {fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")), kUnknown,
-           kSlash, "Stop and quit always are words.",
-           "lesson and a number goes to that lesson: lesson 5.",
-           "practise and a sign you know traces it once more: practise b.",
-           "my text and a text of your own lays it under your hand: my text the cat sat.",
-           "find and a word says the way to it on the page: find cat.",
-           "So do find next, next line and next heading; return leads back.", TraceEnds(lifts),
-           "An empty line tells what is waited for."}};
+  HelpLines help{{fmt::format("Words, or their beginning or number: {}.", Joined(first, ", ")),
+                  "While something is asked, a sign or its name is the answer."},
+                 {fmt::format("For later, when you know some letters: {}.", Joined(later, ", ")),
+                  kUnknown, kSlash, "Stop and quit always are words.",
+                  "lesson and a number goes to that lesson: lesson 5.",
+                  "practise and a sign you know traces it once more: practise b.",
+                  "my text and a text of your own lays it under your hand: my text the cat sat.",
+                  "find and a word says the way to it on the page: find cat.",
+                  "So do find next, next line and next heading; return leads back.",
+                  TraceEnds(lifts, button), "An empty line tells what is waited for."}};
+  TellButton(help, button);
+  help.first.emplace_back("? once more tells the other words; help next tells what next does.");
+  return help;
 }
 
 std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
@@ -170,7 +179,10 @@ std::string WordHere(std::string_view word) { return fmt::format("Word: {}.", On
 std::string Spelled(const std::vector<std::string>& names) {
   return fmt::format("Spelled: {}.", Joined(names, ", "));
 }
-std::string NothingTouched() { return "Nothing touched yet: the trace goes on."; }
+std::string NothingTouched(bool mouse) {
+  return mouse ? "Nothing touched: hold the mouse button while you move."
+               : "Nothing touched yet: the trace goes on.";
+}
 std::string NothingFollowed() { return "No line followed yet: the trace goes on."; }
 std::string NextLeavesIt() { return "Say next once more: it is left for later."; }
 std::string StillAsked() { return "Still asked: an answer, or the word next."; }
@@ -255,6 +267,14 @@ std::string NotFelt() {
          "of --sound and the picture of --view stand for it. What you do here makes no letter "
          "sure.";
 }
+std::string MousePresses() {
+  return "Hold the mouse button down: that presses the tip on the paper. The wheel says how hard.";
+}
+std::string MouseCannotPush() {
+  return "The mouse cannot push, so nothing is felt. The way of each letter is told in words, and "
+         "heard with --sound. What you do here makes no letter sure.";
+}
+std::string TipStaysDown() { return "The tip is always on the paper: you need not press."; }
 std::string LearnScaled() {
   return "Letters are not in true size: what you do here makes none sure.";
 }

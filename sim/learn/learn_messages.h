@@ -70,9 +70,9 @@ std::string ProgramTraces();
 struct HelpLines {
   std::vector<std::string> first, more;
 };
-/// Of words, of single keys (key -> word).
-HelpLines LearnHelp(bool lifts);
-HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts);
+/// Of words, of single keys (key -> word); `button`: the device has one.
+HelpLines LearnHelp(bool lifts, bool button);
+HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts, bool button);
 std::string AlreadyStopped();
 std::string NotStopped();
 /// `felt`: a hand can be pushed here.
@@ -102,7 +102,7 @@ std::string LetterHere(std::string_view name);
 std::string NoLetterHere();
 std::string WordHere(std::string_view word);
 std::string Spelled(const std::vector<std::string>& names);
-std::string NothingTouched();
+std::string NothingTouched(bool mouse);
 std::string NothingFollowed();
 std::string NextLeavesIt();
 std::string StillAsked();
@@ -140,6 +140,11 @@ std::string WhatProgramsHandDoes(bool kept);
 std::string DemonstrationIsAlone();
 std::string WithDevice(std::string_view device);
 std::string NotFelt();
+/// Of a mouse in place of NotFelt: how it presses, that it cannot push.
+std::string MousePresses();
+std::string MouseCannotPush();
+/// The tip cannot be lifted: told to who is new.
+std::string TipStaysDown();
 std::string LearnScaled();
 std::string LearnBegins();
 std::string LearnBeginsWithKeys();

@@ -310,7 +310,7 @@ void LearnSession::LookAtTrace() {
   if (await_ != Await::kTrace || stopped_) return;
   const bool leads = leading_ && stage_.pushes();
   if (leads && led && !trace.touched()) {
-    teller_.Say(Priority::kText, say::NothingTouched());
+    teller_.Say(Priority::kText, say::NothingTouched(false));
     return stage_.LetGo();  // once more
   }
   const bool round = stage_.simulated() && trace.duration() >= stage_.session().round();

@@ -357,7 +357,10 @@ void LearnSession::EndTrace() {
   if (await_ != Await::kTrace) return Next();
   const LearnTrace& trace = stage_.trace();
   const bool told = leading_ && !stage_.pushes();  // the path has been heard in words
-  if (!trace.touched() && !told) return teller_.Say(Priority::kText, say::NothingTouched());
+  if (!trace.touched() && !told) {
+    const bool mouse = stage_.session().device().mouse();
+    return teller_.Say(Priority::kText, say::NothingTouched(mouse));
+  }
   if (!trace.followed() && !leading_) return teller_.Say(Priority::kText, say::NothingFollowed());
   Take(lesson_event::Traced{Flags(stage_.trace().Measured())});
   if (!shown_) stage_.Restart();

@@ -208,6 +208,15 @@ TEST(LearnMoon, BidsNobodyLiftWhoCannot) {
   }
 }
 
+// A mouse has no handle, pushes nobody, and presses with its button only.
+TEST(LearnMoon, TellsWhoCannotLiftNothingThatIsUntrueOfAMouse) {
+  const Lesson first = LoadCourse("learn-moon").lessons.front();
+  const std::string& said = first.steps.front().say_held;
+  for (const char* word : {"handle", "need not press", "always on", "every push"}) {
+    EXPECT_EQ(said.find(word), std::string::npos) << word;
+  }
+}
+
 TEST(LearnMoon, SpeaksOfNothingThatNeedsSight) {
   for (const Lesson& lesson : LoadCourse("learn-moon").lessons) {
     for (const Step& step : lesson.steps) {

@@ -50,7 +50,10 @@ TEST(LearnMessages, AnswersAndBeginningsHaveTheirsToo) {
                                   say::ConsentGiven(false),
                                   say::NotWhileAsked(),
                                   say::NoLetterHere(),
-                                  say::NothingTouched(),
+                                  say::NothingTouched(false),
+                                  say::NothingTouched(true),
+                                  say::MousePresses(),
+                                  say::MouseCannotPush(),
                                   say::NothingFollowed(),
                                   say::NextLeavesIt(),
                                   say::StillAsked(),
@@ -88,7 +91,7 @@ TEST(LearnMessages, ItemsAreCalledByTheirNames) {
 }
 
 TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
-  const say::HelpLines help = say::LearnHelp(true);
+  const say::HelpLines help = say::LearnHelp(true, true);
   const std::string words = help.first.front() + help.more.front();
   for (std::size_t i = 0; i < LearnWords().size(); ++i) {
     EXPECT_NE(words.find(std::to_string(i + 1) + " " + LearnWords()[i]), std::string::npos);
@@ -96,7 +99,7 @@ TEST(LearnMessages, HelpNamesEveryWordWithItsNumber) {
 }
 
 TEST(LearnMessages, HelpMarksWordsThatAFirstLessonDoesWithout) {
-  const say::HelpLines both = say::LearnHelp(true);
+  const say::HelpLines both = say::LearnHelp(true, true);
   const std::string help[] = {both.first.front(), both.more.front()};
   EXPECT_EQ(help[1].rfind("For later, ", 0), 0U) << help[1];
   // what lesson 1 names in its own texts is not for later
@@ -189,7 +192,7 @@ TEST(LearnMessages, HaveNoJargon) {
 }
 
 TEST(LearnMessages, HelpWithKeysNamesEveryKeyWithItsWord) {
-  const say::HelpLines help = say::KeysHelp(UsualKeys(), true);
+  const say::HelpLines help = say::KeysHelp(UsualKeys(), true, true);
   const std::string words = help.first.front() + help.more.front();
   for (const auto& [key, word] : UsualKeys()) {
     EXPECT_NE(words.find(KeyCalled(key) + " " + word), std::string::npos) << key;
@@ -204,7 +207,8 @@ TEST(LearnMessages, EndWithOneFullStop) {
     lesson_action::Say say;
     say.sentence = sentence;
     say.text = "t.";  // as it was typed
-    EXPECT_EQ(say::LessonSentence(course, say).find(".."), std::string::npos) << static_cast<int>(sentence);
+    EXPECT_EQ(say::LessonSentence(course, say).find(".."), std::string::npos)
+        << static_cast<int>(sentence);
   }
   EXPECT_EQ(say::AskOwnText("The cat sat."),
             "Your text? Type it and Enter; Enter alone takes: The cat sat.");
@@ -212,8 +216,36 @@ TEST(LearnMessages, EndWithOneFullStop) {
             "Your text? Type it and Enter; Enter alone takes: Till it.");
 }
 
+TEST(LearnMessages, HelpSpeaksOfAButtonOnlyWhereThereIsOne) {
+  const auto all = [](const say::HelpLines& help) {
+    std::string lines;
+    for (const auto& list : {help.first, help.more}) {
+      for (const std::string& line : list) lines += line + '\n';
+    }
+    return lines;
+  };
+  EXPECT_NE(all(say::LearnHelp(true, true)).find("One press of the device's button"),
+            std::string::npos);
+  for (const std::string& without :
+       {all(say::LearnHelp(false, false)), all(say::KeysHelp(UsualKeys(), false, false))}) {
+    EXPECT_EQ(without.find("button"), std::string::npos) << without;
+    EXPECT_EQ(without.find("One press"), std::string::npos) << without;
+  }
+}
+
+// A blind learner is told of a mouse what there is to do, not what there is to see.
+TEST(LearnMessages, OfAMouseSayHowItPresses) {
+  EXPECT_EQ(say::NothingTouched(true), "Nothing touched: hold the mouse button while you move.");
+  const std::string told = say::MousePresses() + " " + say::MouseCannotPush();
+  EXPECT_EQ(told.rfind("Hold the mouse button down: that presses the tip on the paper.", 0), 0U);
+  for (const char* word : {"seen", "see ", "picture", "handle"}) {
+    EXPECT_EQ(told.find(word), std::string::npos) << word;
+  }
+}
+
 TEST(LearnMessages, HelpIsShortUntilItIsAskedForOnceMore) {
-  for (const say::HelpLines& help : {say::LearnHelp(true), say::KeysHelp(UsualKeys(), true)}) {
+  for (const say::HelpLines& help :
+       {say::LearnHelp(true, true), say::KeysHelp(UsualKeys(), true, true)}) {
     std::size_t lines = 0;
     for (const std::string& sentence : help.first) {
       const std::string wrapped = Wrapped(sentence, 40);
