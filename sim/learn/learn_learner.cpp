@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lessons/progress/answer.h"
 #include "lessons/records/learner_history.h"
 #include "sim/console/line_wrap.h"
 #include "sim/console/vocabulary.h"
@@ -53,20 +54,26 @@ std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std
   }
 }
 
-/// Enter alone is no; none: neither was said.
+/// Enter alone is no, and so is the word stop; none: neither was said.
 std::optional<bool> YesOrNo(const std::string& line) {
   const std::string answer = LowerCase(line);
+  const TypedWord* word = FindWord(answer, WordPlace::kLesson).word;
+  if (word != nullptr && word->word == "stop") return false;
   if (answer == "yes" || answer == "y") return true;
   if (answer == "no" || answer == "n" || answer.empty()) return false;
   return std::nullopt;
 }
 
-/// What is said in lessons, or in answer to a question, and would be kept as a name by mistake.
-bool IsNoName(const std::string& line) {
+/// What is said in lessons, whole or by its number, or in answer to a question, and would be kept
+/// as a name by mistake: the refusal. Empty: it may be a name.
+std::string RefusedName(const std::string& line) {
   const std::string said = LowerCase(line);
-  const TypedWord* word = WordNamed(said);
-  const bool is_word = word != nullptr && word->HoldsIn(WordPlace::kLesson);
-  return is_word || said == "yes" || said == "no";
+  const TypedWord* word = FindWord(said, WordPlace::kLesson).word;
+  const bool number = word != nullptr && said == std::to_string(word->number);
+  if (number) return say::NumberIsNoName(said, word->word);
+  const bool whole = word != nullptr && said == word->word;
+  if (whole || said == "yes" || said == "no") return say::WordIsNoName(line);
+  return DoesNotKnow(said) ? say::AnyNameWillDo() : "";
 }
 
 std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntry>& known,
@@ -84,8 +91,9 @@ std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntr
         Ask(lines, teller, std::exchange(question, asked), say::QuitLeaves(), console);
     if (!line) throw UsageError(say::NoLearner());
     if (std::find(names.begin(), names.end(), *line) != names.end()) return *line;
-    if (IsNoName(*line)) question = say::WordIsNoName(*line);
-    if (line->empty() || IsNoName(*line)) continue;
+    const std::string refusal = RefusedName(*line);
+    if (!refusal.empty()) question = refusal;
+    if (line->empty() || !refusal.empty()) continue;
     try {
       RequirePseudonym(*line);
       return *line;

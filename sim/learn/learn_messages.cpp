@@ -229,6 +229,10 @@ std::string NotAName() { return "Not a name: 1 to 60 printable characters, no sl
 std::string WordIsNoName(std::string_view word) {
   return fmt::format("{} is a word, not a name: who learns?", OneLine(word, 14));
 }
+std::string NumberIsNoName(std::string_view number, std::string_view word) {
+  return fmt::format("{} is the word {}, not a name: who learns?", number, word);
+}
+std::string AnyNameWillDo() { return "Any name will do, your own or a made-up one: who learns?"; }
 std::string QuitLeaves() { return "The word quit ends, and nothing is kept yet."; }
 std::string LeftBeforeBeginning() { return "Ended before it began: nothing was kept."; }
 std::string NoRecords() {

@@ -125,6 +125,9 @@ std::string YesOrNo();
 std::string NotAName();
 /// A word of lessons, where a name is asked.
 std::string WordIsNoName(std::string_view word);
+std::string NumberIsNoName(std::string_view number, std::string_view word);
+/// To who does not know who learns.
+std::string AnyNameWillDo();
 std::string QuitLeaves();
 std::string LeftBeforeBeginning();
 std::string NoRecords();

@@ -385,15 +385,31 @@ TEST_F(LearnSessionTest, TakesNoWordOfLessonsForAName) {
   const std::vector<std::string> args = {"learn",     "--course",           In("course"),
                                          "--records", In("records.sqlite"), "--device",
                                          "simulated"};
-  const Outcome outcome = RunLine(args, "next\nno\nStop\nmark\nquit\n");
+  const Outcome outcome =
+      RunLine(args, "next\nno\nStop\n1\n7\nI don't know\nmark\nquit\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<std::string> lines = Lines(outcome.out);
-  ASSERT_GE(lines.size(), 6U) << outcome.out;  // behind the question, of two
+  ASSERT_GE(lines.size(), 9U) << outcome.out;  // behind the question, of two
   EXPECT_EQ(lines[2], "next is a word, not a name: who learns?");
   EXPECT_EQ(lines[3], "no is a word, not a name: who learns?");
   EXPECT_EQ(lines[4], "Stop is a word, not a name: who learns?");
-  EXPECT_EQ(lines[5], "New learner: mark.");
+  EXPECT_EQ(lines[5], "1 is the word stop, not a name: who learns?");
+  EXPECT_EQ(lines[6], "7 is the word bigger, not a name: who learns?");
+  EXPECT_EQ(lines[7], "Any name will do, your own or a made-up one: who learns?");
+  EXPECT_EQ(lines[8], "New learner: mark.");
   EXPECT_EQ(Records::OpenToRead(In("records.sqlite")).Learners().size(), 1U);
+}
+
+TEST_F(LearnSessionTest, TakesStopForNoWhereYesOrNoIsAsked) {
+  SKIP_WITHOUT_TERMINALS();
+  const FakeHid none("");
+  for (const char* word : {"1", "stop"}) {
+    PtySession session({"learn"});
+    ASSERT_TRUE(session.WaitFor("Type yes, or Enter for no.")) << session.all();
+    session.Send(std::string(word) + "\n");
+    EXPECT_EQ(session.Wait(), 4) << session.all();
+    EXPECT_TRUE(Holds(session.all(), "nothing was begun")) << session.all();
+  }
 }
 
 TEST_F(LearnSessionTest, KeepsNobodyWhoLeavesAtAQuestion) {
