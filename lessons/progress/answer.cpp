@@ -18,6 +18,10 @@ constexpr std::array<std::string_view, 14> kFillers = {
     "the",  "a",  "an", "letter", "letters", "capital", "small",
     "sign", "it", "is", "it's",   "word",    "number",  "digit"};
 
+/// What may stand before all that, of who is not sure.
+constexpr std::array<std::string_view, 6> kBegins = {"i think that ", "i think ", "i guess ",
+                                                     "maybe ",        "perhaps ", "probably "};
+
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 /// Small letters, one blank between words, none around.
@@ -48,6 +52,12 @@ std::vector<std::string> ReadingsOf(std::string_view said) {
   if (rest.size() > 1 && (rest.back() == '.' || rest.back() == '!' || rest.back() == '?')) {
     rest.pop_back();
     readings.push_back(rest);
+  }
+  for (const std::string_view begin : kBegins) {
+    if (rest.compare(0, begin.size(), begin) != 0) continue;
+    rest.erase(0, begin.size());
+    readings.push_back(rest);
+    break;
   }
   while (true) {
     const auto blank = rest.find(' ');

@@ -144,6 +144,7 @@ void HandleAnswered(Turn& turn, const lesson_event::Answered& answered) {
   const std::optional<Reply> reply = ReplyOf(turn, answered.text);
   if (!reply) {
     Say(turn, Sentence::kNotAnAnswer, Shortened(answered.text));
+    Ask(turn);
     return AwaitNow(turn, state.await);
   }
   Trial trial = TrialOf(turn, answered.measured);

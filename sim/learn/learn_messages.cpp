@@ -186,6 +186,7 @@ std::string NothingTouched(bool mouse) {
 std::string NothingFollowed() { return "No line followed yet: the trace goes on."; }
 std::string NextLeavesIt() { return "Say next once more: it is left for later."; }
 std::string StillAsked() { return "Still asked: an answer, or the word next."; }
+std::string NothingIsAsked() { return "Nothing is asked now."; }
 
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
                           std::size_t step, std::size_t steps) {

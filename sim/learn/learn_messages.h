@@ -106,6 +106,7 @@ std::string NothingTouched(bool mouse);
 std::string NothingFollowed();
 std::string NextLeavesIt();
 std::string StillAsked();
+std::string NothingIsAsked();
 
 // Where we are in the course; `of` 0: beside it.
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,

@@ -254,7 +254,12 @@ void LearnSession::LookAtPlace() {
   }
 }
 
+/// What would be an answer where nothing is asked is answered by what is to be done.
 void LearnSession::Answer(const std::string& text) {
+  if (await_ != Await::kAnswer) {
+    teller_.Say(Priority::kText, say::NothingIsAsked());
+    return teller_.Say(Priority::kText, Awaited());
+  }
   lesson_event::Answered answered;
   answered.text = text;
   answered.latency = felt_;

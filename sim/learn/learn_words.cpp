@@ -65,8 +65,17 @@ LearnLine Command(std::string_view typed) {
   return Said(said.word->word, said.behind);
 }
 
-/// A whole word that wants something behind it, with that: no answer, whatever is asked.
-std::optional<LearnLine> WithBehind(std::string_view typed) {
+/// Neither a word, here or elsewhere, nor the beginning or the number of one.
+bool IsNoWord(const LearnLine& read, const std::string& given) {
+  if (read.kind != Kind::kRefused || given.front() == '/') return false;
+  if (given.find_first_not_of("0123456789") == std::string::npos) return false;
+  const WordFound found = FindWord(given, WordPlace::kLesson);
+  return found.begun.empty() && found.elsewhere == nullptr;
+}
+
+/// A whole word that wants something behind it, with that: no answer, whatever is asked. Of a text
+/// of one's own, "help" begins one unless a word stands behind it.
+std::optional<LearnLine> WithBehind(std::string_view typed, Asked asked) {
   const std::string given = LowerCase(typed);
   for (const char* name : {"lesson", "practise", "my text", "help", "find"}) {
     const std::string_view word = name;
@@ -76,7 +85,8 @@ std::optional<LearnLine> WithBehind(std::string_view typed) {
     if (!begins || given.size() <= word.size() || given[word.size()] != ' ') continue;
     const std::string_view behind = WithoutBlanks(typed.substr(word.size()));
     if (PlaceCommandOf(word, {})) return Command(typed);  // "find next" is another word
-    const bool is_help = KindOf(word) || ReadLine(behind, WordPlace::kLesson).word != nullptr;
+    const bool is_help = KindOf(word) || asked != Asked::kText ||
+                         ReadLine(behind, WordPlace::kLesson).word != nullptr;
     if (is_help) return Said(word, behind);
   }
   return std::nullopt;
@@ -134,9 +144,13 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
   const std::string bare = LowerCase(typed);
   const bool names = asked == Asked::kName || asked == Asked::kNumber;
   const bool is_item = names && ItemSaid(course, given, {});
-  const std::optional<LearnLine> with = WithBehind(typed);
+  const std::optional<LearnLine> with = WithBehind(typed, asked);
   if (with && !is_item) return *with;
-  if (asked == Asked::kNothing || given.front() == '/') return Command(typed);
+  if (asked == Asked::kNothing || given.front() == '/') {
+    LearnLine read = Command(typed);
+    const bool would_answer = DoesNotKnow(given) || ItemSaid(course, given, {});
+    return would_answer && IsNoWord(read, given) ? Answer(given) : read;
+  }
   if (bare == "stop") return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);
   if (asked != Asked::kText && DoesNotKnow(given)) return Answer(given);
@@ -149,7 +163,8 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
       for (const char* word : {"same", "different"}) {
         if (Begins(word, given)) return Answer(word);
       }
-      return Command(typed);
+      if (LearnLine read = Command(typed); !IsNoWord(read, given)) return read;
+      return Answer(given);
     case Asked::kName:
       if (IsNumber(bare)) return Command(typed);
       break;

@@ -81,7 +81,8 @@ struct LearnLine {
 /// While something is asked, in this order: stop and quit are always words; the text or the name of
 /// an item of the course is an answer; then whole words; single signs are answers, numbers where
 /// they are asked for; beginnings of words of two letters and more are words; anything else is an
-/// answer.
+/// answer. While nothing is asked, what is no word is an answer too if it names an item, or says
+/// that one does not know.
 LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course);
 
 }  // namespace moontrace

@@ -142,7 +142,8 @@ std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) 
     case Sentence::kTold:
       return fmt::format("It is {}{}.", BeforeWord(course, sentence.text), text);
     case Sentence::kNotAnAnswer:
-      return fmt::format("No sign learned so far: {}. Still asked.", Unstopped(text));
+      return fmt::format("{} is no answer. Say I don't know, and I tell you.",
+                         Unstopped(OneLine(text, 20)));
     case Sentence::kTraceGood:
       return fmt::format("Good: {}.", text);
     case Sentence::kTraceBad:

@@ -37,6 +37,14 @@ TEST(Answer, NamesOfTheCourseAreAnswersBesideTheTexts) {
   EXPECT_FALSE(Names(course, ",", "full stop"));
 }
 
+TEST(Answer, WhoIsNotSureIsUnderstoodToo) {
+  const Course course = Answerable();
+  EXPECT_TRUE(Names(course, "7", "I think it is number 7."));
+  EXPECT_TRUE(Names(course, ",", "Maybe a comma"));
+  EXPECT_TRUE(Names(course, ",", "I think that comma"));
+  EXPECT_FALSE(Names(course, ",", "I know comma"));
+}
+
 TEST(Answer, ItemsThatAreWordsOfThemselvesStayWhatTheyAre) {
   const Course course = Answerable();
   EXPECT_EQ(ItemSaid(course, "a", "b"), "a");

@@ -167,6 +167,7 @@ TEST(LessonMachine, AWrongAnswerIsToldCountedAndAskedAgainAfterOneOther) {
   const std::size_t kept = run.kept.size();
   run.Answer("marmalade");
   EXPECT_EQ(run.Find(Sentence::kNotAnAnswer)->text, "marmalade");
+  EXPECT_TRUE(run.Said(Sentence::kAskName)) << "it is asked once more";
   EXPECT_EQ(run.kept.size(), kept) << "what is no item is no trial";
   EXPECT_EQ(run.state.await, Await::kAnswer);
 }

@@ -141,6 +141,27 @@ TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(refused("pause now"), "Say pause alone, without now.");
 }
 
+// Who answers too early is told what to do, not that a letter is no word.
+TEST(LearnWords, ThatAreNoneAreAnswersEvenWhereNothingIsAsked) {
+  for (const char* line : {",", "comma", "It is go.", "I don't know", "i think it is the"}) {
+    EXPECT_EQ(Read(line).kind, Kind::kAnswer) << line;
+  }
+  EXPECT_EQ(Read("go").kind, Kind::kWord);
+  EXPECT_EQ(Read("/comma").kind, Kind::kRefused);
+  EXPECT_EQ(Read("b").kind, Kind::kRefused);  // could be bigger, back or brief
+  for (const char* line : {"fly", "t"}) {
+    EXPECT_EQ(Read(line, Asked::kSame).kind, Kind::kAnswer) << "asked once more: " << line;
+  }
+}
+
+TEST(LearnWords, HelpIsNoAnswerWhateverStandsBehindIt) {
+  for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kNumber, Asked::kSame}) {
+    ExpectWord(Read("help mouse", asked), LearnWord::kHelp);
+    EXPECT_EQ(Read("help mouse", asked).answer, "mouse");
+  }
+  EXPECT_EQ(Read("help the old man", Asked::kText).kind, Kind::kMyText);
+}
+
 TEST(LearnWords, HelpTakesTheWordItIsAskedAbout) {
   for (const Asked asked : {Asked::kNothing, Asked::kName, Asked::kSame}) {
     ExpectWord(Read("help next", asked), LearnWord::kHelp);
