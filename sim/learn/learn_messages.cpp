@@ -23,6 +23,8 @@ std::string LedNow() { return "Let your hand be led to the end."; }
 
 std::string ProgramTraces() { return "The program's hand traces; next leaves the sign."; }
 
+std::string TracesOn() { return "The program's hand goes on tracing until you say next."; }
+
 std::string Awaited(lesson_action::Await await, Question question, std::string_view between,
                     bool lifts) {
   switch (await) {

@@ -64,6 +64,8 @@ std::string Awaited(lesson_action::Await await, Question question, std::string_v
 /// The same while a hand is led, or the program's own traces.
 std::string LedNow();
 std::string ProgramTraces();
+/// Once, where it has traced the sign several times.
+std::string TracesOn();
 
 // What words are answered by.
 /// What ? gives: at first the words that a first lesson needs, asked once more the others.

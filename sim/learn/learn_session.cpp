@@ -21,6 +21,7 @@ using lesson_action::Await;
 
 constexpr double kTickEvery = 10;     ///< the machine hears of time [s]
 constexpr double kSpeaksWithin = 2;   ///< a device that is back has said where its tip is [s]
+constexpr int kRoundsTold = 3;        ///< of the program's hand around one sign
 constexpr double kObeysWithin = 0.3;  ///< the loop has taken a stop or go by then [s]
 
 bool IsNumber(const std::string& item) {
@@ -139,7 +140,28 @@ void LearnSession::TellSize(const lesson_action::Show& show) {
                                      : say::NoRoomFor(show.size, stage_.size()));
 }
 
+/// Of the program's own hand, which traces a sign until it is left, the first rounds are told.
+bool LearnSession::GoesOnUnsaid(const lesson_action::Say& sentence) {
+  using lesson_action::Sentence;
+  if (!stage_.simulated()) return false;
+  switch (sentence.sentence) {
+    case Sentence::kTraceIt:
+      rounds_ = sentence.text == traced_ && !in_full_ ? rounds_ + 1 : 1;
+      traced_ = sentence.text;
+      if (rounds_ == kRoundsTold + 1) teller_.Say(Priority::kText, say::TracesOn());
+      return rounds_ > kRoundsTold;
+    case Sentence::kProbe:
+    case Sentence::kTraceGood:
+    case Sentence::kTraceBad:
+      return rounds_ > kRoundsTold;
+    default:
+      traced_.clear();
+      return false;
+  }
+}
+
 void LearnSession::Tell(const lesson_action::Say& sentence) {
+  if (GoesOnUnsaid(sentence)) return;
   std::string text;
   if (stage_.simulated()) text = say::DemonstrationSentence(course_, sentence);
   const bool unled = sentence.sentence == lesson_action::Sentence::kLedAlong &&

@@ -93,6 +93,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool WaitsWith(const LearnLine& read) const;
   void LookAtTrace();
   void SayPath();
+  bool GoesOnUnsaid(const lesson_action::Say& sentence);
   Trial Flags(Trial measured) const;
   bool told() const { return stage_.shown().told || stage_.simulated(); }
   std::int64_t Now() const;
@@ -127,6 +128,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   double no_room_ = 0;  ///< it was told that letters of that size have no room [m]
   std::optional<lesson_action::Say> sized_;  ///< told once the page lies there
   std::string missed_;                       ///< the sign of the last trace, if that was not good
+  std::string traced_;                       ///< the sign that the program's hand traces
+  int rounds_ = 0;                           ///< of that in a row
   Trial last_right_, last_wrong_;            ///< of this session; without an item: none yet
 };
 

@@ -243,6 +243,27 @@ TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
   EXPECT_TRUE(Holds(outcome.out, ", 0 signs sure.")) << outcome.out;
 }
 
+// Nothing that it does makes a sign sure: every two seconds the same two lines, without end.
+TEST_F(LearnSessionTest, TellsOfTheProgramsHandThreeTimesAndThenThatItGoesOn) {
+  SKIP_WITHOUT_TERMINALS();
+  PtySession session(Learn());
+  session.Send("next\nnext\nnext\n");  // what is explored, then what i and l are
+  const std::string once = "The program's hand goes on tracing until you say next.\r\n";
+  ASSERT_TRUE(session.WaitFor(once)) << session.all();
+  session.ReadFor(6000);  // rounds of some two seconds
+  session.Send("quit\n");
+  EXPECT_EQ(session.Wait(), 0);
+  const auto times = [&session](const std::string& line) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = session.all().find(line, at)) != std::string::npos; ++at) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(times("\nGood: i.\r\n"), 3U) << session.all();
+  EXPECT_EQ(times(once), 1U) << session.all();
+}
+
 TEST_F(LearnSessionTest, AnEmptyLineTellsWhatIsSo) {
   SKIP_WITHOUT_TERMINALS();
   PtySession session(Learn());
@@ -385,8 +406,7 @@ TEST_F(LearnSessionTest, TakesNoWordOfLessonsForAName) {
   const std::vector<std::string> args = {"learn",     "--course",           In("course"),
                                          "--records", In("records.sqlite"), "--device",
                                          "simulated"};
-  const Outcome outcome =
-      RunLine(args, "next\nno\nStop\n1\n7\nI don't know\nmark\nquit\n");
+  const Outcome outcome = RunLine(args, "next\nno\nStop\n1\n7\nI don't know\nmark\nquit\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   const std::vector<std::string> lines = Lines(outcome.out);
   ASSERT_GE(lines.size(), 9U) << outcome.out;  // behind the question, of two
