@@ -337,18 +337,21 @@ std::vector<std::string> LearningWithoutDevice(bool window) {
   std::vector<std::string> lines{
       "A demonstration works: moontrace learn --device simulated. It takes nine minutes, is told "
       "in words, and keeps nothing.",
-      "Printing works: moontrace learn --print lesson.svg writes a lesson's pages for swell "
+      "Printing works: moontrace learn --print lesson.pdf writes a lesson's pages for swell "
       "paper in true size."};
-  if (window) {
-    lines.emplace_back(
-        "Mouse or pen works, with a window and sound: moontrace learn --device mouse --view "
-        "--sound. Nothing is felt and nothing counts.");
-  }
+  lines.push_back(fmt::format(
+      "Mouse or pen works{}, with a window and sound: moontrace learn --device mouse --view "
+      "--sound. Nothing is felt and nothing counts.",
+      window ? "" : " from the desktop"));
   lines.emplace_back(
       "With a tutor: moontrace learn --tutor --device simulated --learner NAME, and in a second "
       "terminal moontrace tutor.");
   lines.emplace_back("To see which devices this machine knows: moontrace devices.");
   return lines;
+}
+std::string NoWindowForMouse() {
+  return "no window can open here: start it from the desktop, or print a lesson: moontrace learn "
+         "--print lesson.pdf";
 }
 std::string AskDemonstration() {
   return "Shall the demonstration begin? Type yes, or Enter for no.";

@@ -173,6 +173,7 @@ std::string NoForceDevice();
 std::string DeviceProblem(std::string_view name, std::string_view problem);
 /// `window`: one can be opened, as far as is known.
 std::vector<std::string> LearningWithoutDevice(bool window);
+std::string NoWindowForMouse();
 /// At a terminal, where there is no device.
 std::string AskDemonstration();
 std::string DemonstrationIs();

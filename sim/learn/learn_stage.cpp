@@ -1,6 +1,7 @@
 #include "sim/learn/learn_stage.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <glm/glm.hpp>
 #include <utility>
@@ -51,6 +52,16 @@ SessionRequest EmptyPage(const StageOptions& options) {
   return request;
 }
 
+/// Where no display is named, the learner is told what to do in place of that.
+void RequireWindow() {
+  const auto named = [](const char* name) {
+    const char* display = std::getenv(name);
+    return display != nullptr && *display != '\0';
+  };
+  if (!named("DISPLAY") && !named("WAYLAND_DISPLAY")) throw LackError(say::NoWindowForMouse());
+  ViewWindow::RequireDisplayNamed();
+}
+
 bool WindowMayOpen() {
   try {
     ViewWindow::RequireDisplayNamed();
@@ -65,7 +76,7 @@ bool WindowMayOpen() {
 std::string DeviceForLearning(const std::string& named, Console& console) {
   if (!named.empty()) {
     if (!IsSimulated(named) && !IsMouse(named)) RequireThere(named, ProfilesFolder());
-    if (IsMouse(named)) ViewWindow::RequireDisplayNamed();
+    if (IsMouse(named)) RequireWindow();
     return named;
   }
   const std::optional<DeviceEntry> first = FirstForceDevice();
