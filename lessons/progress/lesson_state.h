@@ -127,7 +127,7 @@ enum class Sentence {
   kNoTextBefore,    ///< nothing to go back to in this lesson
   kNoSuchLesson,    ///< text: what was asked for
   kLastLesson,      ///< there is no next one
-  kLargestSize,     ///< in place of kSizeNow; value: the largest that a tutor can have [m]
+  kLargestSize,     ///< in place of kSizeNow; value: the largest there is [m]; number: asked [mm]
   kSmallestSize     ///< likewise the smallest
 };
 struct Say {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "lessons/course/lesson_items.h"
 #include "lessons/guide/fading.h"
@@ -154,7 +155,11 @@ bool Merge(Turn& turn, const Overrule& overrule) {
     const Sentence now = *overrule.size > kLargestSize    ? Sentence::kLargestSize
                          : *overrule.size < kSmallestSize ? Sentence::kSmallestSize
                                                           : Sentence::kSizeNow;
-    Say(turn, now, {}, {}, *state.overrule.size);
+    lesson_action::Say say{now, {}, {}, *state.overrule.size};
+    constexpr double kMost = 1e6;  // [mm]
+    const double asked = std::min(1e3 * *overrule.size, kMost);
+    if (now == Sentence::kLargestSize) say.number = static_cast<int>(std::lround(asked));
+    turn.actions.emplace_back(std::move(say));
   }
   if (overrule.mode) {
     state.overrule.mode = overrule.mode;

@@ -322,8 +322,8 @@ std::string NoRoomFor(double wanted, double got) {
                      Millimetres(wanted), Millimetres(got));
 }
 std::string SizeHasNoRoom(double wanted, double got) {
-  return fmt::format("Letters of {} now: no room for {}; this does not count.", Millimetres(got),
-                     Millimetres(wanted));
+  return fmt::format("{} has no room: letters of {} now; this does not count.", Millimetres(wanted),
+                     Millimetres(got));
 }
 std::string CannotShow(std::string_view text, std::string_view why) {
   return fmt::format("Cannot be shown: {}: {}.", OneLine(text, 16), OneLine(why, 300));

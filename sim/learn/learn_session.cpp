@@ -136,8 +136,9 @@ void LearnSession::TellSize(const lesson_action::Show& show) {
   }
   const bool known = std::exchange(no_room_, show.size) == show.size;
   if (known && !asked) return;  // page after page
-  teller_.Say(Priority::kText, asked ? say::SizeHasNoRoom(show.size, stage_.size())
-                                     : say::NoRoomFor(show.size, stage_.size()));
+  if (!asked) return teller_.Say(Priority::kText, say::NoRoomFor(show.size, stage_.size()));
+  const double wanted = asked->number > 0 ? 1e-3 * asked->number : show.size;
+  teller_.Say(Priority::kText, say::SizeHasNoRoom(wanted, stage_.size()));
 }
 
 /// Of the program's own hand, which traces a sign until it is left, the first rounds are told.

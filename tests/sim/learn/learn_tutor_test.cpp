@@ -72,7 +72,7 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
       ASSERT_NE(line[0], '(') << line;
       if (line.find(" mm") != std::string::npos) sizes += line + "\n";
     }
-    EXPECT_EQ(sizes, "Letters of 160 mm now: no room for 200 mm; this does not count.\n");
+    EXPECT_EQ(sizes, "500 mm has no room: letters of 160 mm now; this does not count.\n");
     tutor.Send("lesson nine\n");  // is not: nothing for the learner to hear
     tutor.Send("lesson 3\n");
     EXPECT_TRUE(Hears(tutor, "No such lesson, or several: 3. A number from 1 to 2"));
