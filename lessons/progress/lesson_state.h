@@ -117,7 +117,7 @@ enum class Sentence {
   kReviewDue,   ///< number: items due
   kLessonDone,  ///< text: title
   kCourseDone,
-  kCannotPractise,  ///< text: what is no sign that the learner knows
+  kCannotPractise,  ///< text: no sign that the learner knows; number: the lesson it comes in
   kOfferLesson,     ///< text: title of one beside the course; number
   kBreak,           ///< number: minutes worked
   kNoHint,          ///< number: 1 while it is asked

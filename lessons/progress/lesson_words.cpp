@@ -173,6 +173,12 @@ bool Merge(Turn& turn, const Overrule& overrule) {
   return size || overrule.mode || overrule.help;
 }
 
+/// Of the lesson that an item comes in, from 1, as the list of lessons has it.
+int LessonNumber(const Turn& turn, const std::string& item) {
+  const Lesson* home = HomeOf(turn.course, item);
+  return home != nullptr ? static_cast<int>(home - turn.course.lessons.data()) + 1 : 0;
+}
+
 /// A review that is left for something else comes again behind it.
 void PutBackReview(Turn& turn) {
   LessonState& state = turn.state;
@@ -192,7 +198,8 @@ void HandlePractise(Turn& turn, const std::string& name) {
   const std::optional<std::string> item = ItemSaid(turn.course, name, {});
   const auto known = turn.state.progress.items.find(item.value_or(""));
   if (!item || known == turn.state.progress.items.end() || !known->second.introduced) {
-    Say(turn, Sentence::kCannotPractise, Shortened(name));
+    SayCount(turn, Sentence::kCannotPractise, item ? *item : Shortened(name),
+             item ? LessonNumber(turn, *item) : 0, 0);
     return AwaitNow(turn, turn.state.await);
   }
   PutBackReview(turn);

@@ -163,7 +163,7 @@ void LearnSession::GoToLesson(const std::string& given) {
   if (given.empty()) return teller_.Say(Priority::kText, say::LessonWhich());
   const auto index = LessonNamed(course_, given);
   if (!index) {
-    return teller_.Say(Priority::kText, say::LessonNotFound(given, course_.lessons.size()));
+    return teller_.Say(Priority::kText, say::LessonNotFound(given, course_.lessons.size(), false));
   }
   lesson_event::Overrule overrule;
   overrule.lesson = course_.lessons[*index].id;

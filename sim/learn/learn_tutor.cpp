@@ -153,7 +153,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       break;
     case TutorWord::kLesson:
       if (!LessonNamed(course_, command.text)) {
-        return Answer(line.tutor, say::LessonNotFound(command.text, course_.lessons.size()));
+        return Answer(line.tutor, say::LessonNotFound(command.text, course_.lessons.size(), true));
       }
       break;
     case TutorWord::kNextLesson:

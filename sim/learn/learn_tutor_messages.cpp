@@ -25,9 +25,11 @@ std::string TutorsInWindow() {
          "what else only tutors have.";
 }
 std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
-std::string LessonNotFound(std::string_view given, std::size_t lessons) {
-  return fmt::format("No such lesson, or several: {}. A number from 1 to {}, as where says it.",
-                     OneLine(given, 20), lessons);
+std::string LessonNotFound(std::string_view given, std::size_t lessons, bool tutor) {
+  const bool number = given.find_first_not_of("0123456789") == std::string_view::npos;
+  return fmt::format("{}: {}. Say a number from 1 to {}.{}",
+                     number ? "No such lesson" : "No such lesson, or several", OneLine(given, 20),
+                     lessons, tutor ? "" : " The word lessons tells them.");
 }
 namespace {
 

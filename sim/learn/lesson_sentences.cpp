@@ -156,6 +156,9 @@ std::string OfOutcome(const Course& course, const lesson_action::Say& sentence) 
     case Sentence::kNotNow:
       return "No trace is awaited now.";
     case Sentence::kCannotPractise:
+      if (sentence.number > 0) {
+        return fmt::format("Not learnt yet: {} comes in lesson {}.", text, sentence.number);
+      }
       return fmt::format("No sign learned so far: {}.", Unstopped(OneLine(sentence.text, 20)));
     default:
       return {};

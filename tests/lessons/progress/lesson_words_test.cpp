@@ -141,7 +141,9 @@ TEST_F(LessonWords, PractiseTracesAKnownSignAndComesBack) {
   EXPECT_EQ(run_.state.await, Await::kAnswer);
   practise.practise = "o";  // of the second lesson
   run_.Do(practise);
-  EXPECT_TRUE(run_.Said(Sentence::kCannotPractise));
+  ASSERT_TRUE(run_.Said(Sentence::kCannotPractise));
+  EXPECT_EQ(run_.Find(Sentence::kCannotPractise)->text, "o");
+  EXPECT_EQ(run_.Find(Sentence::kCannotPractise)->number, 2);
   EXPECT_EQ(run_.state.await, Await::kAnswer);
 }
 

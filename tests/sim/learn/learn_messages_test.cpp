@@ -243,6 +243,16 @@ TEST(LearnMessages, OfAMouseSayHowItPresses) {
   }
 }
 
+TEST(LearnMessages, TellInWhichLessonASignComes) {
+  lesson_action::Say say;
+  say.sentence = Sentence::kCannotPractise;
+  say.text = "b";
+  say.number = 10;
+  EXPECT_EQ(say::LessonSentence(Course(), say), "Not learnt yet: b comes in lesson 10.");
+  say.number = 0;
+  EXPECT_EQ(say::LessonSentence(Course(), say), "No sign learned so far: b.");
+}
+
 TEST(LearnMessages, HelpIsShortUntilItIsAskedForOnceMore) {
   for (const say::HelpLines& help :
        {say::LearnHelp(true, true), say::KeysHelp(UsualKeys(), true, true)}) {

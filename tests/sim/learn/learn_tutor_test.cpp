@@ -75,7 +75,7 @@ TEST_F(LearnTutor, IsToldToTheLearnerKeptAndNeverUndoesTheLearnersStop) {
     EXPECT_EQ(sizes, "500 mm has no room: letters of 160 mm now; this does not count.\n");
     tutor.Send("lesson nine\n");  // is not: nothing for the learner to hear
     tutor.Send("lesson 3\n");
-    EXPECT_TRUE(Hears(tutor, "No such lesson, or several: 3. A number from 1 to 2"));
+    EXPECT_TRUE(Hears(tutor, "No such lesson: 3. Say a number from 1 to 2."));
     tutor.Send("?\n");
     EXPECT_TRUE(Hears(tutor, "help 7 is the push, from 0 to 10.")) << session.all();
     tutor.Send("record\n");  // nor in a demonstration: the hand is the program's
