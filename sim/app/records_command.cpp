@@ -36,6 +36,7 @@ const std::vector<std::string> kActions{"list", "export", "import", "erase", "co
 
 void CheckUse(const RecordsOptions& options) {
   const std::string& action = options.action;
+  if (action == "report") throw UsageError(say::ReportsItself());
   if (std::find(kActions.begin(), kActions.end(), action) == kActions.end()) {
     throw UsageError(say::NotAnAction("records", action, NearestWord(action, kActions),
                                       "list, export NAME, import FILE, erase NAME or consent NAME "

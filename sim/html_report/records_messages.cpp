@@ -9,6 +9,7 @@
 
 namespace moontrace::say {
 
+std::string ReportsItself() { return "records cannot report: write moontrace report NAME"; }
 std::string NoSubject(std::string_view action) {
   if (action == "import") return "records import lacks its file: write records import FILE";
   return fmt::format("records {0} lacks a learner: write records {0} NAME", action);

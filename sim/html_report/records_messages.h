@@ -9,6 +9,8 @@
 /// The sentences of `moontrace records`.
 namespace moontrace::say {
 
+/// Whose command is another.
+std::string ReportsItself();
 std::string NoSubject(std::string_view action);
 std::string NoConsentAnswer();
 std::string OnlyWith(std::string_view option, std::string_view action);

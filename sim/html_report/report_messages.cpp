@@ -392,7 +392,7 @@ std::vector<std::string> ReportSentences(std::string_view learner, const Course&
 }
 
 std::string NotThePedagogy() {
-  return "A simulated learner: this proves the software, not the pedagogy.";
+  return "A simulated learner: this shows that the program works, not how people learn.";
 }
 
 std::string WorkedWith(const std::vector<std::string>& devices) {
@@ -405,8 +405,9 @@ std::string WorkedWith(const std::vector<std::string>& devices) {
 }
 
 std::string PartlySimulated(std::size_t trials) {
-  return fmt::format("Simulated: {} of these trials; they prove the software, not the pedagogy.",
-                     trials);
+  return fmt::format(
+      "Simulated: {} of these trials; they show that the program works, not how people learn.",
+      trials);
 }
 
 std::string ReportIn() { return "Report in:"; }

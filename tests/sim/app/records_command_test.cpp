@@ -188,6 +188,7 @@ TEST_F(RecordsCommand, RefusesWhatIsNoUse) {
   ExpectRefused(RunLine({"records", "list", "--records", In("none.sqlite")}), 3,
                 "no records there yet");
   ExpectRefused(RunLine({"records", "list", "--records", ""}), 2, "--records is empty");
+  ExpectRefused(RunLine({"records", "report", "bat"}), 2, "write moontrace report NAME");
 }
 
 TEST_F(RecordsCommand, RefusesAWriterBesideAnother) {

@@ -135,7 +135,8 @@ TEST_F(ReportCommand, TellsAllInPlainLines) {
 }
 
 TEST_F(ReportCommand, SaysOfASimulatedLearnerThatItIsOne) {
-  const std::string words = "A simulated learner: this proves the software, not the pedagogy.";
+  const std::string words =
+      "A simulated learner: this shows that the program works, not how people learn.";
   EXPECT_EQ(Lines(Report({"robot"}).out).at(4), words);  // behind three sentences
   EXPECT_EQ(Report({"bat"}).out.find("simulated"), std::string::npos);
   Report({"robot", "--html", In("r.html")});
