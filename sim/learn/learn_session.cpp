@@ -146,17 +146,21 @@ bool LearnSession::GoesOnUnsaid(const lesson_action::Say& sentence) {
   using lesson_action::Sentence;
   if (!stage_.simulated()) return false;
   switch (sentence.sentence) {
-    case Sentence::kTraceIt:
-      rounds_ = sentence.text == traced_ && !in_full_ ? rounds_ + 1 : 1;
-      traced_ = sentence.text;
-      if (rounds_ == kRoundsTold + 1) teller_.Say(Priority::kText, say::TracesOn());
-      return rounds_ > kRoundsTold;
+    case Sentence::kTraceIt: {
+      if (in_full_) rounds_.clear();
+      const bool known = std::any_of(rounds_.begin(), rounds_.end(),
+                                     [](const auto& sign) { return sign.second > kRoundsTold; });
+      unsaid_ = ++rounds_[sentence.text] > kRoundsTold;
+      if (unsaid_ && !known) teller_.Say(Priority::kText, say::TracesOn());
+      return unsaid_;
+    }
     case Sentence::kProbe:
     case Sentence::kTraceGood:
     case Sentence::kTraceBad:
-      return rounds_ > kRoundsTold;
+      return unsaid_;
     default:
-      traced_.clear();
+      rounds_.clear();
+      unsaid_ = false;
       return false;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -128,8 +129,8 @@ class LearnSession : public RunningLesson, private LoopListener {
   double no_room_ = 0;  ///< it was told that letters of that size have no room [m]
   std::optional<lesson_action::Say> sized_;  ///< told once the page lies there
   std::string missed_;                       ///< the sign of the last trace, if that was not good
-  std::string traced_;                       ///< the sign that the program's hand traces
-  int rounds_ = 0;                           ///< of that in a row
+  std::map<std::string, int> rounds_;        ///< of the program's hand around each sign, in a row
+  bool unsaid_ = false;                      ///< what it traces now is told no more
   Trial last_right_, last_wrong_;            ///< of this session; without an item: none yet
 };
 

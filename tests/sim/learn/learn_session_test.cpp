@@ -262,7 +262,7 @@ TEST_F(LearnSessionTest, TellsOfTheProgramsHandThreeTimesAndThenThatItGoesOn) {
     }
     return count;
   };
-  EXPECT_EQ(times("\nGood: i.\r\n"), 3U) << session.all();
+  EXPECT_EQ(times("\nThe program's hand traces i.\r\n"), 4U) << "led once: " << session.all();
   EXPECT_EQ(times(once), 1U) << session.all();
 }
 
