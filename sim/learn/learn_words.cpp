@@ -65,10 +65,13 @@ LearnLine Command(std::string_view typed) {
   return Said(said.word->word, said.behind);
 }
 
-/// Neither a word, here or elsewhere, nor the beginning or the number of one.
+/// Neither a word, here or elsewhere, nor the beginning or the number of one, nor behind a whole
+/// one.
 bool IsNoWord(const LearnLine& read, const std::string& given) {
   if (read.kind != Kind::kRefused || given.front() == '/') return false;
   if (given.find_first_not_of("0123456789") == std::string::npos) return false;
+  const TypedWord* first = WordNamed(std::string_view(given).substr(0, given.find(' ')));
+  if (first != nullptr && first->HoldsIn(WordPlace::kLesson)) return false;
   const WordFound found = FindWord(given, WordPlace::kLesson);
   return found.begun.empty() && found.elsewhere == nullptr;
 }

@@ -148,6 +148,7 @@ TEST(LearnWords, ThatAreNoneAreAnswersEvenWhereNothingIsAsked) {
   }
   EXPECT_EQ(Read("go").kind, Kind::kWord);
   EXPECT_EQ(Read("/comma").kind, Kind::kRefused);
+  EXPECT_EQ(Read("letter ,").answer, "Say letter alone, without ,.");
   EXPECT_EQ(Read("b").kind, Kind::kRefused);  // could be bigger, back or brief
   for (const char* line : {"fly", "t"}) {
     EXPECT_EQ(Read(line, Asked::kSame).kind, Kind::kAnswer) << "asked once more: " << line;
