@@ -33,7 +33,6 @@ TEST(Wrapped, KeepsANumberWithTheWordBehindIt) {
   EXPECT_EQ(Wrapped("Letters of 12.5 mm", 14), "Letters of\n12.5 mm\n");
   EXPECT_EQ(Wrapped("page 1", 5), "page\n1\n") << "nothing is behind it";
   EXPECT_EQ(Wrapped("of 100 unbreakable", 8), "of 100\nunbreakable\n") << "too long together";
-  EXPECT_EQ(Wrapped("7  two", 4), "7\ntwo\n");
 }
 
 TEST(Sentences, EndAtAMarkBeforeASpaceAndACapital) {
