@@ -81,8 +81,8 @@ TEST_F(LearnSessionTest, GoesToALessonThatIsNamed) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_TRUE(Holds(outcome.out, "Lesson 2 of 2, step 1 of ")) << outcome.out;
   const Outcome none = RunLine(Learn(), "lesson 7\nquit\n");
-  EXPECT_TRUE(Holds(none.out,
-                    "No such lesson: 7. Say a number from 1 to 2.\nThe word lessons tells them.\n"))
+  EXPECT_TRUE(
+      Holds(none.out, "No such lesson: 7. Say a number from 1 to 2. The word lessons tells them."))
       << none.out;
 }
 
