@@ -376,7 +376,8 @@ std::string PrintedHow() {
   return "Print at 100 percent on swell paper; the slanting line marks the upper right corner.";
 }
 std::string PrintNext(std::string_view file, std::size_t number, std::string_view course) {
-  const std::string of = course.empty() ? "" : fmt::format(" --course {}", Quoted(course));
+  const std::string of =
+      course.empty() ? "" : fmt::format(" --course \"{}\"", OneLine(course, 4096));
   return fmt::format("Next: moontrace learn{} --print {} --lesson {}", of, file, number);
 }
 std::string PrintedLast() {

@@ -172,7 +172,7 @@ TEST_F(RecordsCommand, SetsConsent) {
 }
 
 TEST_F(RecordsCommand, RefusesWhatIsNoUse) {
-  ExpectRefused(Line({}), 2, "say what to do with the records");
+  ExpectRefused(Line({}), 2, "records: say what to do: list");
   ExpectRefused(Line({"lst"}), 2, "did you mean list?");
   ExpectRefused(Line({"list", "bat"}), 2, "one argument too many");
   ExpectRefused(Line({"export"}), 2, "lacks a learner");

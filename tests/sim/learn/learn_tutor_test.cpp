@@ -117,7 +117,7 @@ TEST_F(LearnTutor, WhereTellsTheHandThatIsLedFromOneThatIsHelped) {
   tutor.Send("help 7\nwhere\n");
   EXPECT_TRUE(Hears(tutor, "Letters 16 mm, not led, help 7 of 10, push attract"));
   session.Send("next\n");  // the course's demonstration
-  ASSERT_TRUE(session.WaitFor("Led: ")) << session.all();
+  ASSERT_TRUE(session.WaitFor("hand be led: i")) << session.all();
   tutor.Send("where\n");
   EXPECT_TRUE(Hears(tutor, "Letters 16 mm, the hand is led to the end, then help 7 of 10"));
   tutor.Send("mode off\nwhere\n");  // nothing leads it
