@@ -300,7 +300,7 @@ TEST_F(ViewPainterTest, LongTalkStandsInRowsAboveTheEdge) {
   const Raster short_line = Drawn();
   std::string talk;
   for (int i = 0; i < 40; ++i) talk += "several words ";
-  painter_->ShowLines({talk, "The last."});
+  painter_->ShowLines({"The first.", talk});
   const Raster rows = Drawn();
   const PixelBox& text = painter_->layout().text;
   const auto column = static_cast<std::size_t>(text.x) + 2;
