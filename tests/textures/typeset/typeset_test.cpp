@@ -175,7 +175,7 @@ TEST(SetText, KeepsMarksInAlternatingLines) {
   style.lines = LineDirection::kAlternate;
   AddGuides(script, style);
   std::string text;
-  for (int i = 0; i < 60; ++i) text += std::string(1 + i % 5, 'x') + "., 123456 ";
+  for (std::size_t i = 0; i < 60; ++i) text += std::string(1 + i % 5, 'x') + "., 123456 ";
   const std::size_t numeral = script.Find("numeral");
   const Typeset set = SetText(text, script, style, Page(14, 40));
   std::size_t row = ~std::size_t{0}, before = numeral, repeated = 0;
