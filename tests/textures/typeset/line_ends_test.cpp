@@ -13,7 +13,8 @@ namespace {
 
 /// The text with "|" wherever a line may end within a word.
 std::string Ends(std::string_view text) {
-  Folder folder(text, SmallScript(), [](char32_t c) { return c != U' ' && c != 0xAD; });
+  const Script script = SmallScript();  // the folder keeps a reference
+  Folder folder(text, script, [](char32_t c) { return c != U' ' && c != 0xAD; });
   std::vector<FoldedChar> line;
   folder.NextLine(line);
   const std::vector<LineEnd> ends = LineEndsOf(line);
