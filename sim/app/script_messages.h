@@ -52,7 +52,7 @@ inline constexpr const char* kScriptAll =
     "check: list each finding; else kinds with more than 20 are summed up.";
 inline constexpr const char* kScriptTo =
     "convert: write this SVG font, and a TOML file of its rules beside it; where another file lies "
-    "there, nothing is written (exit code 4).";
+    "in the place of the rules, nothing is written (exit code 4).";
 inline constexpr const char* kScriptJoin =
     "convert: make one stroke of strokes that follow each other.";
 inline constexpr const char* kScriptPicture = "picture: write this file, .svg, .png or .pdf.";

@@ -7,7 +7,6 @@
 #include "sim/console/line_wrap.h"
 #include "sim/console/word_messages.h"
 #include "sim/demonstration/demonstration_messages.h"
-#include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
@@ -180,7 +179,10 @@ bool Demonstration::AsksWord() const {
 /// are no answers.
 bool Demonstration::IsAnswer(const std::string& given) const {
   const bool word = AsksWord() && IsOneWord(Unspelled(given));
-  if (word && NearestWord(given, WordsIn(WordPlace::kDemonstration)).empty()) return true;
+  // what is close to a word of the program, or is called so elsewhere, is rather that
+  if (word && ReadLine(given, WordPlace::kDemonstration).refusal == say::WordUnknown(given, {})) {
+    return true;
+  }
   const std::vector<std::string> readings = ReadingsOf(given);
   return IsRight(step(), given) ||
          std::any_of(readings.begin(), readings.end(), [this](const std::string& reading) {

@@ -223,8 +223,11 @@ TEST_F(DemonstrationTest, AWholeWordIsAnsweredByAnyWordAndMayBeSpelled) {
     one.Obey("t");
     EXPECT_EQ(Said("The whole word is asked. And what is the word?"), 1U)
         << out_.str().substr(from_);
-    one.Obey("pasue");  // no answer, a slip
-    EXPECT_TRUE(one.asks());
+    for (const char* slip : {"pasue", "exit", "wait"}) {
+      one.Obey(slip);
+      EXPECT_TRUE(one.asks()) << slip;
+      EXPECT_EQ(Said(std::string("Unknown: ") + slip + ". Did you mean"), 1U) << slip;
+    }
     one.Obey(given);
     EXPECT_EQ(Said(answer), 1U) << given << out_.str().substr(from_);
     EXPECT_EQ(Said("too late"), 0U) << "what was skipped is not awaited";
