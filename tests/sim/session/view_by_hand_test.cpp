@@ -248,7 +248,7 @@ TEST_F(SlowViewByHand, NothingIsFeltOfAMouse) {
   session_ = std::make_unique<PtySession>(
       std::vector<std::string>{"learn", "--course", In("course"), "--records", In("records.sqlite"),
                                "--learner", "ann", "--device", "mouse", "--view"});
-  EXPECT_TRUE(session_->WaitFor("Nothing is felt")) << session_->all();
+  EXPECT_TRUE(session_->WaitFor("nothing is felt")) << session_->all();
   session_->Send("quit\n\n");
   EXPECT_EQ(session_->Wait(), 0);
 }
