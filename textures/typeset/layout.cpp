@@ -195,7 +195,7 @@ void Layout::NextPage() {
   pages_.emplace_back();
   ++pages_begun_;
   TextPage& page = pages_.back();
-  page.glyphs.reserve(expected);
+  page.glyphs.reserve(expected + expected / 4);  // pages of a text are much alike
   const std::size_t row = next_row_, run_row = run_row_;
   const double gaps = gaps_;
   next_row_ = run_row_ = 0;

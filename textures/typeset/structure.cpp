@@ -107,10 +107,19 @@ void TakeLinks(const Characters& characters, std::size_t from, std::vector<bool>
   }
 }
 
+// Whether the part of the text that a line stands for holds what a mark begins with: most do not,
+// and a book has a hundred thousand.
+bool MayHoldMarks(std::string_view text, const std::vector<FoldedChar>& line) {
+  if (line.empty()) return false;
+  const std::size_t begin = line.front().begin;
+  return text.substr(begin, line.back().end - begin).find_first_of("#>[") != std::string::npos;
+}
+
 }  // namespace
 
 LineMarks TakeMarks(std::string_view text, std::vector<FoldedChar>& line, bool begins_line) {
   LineMarks found;
+  if (!MayHoldMarks(text, line)) return found;
   const Characters characters(text, line);
   std::vector<bool> mark(characters.count(), false);
   const std::size_t begin = begins_line ? TakeBeginning(characters, found.kind) : 0;
