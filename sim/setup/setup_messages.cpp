@@ -11,11 +11,11 @@ namespace moontrace::say {
 
 namespace {
 
-std::string Where(const Replacement& replacement) {
-  if (replacement.line == 0) {
-    return fmt::format("running head, character {}", replacement.column);
-  }
-  return fmt::format("line {}, character {}", replacement.line, replacement.column);
+std::string Where(const Replacement& replacement, std::size_t times) {
+  const std::string line =
+      replacement.line == 0 ? "running head" : fmt::format("line {}", replacement.line);
+  if (times == 1) return fmt::format("{}, character {}", line, replacement.column);
+  return fmt::format("{} times, first in {}, character {}", times, line, replacement.column);
 }
 
 /// A character that cannot be seen or heard by its name, any other as it is.
@@ -89,30 +89,31 @@ std::string TooLong(std::size_t letters, std::size_t limit) {
                      letters, limit);
 }
 
-std::string Folded(const Replacement& replacement) {
+std::string Folded(const Replacement& replacement, std::size_t times) {
   if (replacement.became.empty()) {
-    return fmt::format("Left out: {}, {}.", Was(replacement), Where(replacement));
+    return fmt::format("Left out: {}, {}.", Was(replacement), Where(replacement, times));
   }
   const std::string name = CharacterName(replacement.became);
   return WrittenBy(replacement, Was(replacement), name.empty() ? Quoted(replacement.became) : name,
-                   Where(replacement));
+                   Where(replacement, times));
 }
 
-std::string Missing(const Replacement& replacement) {
-  return fmt::format("Left out: {}, no sign for it, {}.", Was(replacement), Where(replacement));
+std::string Missing(const Replacement& replacement, std::size_t times) {
+  return fmt::format("Left out: {}, no sign for it, {}.", Was(replacement),
+                     Where(replacement, times));
 }
 
-std::string Untaught(const Replacement& replacement) {
-  return NotTaught(Was(replacement), Where(replacement));
+std::string Untaught(const Replacement& replacement, std::size_t times) {
+  return NotTaught(Was(replacement), Where(replacement, times));
 }
 
-std::string Doubtful(const Replacement& replacement) {
+std::string Doubtful(const Replacement& replacement, std::size_t times) {
   return fmt::format("Doubtful: {} directly after a number reads as {}, {}.", Was(replacement),
-                     replacement.became, Where(replacement));
+                     replacement.became, Where(replacement, times));
 }
 
 std::string MoreReplacements(std::size_t count) {
-  return fmt::format("And {} more of this kind; --json lists the first 1000.", count);
+  return fmt::format("And {} more like these; --json lists the first 1000.", count);
 }
 
 std::string BadParameters(std::string_view folder, std::string_view cause) {

@@ -28,10 +28,11 @@ std::string TwoTexts();
 std::string CannotReadInput();
 
 std::string TooLong(std::size_t letters, std::size_t limit);
-std::string Folded(const Replacement& replacement);
-std::string Missing(const Replacement& replacement);
-std::string Untaught(const Replacement& replacement);
-std::string Doubtful(const Replacement& replacement);
+/// Of the first of `times` characters to which the same happened.
+std::string Folded(const Replacement& replacement, std::size_t times);
+std::string Missing(const Replacement& replacement, std::size_t times);
+std::string Untaught(const Replacement& replacement, std::size_t times);
+std::string Doubtful(const Replacement& replacement, std::size_t times);
 std::string MoreReplacements(std::size_t count);
 std::string BadParameters(std::string_view folder, std::string_view cause);
 

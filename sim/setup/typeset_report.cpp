@@ -1,7 +1,10 @@
 #include "sim/setup/typeset_report.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/picture/sheet_messages.h"
@@ -38,6 +41,24 @@ Json ReplacementsJson(const std::vector<Replacement>& replacements) {
     list.push_back(std::move(entry));
   }
   return list;
+}
+
+/// The same replacement of the same character: where it came first, and how often.
+struct Repeated {
+  const Replacement* first = nullptr;
+  std::size_t times = 0;
+};
+
+/// In the order in which they came first: a book says of each character once what became of it.
+std::vector<Repeated> ByKind(const std::vector<Replacement>& list) {
+  std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
+  std::vector<Repeated> kinds;
+  for (const Replacement& one : list) {
+    const auto [at, is_new] = known.try_emplace({one.was, one.became}, kinds.size());
+    if (is_new) kinds.push_back({&one, 0});
+    ++kinds[at->second].times;
+  }
+  return kinds;
 }
 
 Json StructureJson(const Typeset& set) {
@@ -188,13 +209,18 @@ void SaySheet(const TypeStyle& style, std::size_t rules,
 void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line) {
   const auto say_all = [&say_line](const std::vector<Replacement>& list, std::size_t count,
                                    auto sentence) {
-    for (std::size_t i = 0; i < std::min(list.size(), kMostSaid); ++i) say_line(sentence(list[i]));
-    if (count > kMostSaid) say_line(say::MoreReplacements(count - kMostSaid));
+    const std::vector<Repeated> kinds = ByKind(list);
+    std::size_t said = 0;
+    for (std::size_t i = 0; i < std::min(kinds.size(), kMostSaid); ++i) {
+      say_line(sentence(*kinds[i].first, kinds[i].times));
+      said += kinds[i].times;
+    }
+    if (count > said) say_line(say::MoreReplacements(count - said));
   };
-  say_all(set.missing, set.missing_count, [](const Replacement& r) { return say::Missing(r); });
-  say_all(set.untaught, set.untaught_count, [](const Replacement& r) { return say::Untaught(r); });
-  say_all(set.folded, set.folded_count, [](const Replacement& r) { return say::Folded(r); });
-  say_all(set.doubtful, set.doubtful_count, [](const Replacement& r) { return say::Doubtful(r); });
+  say_all(set.missing, set.missing_count, say::Missing);
+  say_all(set.untaught, set.untaught_count, say::Untaught);
+  say_all(set.folded, set.folded_count, say::Folded);
+  say_all(set.doubtful, set.doubtful_count, say::Doubtful);
 }
 
 std::string Dump(const Json& json) {

@@ -87,10 +87,27 @@ TEST_F(PageCommand, SaysWhichLettersReadAsDigits) {
   EXPECT_NE(RunLine({"trace", "3a"}).err.find("Doubtful: \"a\""), std::string::npos);
 }
 
-TEST_F(PageCommand, ListsTwentyReplacementsAndCountsTheRest) {
+TEST_F(PageCommand, TellsOfEachReplacedCharacterOnceHowOften) {
+  const std::string out = RunLine({"page", "\xC3\xA9 \xC3\xBC b\xC3\xA9"}).out;
+  EXPECT_NE(out.find("Replaced: \"\xC3\xA9\" by \"e\", 2 times, first in line 1, character 1.\n"
+                     "Replaced: \"\xC3\xBC\" by \"u\", line 1, character 3.\n"),
+            std::string::npos)
+      << out;
+}
+
+TEST_F(PageCommand, CountsReplacementsBeyondTheThousandThatAreKept) {
   std::string text;
   for (int i = 0; i < 1500; ++i) text += "\xC3\xA9";
-  EXPECT_NE(RunLine({"page", text}).out.find("And 1480 more of this kind;"), std::string::npos);
+  const std::string out = RunLine({"page", text}).out;
+  EXPECT_NE(out.find("1000 times, first in"), std::string::npos) << out;
+  EXPECT_NE(out.find("And 500 more like these;"), std::string::npos) << out;
+}
+
+TEST_F(PageCommand, ListsTwentyReplacedCharactersAndCountsTheRest) {
+  std::string text;  // from the dotted circle on the script has no sign for any of these shapes
+  for (char last = '\x80'; last < '\xA0'; ++last) text += std::string("\xE2\x96") + last;
+  const Outcome outcome = RunLine({"page", "a" + text});
+  EXPECT_NE(outcome.out.find("And 12 more like these;"), std::string::npos) << outcome.out;
 }
 
 TEST_F(PageCommand, TakesPapersAndEndingsInCapitals) {
