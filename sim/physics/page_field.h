@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "textures/field/field.h"
 #include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
@@ -7,7 +9,8 @@
 namespace moontrace {
 
 /// The field of one page, for trials and for the hand in real time; `blank`: paper without grooves.
+/// With marks of rough paper beside its text.
 TextureField PageField(const TextPage& page, const Script& script, const TypeStyle& style,
-                       bool blank);
+                       bool blank, const std::vector<PaperPatch>& marks = {});
 
 }  // namespace moontrace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/physics/page_field.h"
+#include "sim/session/turn_mark.h"
 
 namespace moontrace {
 
@@ -73,8 +74,10 @@ FeltPage FeltPageOf(std::shared_ptr<const TextSetup> text, std::size_t index, bo
   page.index = index;
   page.blank = blank;
   page.number = number;
+  std::vector<PaperPatch> marks;
+  if (page.text->turn_mark) marks.push_back(TurnMark(page.text->set.page));
   page.field = std::make_shared<const TextureField>(
-      PageField(page.set(), page.text->script, page.text->set.style, blank));
+      PageField(page.set(), page.text->script, page.text->set.style, blank, marks));
   return page;
 }
 

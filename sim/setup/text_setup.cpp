@@ -169,6 +169,7 @@ TextSetup SetOn(const TextRequest& request, const ModelPage* model, Console& con
     const bool cut = whole && !request.layout.page_named;
     cut ? FitSheet(setup.set, setup.script) : CentreText(setup.set, setup.script);
   }
+  setup.turn_mark = request.turn_mark;
   if (request.book) return setup;
   const std::size_t signs = CountSigns(setup.set);
   if (signs > kMostSigns) throw InputError(say::TooLong(signs, kMostSigns));

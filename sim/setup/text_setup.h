@@ -27,6 +27,7 @@ struct TextSetup {
   /// Which label of a model carries it; none: no model was named.
   std::optional<std::size_t> label = {};
   std::vector<LaidLabel> others = {};  ///< of the model, with their own texts
+  bool turn_mark = false;              ///< its pages have one, see turn_mark.h
 };
 
 /// What a model gives for the text: its labels, and what they lie on.
@@ -65,6 +66,7 @@ struct TextRequest {
   std::string default_text = {};  ///< where neither command line nor model bring one; empty: error
   /// A book: of any length, and links between letters are looked for page by page, as it is felt.
   bool book = false;
+  bool turn_mark = false;             ///< each page has a mark below its end
   std::optional<PageForm> form = {};  ///< none: as the others have it
   glm::dvec2 room{INFINITY};          ///< that a device can reach: pages are no larger [m]
   /// What `feel.model` gives, where it has been loaded already; none: it is loaded for this.

@@ -58,6 +58,10 @@ std::string NoTiltInPlane() {
   return "this device feels in the page's plane only; one with a third axis can tilt it";
 }
 
+std::string NoRoomForTurnMark(double least) {
+  return fmt::format("--turn needs a margin of {:.0f} mm for its mark: --margin-mm {:.0f}",
+                     kMillimetres * least, kMillimetres * least);
+}
 std::string MorePagesThan(std::size_t pages, std::size_t most) {
   return fmt::format("the text takes {}, and may have {}: choose smaller letters",
                      Counted(pages, "page", "pages"), most);

@@ -19,6 +19,8 @@ std::string PageNow(const PageCommand& command);
 std::string PageStays(std::string_view why);
 std::string PageStaysWhileScored();
 std::string NoTiltInPlane();
+/// `least`: the margin that has room [m].
+std::string NoRoomForTurnMark(double least);
 std::string MorePagesThan(std::size_t pages, std::size_t most);
 
 }  // namespace moontrace::say
