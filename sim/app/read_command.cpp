@@ -213,8 +213,7 @@ std::optional<std::string> DeviceFor(const ReadOptions& options) {
   return first->name;
 }
 
-int Feel(const ReadOptions& options, const std::string& device, const Document& document,
-         Console& console) {
+ReadBookOptions BookOptionsOf(const ReadOptions& options, const std::string& device) {
   ReadBookOptions book;
   book.style = options.style;
   book.layout = options.layout;
@@ -229,8 +228,19 @@ int Feel(const ReadOptions& options, const std::string& device, const Document& 
   book.tutor = options.tutor;
   book.known = options.known;
   book.alone = options.simulate;
-  ReadBook(document, options.file, book, console);
-  return exit_code::kGood;
+  return book;
+}
+
+/// Who can neither see nor hear is told under the hand why there is no book.
+Document OpenOrTell(const ReadOptions& options, const std::optional<std::string>& device,
+                    Console& console) {
+  try {
+    return Open(options, console);
+  } catch (const InputError& error) {
+    if (!options.moon || !device) throw;
+    TellInPlaceOfBook(error.what(), BookOptionsOf(options, *device), console);
+    throw;
+  }
 }
 
 int Read(const ReadOptions& options, Console& console) {
@@ -239,9 +249,11 @@ int Read(const ReadOptions& options, Console& console) {
     ListReadings(options.learner, RecordsPathOf(options.records), options.output.json, console);
     return exit_code::kGood;
   }
-  const Document document = Open(options, console);
-  if (const std::optional<std::string> device = DeviceFor(options)) {
-    return Feel(options, *device, document, console);
+  const std::optional<std::string> device = DeviceFor(options);
+  const Document document = OpenOrTell(options, device, console);
+  if (device) {
+    ReadBook(document, options.file, BookOptionsOf(options, *device), console);
+    return exit_code::kGood;
   }
   const std::string text = Transcribe(document).text;
   if (options.text) return WriteText(options, document, text, console);

@@ -100,13 +100,20 @@ const ReadMark* BookMemory::MarkNamed(std::string_view name) const {
   return found == marks.end() ? nullptr : &*found;
 }
 
-std::optional<std::string> WhoReads(Records& records, const std::string& given, Console& console) {
+std::vector<std::string> ReadersIn(const Records& records) {
   std::vector<std::string> names;
+  for (const LearnerEntry& learner : records.Learners()) {
+    if (!learner.simulated) names.push_back(learner.pseudonym);
+  }
+  return names;
+}
+
+std::optional<std::string> WhoReads(Records& records, const std::string& given, Console& console) {
   for (const LearnerEntry& learner : records.Learners()) {
     if (learner.simulated && learner.pseudonym == given)
       throw UsageError(say::SimulatedReader(given));
-    if (!learner.simulated) names.push_back(learner.pseudonym);
   }
+  const std::vector<std::string> names = ReadersIn(records);
   if (given.empty()) {
     if (names.size() == 1) return names.front();
     return std::nullopt;

@@ -142,6 +142,8 @@ std::string MoonMenu() {
 std::string PassageTaken(std::string_view text) {
   return fmt::format("Yours in lessons, by my text: {}", OneLine(text, 200));
 }
+std::string AskWhoReads() { return "who reads?"; }
+std::string NoneOfThem() { return "another"; }
 std::string TheEnd() { return "This is the end of the text."; }
 std::string PlaceKept(std::string_view place) { return fmt::format("Kept: {}.", place); }
 std::string PlaceNotKept(std::string_view why) {

@@ -71,6 +71,9 @@ std::string MoonMenu();
 /// It is for lessons.
 std::string PassageTaken(std::string_view text);
 std::string TheEnd();
+std::string AskWhoReads();
+/// Of the names that were offered.
+std::string NoneOfThem();
 std::string PlaceKept(std::string_view place);
 std::string PlaceNotKept(std::string_view why);
 std::string ReadsWithoutName();

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "sim/book/book_messages.h"
+#include "sim/book/moon_lines.h"
 #include "sim/book/unset_words.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/place_messages.h"
 #include "sim/session/tip_words.h"
+#include "sim/session/turn_mark.h"
 #include "textures/base/error.h"
 #include "textures/base/utf8.h"
 
@@ -285,18 +287,35 @@ std::string BookWalk::LineHere(const LoopSnapshot& now) const {
                            WordsOf(std::string_view(felt.text->text).substr(begin, end - begin)));
 }
 
-std::vector<std::string> BookWalk::TurnBehindEnd(const LoopSnapshot& now) {
+bool BookWalk::BehindEnd(const LoopSnapshot& now) {
   const FeltPage& felt = session_.felt();
-  if (!options_.turns || now.page != felt.number || felt.set().glyphs.empty()) return {};
+  if (!options_.alone || felt.set().glyphs.empty()) return false;
   const std::optional<LetterPlace> here = LetterPlaceOf(felt, now.tip_P);
   const bool on_last = now.depth > 0 && here->source == felt.set().glyphs.back().source_begin &&
                        LetterNear(felt, now.tip_P)->near;
-  if (on_last) last_touched_ = true;
-  if (on_last || !last_touched_) return {};
-  last_touched_ = false;
+  const bool left = !on_last && last_touched_;
+  last_touched_ = on_last;
+  return left;
+}
+
+/// Not where the page before was turned: the tip still lies there, on the next page's mark.
+bool BookWalk::OnTurnMark(const LoopSnapshot& now) {
+  if (!options_.turns || now.depth <= 0) return false;
+  const Box mark_P = TurnMark(session_.text().set.page).box_P;
+  if (!Contains(mark_P, glm::dvec2(now.tip_P))) {
+    beside_mark_ = now.page;
+    return false;
+  }
+  return beside_mark_ == now.page;
+}
+
+std::vector<std::string> BookWalk::TurnPage(const LoopSnapshot& now) {
+  if (now.page != session_.felt().number || (!BehindEnd(now) && !OnTurnMark(now))) return {};
+  beside_mark_.reset();
   const std::size_t pages = session_.text().set.pages.size();
-  if (session_.Turn(true)) return {say::NowPage(session_.felt().index, pages)};
-  ended_ = options_.ends;
+  turned_ = session_.Turn(true);
+  if (turned_) return {say::NowPage(session_.felt().index, pages)};
+  ended_ = options_.alone;
   return {say::TheEnd()};
 }
 
@@ -313,7 +332,7 @@ bool BookWalk::Lay(const std::string& text, bool menu, glm::dvec2 tip_P) {
   TextRequest request = session_.request();
   request.text.text = text;
   request.style.structure = false;
-  request.book = false;
+  request.book = request.turn_mark = false;
   Message message = message_ ? *message_ : Message{session_.Lies(), tip_P, false};
   message.menu = menu;
   try {
@@ -350,17 +369,8 @@ Companion::Press BookWalk::Pressed(bool twice, const LoopEvent& event) {
 
 /// On a word: that word. Beside the words: the menu's next page, behind its last one the book.
 Companion::Press BookWalk::PressedInMenu(const LoopEvent& event) {
-  const FeltPage& felt = session_.felt();
-  const std::optional<NearLetter> near = LetterNear(felt, event.tip_P);
-  std::string word;
-  if (near && near->near) {
-    const std::size_t letter = LetterPlaceOf(felt, event.tip_P)->source;
-    const std::string& menu = felt.text->text;
-    const std::size_t end = std::min(menu.find('\n', letter), menu.size());
-    const std::size_t begin = letter == 0 ? std::string::npos : menu.rfind('\n', letter - 1);
-    const std::size_t first = begin == std::string::npos ? 0 : begin + 1;
-    word = menu.substr(first, end - first);
-  } else if (session_.Turn(true)) {
+  std::string word = LineAt(session_.felt(), event.tip_P);
+  if (word.empty() && session_.Turn(true)) {
     return {true, ""};
   }
   ClearPage();
@@ -368,10 +378,10 @@ Companion::Press BookWalk::PressedInMenu(const LoopEvent& event) {
 }
 
 std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
-  urgent_ = false;
+  urgent_ = turned_ = false;
   if (message_) return {};
   See(now);
-  Lines lines = TurnBehindEnd(now);
+  Lines lines = TurnPage(now);
   if (std::string unset = Unset(now); !unset.empty()) lines.push_back(std::move(unset));
   const bool stopped = now.stopped && !was_stopped_;
   was_stopped_ = now.stopped;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,8 +22,10 @@ struct Book {
 };
 
 struct BookOptions {
-  bool turns = false;  ///< the page is turned once the tip leaves its last letter
-  bool ends = false;   ///< at the end of the last page
+  bool turns = false;  ///< the page is turned as the tip reaches its mark, see turn_mark.h
+  /// For a hand that knows letters only: the page is turned once the tip leaves its last letter,
+  /// and all ends behind the last page.
+  bool alone = false;
   /// Answers are laid under the hand, and two presses give a menu of words: for who cannot hear.
   bool moon = false;
   bool known = false;  ///< words that are not set are said, as the hand comes to what follows
@@ -45,6 +48,7 @@ class BookWalk : public Companion {
   bool ClearPage() override;
   std::vector<std::string> Look(const LoopSnapshot& now) override;
   bool urgent() const override { return urgent_; }
+  bool turned() const override { return turned_; }
   bool ended() const override { return ended_; }
 
   /// The line at the tip with its page and number, for who follows from elsewhere; empty: the page
@@ -86,7 +90,9 @@ class BookWalk : public Companion {
   std::string TakePassage(const std::string& given, const LoopSnapshot& now);
   void See(const LoopSnapshot& now);
   std::string Unset(const LoopSnapshot& now);
-  Lines TurnBehindEnd(const LoopSnapshot& now);
+  bool BehindEnd(const LoopSnapshot& now);
+  bool OnTurnMark(const LoopSnapshot& now);
+  Lines TurnPage(const LoopSnapshot& now);
 
   LoopSession& session_;
   const Book& book_;
@@ -98,12 +104,15 @@ class BookWalk : public Companion {
   bool coming_ = false;        ///< the hand has not yet come to where reading goes on
   std::size_t strays_ = 0;     ///< looks at which it touched something else meanwhile
   bool last_touched_ = false;  ///< the last letter of the page
+  /// The page that was touched beside its turn mark: LoopSnapshot::page.
+  std::optional<std::uint32_t> beside_mark_;
   std::optional<std::pair<std::size_t, std::size_t>> word_;  ///< touched last: page and number
   std::optional<std::size_t> kept_;
   std::size_t kept_page_ = 0;
   std::optional<Message> message_;
   bool was_stopped_ = false, ended_ = false, told_failure_ = false;
   bool urgent_ = false;  ///< what Look said last: not kept, or the end
+  bool turned_ = false;  ///< by the last Look
   std::chrono::steady_clock::time_point kept_at_{};
 };
 

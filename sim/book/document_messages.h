@@ -55,7 +55,8 @@ inline constexpr const char* kReadKnown =
 inline constexpr const char* kReadTutor =
     "lets a tutor in from another terminal (moontrace tutor): hears what you hear, follows the "
     "line, moves you, sends texts.";
-inline constexpr const char* kReadTurn = "turn each page as the tip leaves its last letter.";
+inline constexpr const char* kReadTurn =
+    "turn each page as the tip reaches a strip of rough paper below its last line, at the right.";
 inline constexpr const char* kReadSimulate =
     "the simulated stylus reads, in real time, to the end of the text.";
 inline constexpr const char* kReadDevice =

@@ -13,6 +13,7 @@
 #include "sim/book/book_tutor.h"
 #include "sim/book/book_walk.h"
 #include "sim/book/document_messages.h"
+#include "sim/book/moon_lines.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_session.h"
 #include "sim/setup/typeset_report.h"
@@ -29,30 +30,6 @@ std::string PathOf(const std::string& file) {
   return ignored ? file : path.string();
 }
 
-BookMemory MemoryOf(const ReadBookOptions& options, const Book& book, const std::string& file,
-                    Console& console) {
-  if (!Records::Available()) {
-    console.Remark(say::ReadsWithoutRecords());
-    return {};
-  }
-  if (!options.learner.empty()) RequirePseudonym(options.learner);
-  try {
-    Records records = Records::Open(options.records);
-    std::optional<std::string> learner = WhoReads(records, options.learner, console);
-    if (!learner) {
-      console.Remark(say::ReadsWithoutName());
-      return {};
-    }
-    return BookMemory(std::move(records), std::move(*learner), PathOf(file), book.title,
-                      book.text.text);
-  } catch (const InputError& error) {
-    console.Remark(say::PlaceNotKept(error.what()));
-  } catch (const LackError& error) {
-    console.Remark(say::PlaceNotKept(error.what()));
-  }
-  return {};
-}
-
 SessionRequest RequestOf(const ReadBookOptions& options, const std::string& file,
                          std::string text) {
   SessionRequest request;
@@ -63,10 +40,51 @@ SessionRequest RequestOf(const ReadBookOptions& options, const std::string& file
   request.text.layout = options.layout;
   request.text.command = "read";
   request.text.book = true;
+  request.text.turn_mark = options.turns;
   request.live = options.live;
   request.press = options.press;
   request.seed = options.seed;
   return request;
+}
+
+/// Asked by touch, of several people. None: whoever was asked has left; empty: none of them.
+std::optional<std::string> AskWho(const SessionRequest& like, const Records& records,
+                                  LineReader& typed, Console& console) {
+  std::vector<std::string> names = ReadersIn(records);
+  if (names.size() < 2) return std::string();
+  names.emplace_back(say::NoneOfThem());
+  const auto taken = ChooseByTouch(like, say::AskWhoReads(), names, typed, console);
+  if (!taken) return std::nullopt;
+  return *taken == say::NoneOfThem() ? std::string() : *taken;
+}
+
+/// None: whoever was asked for a name has left.
+std::optional<BookMemory> MemoryOf(const ReadBookOptions& options, const Book& book,
+                                   const std::string& file, LineReader& typed, Console& console) {
+  if (!Records::Available()) {
+    console.Remark(say::ReadsWithoutRecords());
+    return BookMemory();
+  }
+  if (!options.learner.empty()) RequirePseudonym(options.learner);
+  try {
+    Records records = Records::Open(options.records);
+    std::optional<std::string> learner = WhoReads(records, options.learner, console);
+    if (!learner && options.moon) {
+      learner = AskWho(RequestOf(options, file, ""), records, typed, console);
+      if (!learner) return std::nullopt;
+    }
+    if (!learner || learner->empty()) {
+      console.Remark(say::ReadsWithoutName());
+      return BookMemory();
+    }
+    return BookMemory(std::move(records), std::move(*learner), PathOf(file), book.title,
+                      book.text.text);
+  } catch (const InputError& error) {
+    console.Remark(say::PlaceNotKept(error.what()));
+  } catch (const LackError& error) {
+    console.Remark(say::PlaceNotKept(error.what()));
+  }
+  return BookMemory();
 }
 
 }  // namespace
@@ -75,7 +93,10 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
               Console& console) {
   const Transcription text = Transcribe(document);
   const Book book{document, text, say::DocumentName(document, file)};
-  BookMemory memory = MemoryOf(options, book, file, console);
+  LineReader typed(console.in());
+  std::optional<BookMemory> kept = MemoryOf(options, book, file, typed, console);
+  if (!kept) return;
+  BookMemory& memory = *kept;
   LoopSession session(RequestOf(options, file, text.text), console);
   const std::size_t pages = session.text().set.pages.size();
   console.Result(say::DocumentSummary(document, file, &pages));
@@ -87,14 +108,14 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   const std::string why_not = session.loop().not_realtime();
   if (session.device().felt() && !why_not.empty()) console.Remark(say::NotRealtime(why_not));
   SayBeginning(session, console);
-  BookWalk walk(session, book, memory,
-                {options.turns || options.alone, options.alone, options.moon, options.known});
+  BookWalk walk(session, book, memory, {options.turns, options.alone, options.moon, options.known});
   std::optional<BookDesk> tutors;
   if (options.tutor)
     tutors.emplace(memory.remembers() ? memory.learner() : "reader", book.title, walk);
   DriveOptions drive;
   drive.seconds = options.live.seconds;
   drive.companion = &walk;
+  drive.typed = &typed;
   if (tutors) drive.elsewhere = &*tutors;
   try {
     Drive(session, drive, console);
@@ -104,6 +125,16 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   }
   for (const std::string& line : walk.End()) console.Result(line);
   RequireDevice(session);
+}
+
+void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& options,
+                       Console& console) {
+  try {
+    LineReader typed(console.in());
+    TellByTouch(RequestOf(options, "", ""), sentence, typed, console);
+  } catch (const InputError&) {  // the sentence stands in the text face as well
+  } catch (const LackError&) {
+  }
 }
 
 void ListReadings(const std::string& learner, const std::string& records, bool json,

@@ -33,6 +33,10 @@ struct ReadBookOptions {
 void ReadBook(const Document& document, const std::string& file, const ReadBookOptions& options,
               Console& console);
 
+/// Lays on the device why there is no book to read, until a press or a word. Throws Interrupted.
+void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& options,
+                       Console& console);
+
 /// Says what was read last, with its places; of one learner, if one is named.
 void ListReadings(const std::string& learner, const std::string& records, bool json,
                   Console& console);

@@ -1,6 +1,7 @@
 #include "sim/session/loop_drive.h"
 
 #include <chrono>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -8,7 +9,6 @@
 
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
-#include "sim/console/line_reader.h"
 #include "sim/console/word_messages.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_poll.h"
@@ -38,7 +38,8 @@ class Driver : private LoopListener {
       : session_(session),
         options_(options),
         console_(console),
-        lines_(console.in()),
+        own_lines_(options.typed != nullptr ? nullptr : std::make_unique<LineReader>(console.in())),
+        lines_(options.typed != nullptr ? *options.typed : *own_lines_),
         poll_(session.loop(), session.device()),
         walk_(session, [&session](std::size_t page) { session.TurnTo(page); }),
         spoken_(lines_.at_terminal()) {}
@@ -139,6 +140,7 @@ class Driver : private LoopListener {
     if (options_.companion != nullptr) {
       answer_.clear();
       SayAll(options_.companion->Look(poll_.newest()));
+      if (options_.companion->turned()) Buzz();
       if (options_.companion->urgent()) Answer();
       quit_ = quit_ || options_.companion->ended();
     }
@@ -351,7 +353,8 @@ class Driver : private LoopListener {
   LoopSession& session_;
   const DriveOptions& options_;
   Console& console_;
-  LineReader lines_;
+  std::unique_ptr<LineReader> own_lines_;  ///< none: they are another's
+  LineReader& lines_;
   LoopPoll poll_;
   PlaceWalk walk_;
   bool led_ = false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/console/console.h"
+#include "sim/console/line_reader.h"
 #include "sim/console/vocabulary.h"
 #include "sim/session/loop_session.h"
 #include "sim/session/place_walk.h"
@@ -44,6 +45,8 @@ class Companion {
   virtual std::vector<std::string> Look(const LoopSnapshot& now) = 0;
   /// What Look said last must reach who cannot hear as well: a failure, the end.
   virtual bool urgent() const = 0;
+  /// Look turned the page: who cannot hear feels a tremble.
+  virtual bool turned() const = 0;
   /// Nothing more is to come.
   virtual bool ended() const = 0;
 };
@@ -74,6 +77,7 @@ struct DriveOptions {
   ViewFeed* view = nullptr;                       ///< shows it; closing its window ends it
   Companion* companion = nullptr;
   Elsewhere* elsewhere = nullptr;
+  LineReader* typed = nullptr;  ///< what is typed, where several sessions follow one another
 };
 
 /// Leads a running session from the text face until it ends: reads words, tells events, hands the

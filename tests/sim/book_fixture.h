@@ -41,6 +41,7 @@ class BookWalkTest : public CliTest {
     request.text.style.structure = true;
     request.text.style.size = 0.012;
     request.text.book = true;
+    request.text.turn_mark = options_.turns;
     request.live.device = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
     session_.emplace(request, console_);
     places_.emplace(*session_, [this](std::size_t page) { session_->TurnTo(page); });

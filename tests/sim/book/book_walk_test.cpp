@@ -6,7 +6,9 @@
 
 #include "lessons/documents/text_document.h"
 #include "sim/session/loop_messages.h"
+#include "sim/session/turn_mark.h"
 #include "tests/sim/book_fixture.h"
+#include "textures/base/error.h"
 
 namespace moontrace {
 namespace {
@@ -188,7 +190,7 @@ TEST_F(BookWalkTest, LaysAnswersUnderTheHandAndThePlaceBackAgain) {
 }
 
 TEST_F(BookWalkTest, TheEndMustReachWhoCannotHear) {
-  options_.moon = options_.turns = true;
+  options_.moon = options_.alone = true;
   Open(kTides);
   walk_->Look(At(Byte("draws")));
   EXPECT_FALSE(walk_->urgent());
@@ -256,8 +258,8 @@ TEST_F(BookWalkTest, KnowsABookAgainThatMovedOrWasEdited) {
   EXPECT_EQ(memory_.known_by(), KnownBy::kNothing);
 }
 
-TEST_F(BookWalkTest, TurnsThePageBehindItsLastLetterIfAsked) {
-  options_ = {true, true};
+TEST_F(BookWalkTest, ForAHandThatKnowsLettersOnlyThePageIsTurnedBehindItsLast) {
+  options_.alone = true;
   Open(kTides);
   const std::size_t pages = session_->text().set.pages.size();
   ASSERT_GT(pages, 1U);
@@ -272,6 +274,64 @@ TEST_F(BookWalkTest, TurnsThePageBehindItsLastLetterIfAsked) {
     EXPECT_TRUE(Begins(said, page + 1 < pages ? "Page " : say::TheEnd()));
   }
   EXPECT_TRUE(walk_->ended());
+}
+
+TEST_F(BookWalkTest, TheTurnMarkTurnsThePageOnceItIsReachedFromBesideIt) {
+  options_.turns = true;
+  Open(kTides);
+  const std::size_t pages = session_->text().set.pages.size();
+  ASSERT_GT(pages, 1U);
+  const Box mark_P = TurnMark(session_->text().set.page).box_P;
+  const glm::dvec2 on_P = 0.5 * (mark_P.min + mark_P.max);
+  LoopSnapshot now = At(Byte("High"));
+  EXPECT_FALSE(Begins(walk_->Look(now), "Page "));
+  now.tip_P = glm::dvec3(on_P, 0);
+  now.depth = -0.001;
+  EXPECT_FALSE(Begins(walk_->Look(now), "Page ")) << "above the paper";
+  now.depth = 1e-4;
+  EXPECT_TRUE(Begins(walk_->Look(now), "Page 2 of "));
+  EXPECT_TRUE(walk_->turned());  // which trembles
+  now.page = session_->felt().number;
+  EXPECT_TRUE(walk_->Look(now).empty()) << "the tip still lies where it turned the page";
+  EXPECT_FALSE(walk_->turned());
+  EXPECT_EQ(session_->felt().index, 1U);
+  for (std::size_t page = 2; page <= pages; ++page) {
+    now.tip_P = glm::dvec3(session_->felt().set().glyphs.front().origin_P, 0);
+    walk_->Look(now);
+    now.tip_P = glm::dvec3(on_P, 0);
+    EXPECT_TRUE(Begins(walk_->Look(now), page < pages ? "Page " : say::TheEnd()));
+    now.page = session_->felt().number;
+  }
+  EXPECT_FALSE(walk_->ended());  // who reads may go back
+}
+
+TEST_F(BookWalkTest, TheTurnMarkIsFeltBelowTheTextAndClearOfIt) {
+  options_.turns = true;
+  Open(kTides);
+  const PageSpec& page = session_->text().set.page;
+  const PaperPatch mark = TurnMark(page);
+  EXPECT_LT(mark.box_P.max.y, page.margin);
+  EXPECT_GE(mark.box_P.min.y, 0);
+  EXPECT_LE(mark.box_P.max.x, page.width);
+  // as rough as a grid of twice 50 um over 2 mm is: its quarter-wave rises by the amplitude
+  double least = 0, greatest = 0;
+  for (int i = 0; i <= 200; ++i) {
+    const double share = i / 200.0;
+    const glm::dvec2 p_P = mark.box_P.min + share * (mark.box_P.max - mark.box_P.min);
+    const double height = session_->felt().field->SampleAt(p_P).displacement;
+    least = std::min(least, height);
+    greatest = std::max(greatest, height);
+  }
+  EXPECT_GT(greatest - least, 50e-6);
+  const std::size_t first = session_->felt().set().glyphs.front().source_begin;
+  const glm::dvec2 beside_P = Find(session_->text(), {first, {0.5, -0.5}})->p_P;
+  EXPECT_EQ(session_->felt().field->SampleAt(beside_P).displacement, 0);
+}
+
+TEST(TurnMarkTest, WantsAMargin) {
+  PageSpec page;
+  page.margin = 0.003;
+  EXPECT_THROW(TurnMark(page), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,88 @@
+#include "sim/book/moon_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "textures/base/utf8.h"
+
+namespace moontrace {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+std::optional<std::string> Lay(const SessionRequest& like, const std::string& question,
+                               const Lines& answers, LineReader& typed, Console& console) {
+  SessionRequest request = like;
+  std::string text = question;
+  for (const std::string& answer : answers) text += "\n" + answer;
+  request.text.text.text = std::move(text);
+  request.text.style.structure = false;
+  request.text.style.only.reset();
+  request.text.book = request.text.turn_mark = false;
+  LoopSession session(request, console);
+  MoonLines lines(session, question, answers);
+  DriveOptions drive;
+  drive.seconds = like.live.seconds;
+  drive.companion = &lines;
+  drive.typed = &typed;
+  Drive(session, drive, console);
+  return lines.taken();
+}
+
+}  // namespace
+
+std::optional<Lines> MoonLines::Obey(std::string_view line, const LoopSnapshot& /*now*/) {
+  const SaidLine said = ReadLine(line, WordPlace::kBook);
+  if (said.word != nullptr && said.word->word == "quit") return std::nullopt;
+  Take(std::string(line));
+  return Lines{};
+}
+
+Companion::Press MoonLines::Pressed(bool /*twice*/, const LoopEvent& event) {
+  const std::string line = LineAt(session_.felt(), event.tip_P);
+  if (!Take(line) && line.empty() && !session_.Turn(true)) session_.TurnTo(0);
+  return {true, ""};
+}
+
+Lines MoonLines::Look(const LoopSnapshot& /*now*/) {
+  urgent_ = !std::exchange(told_, true);
+  if (!urgent_) return {};
+  Lines lines{question_};
+  lines.insert(lines.end(), answers_.begin(), answers_.end());
+  return lines;
+}
+
+/// False: that is no answer.
+bool MoonLines::Take(const std::string& line) {
+  const std::string folded = CaseFolded(line);
+  const auto found =
+      std::find_if(answers_.begin(), answers_.end(),
+                   [&folded](const std::string& one) { return CaseFolded(one) == folded; });
+  if (found != answers_.end()) taken_ = *found;
+  ended_ = taken_.has_value() || answers_.empty();
+  return ended_;
+}
+
+std::string LineAt(const FeltPage& felt, glm::dvec2 p_P) {
+  const std::optional<NearLetter> near = LetterNear(felt, p_P);
+  if (!near || !near->near) return {};
+  const std::size_t letter = LetterPlaceOf(felt, p_P)->source;
+  const std::string& text = felt.text->text;
+  const std::size_t end = std::min(text.find('\n', letter), text.size());
+  const std::size_t before = letter == 0 ? std::string::npos : text.rfind('\n', letter - 1);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return text.substr(begin, end - begin);
+}
+
+std::optional<std::string> ChooseByTouch(const SessionRequest& like, const std::string& question,
+                                         const Lines& answers, LineReader& typed,
+                                         Console& console) {
+  return Lay(like, question, answers, typed, console);
+}
+
+void TellByTouch(const SessionRequest& like, const std::string& sentence, LineReader& typed,
+                 Console& console) {
+  Lay(like, sentence, {}, typed, console);
+}
+
+}  // namespace moontrace
