@@ -56,7 +56,8 @@ class Driver : private LoopListener {
       Look();
       LookAtWindow();
       HearElsewhere();
-      if (const std::optional<std::string> line = lines_.Next(quit_ ? 0 : kPoll)) {
+      if (quit_) break;  // what is typed from now on is for others
+      if (const std::optional<std::string> line = lines_.Next(kPoll)) {
         spoken_ = true;
         if (options_.elsewhere != nullptr) options_.elsewhere->Typed(*line);
         Obey(*line);

@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "sim/picture/sheet_messages.h"
@@ -49,12 +49,13 @@ struct Repeated {
   std::size_t times = 0;
 };
 
-/// In the order in which they came first: a book says of each character once what became of it.
+/// In the order in which they came first, those of the running head apart: a book says of each
+/// character once what became of it.
 std::vector<Repeated> ByKind(const std::vector<Replacement>& list) {
-  std::map<std::pair<std::string_view, std::string_view>, std::size_t> known;
+  std::map<std::tuple<std::string_view, std::string_view, bool>, std::size_t> known;
   std::vector<Repeated> kinds;
   for (const Replacement& one : list) {
-    const auto [at, is_new] = known.try_emplace({one.was, one.became}, kinds.size());
+    const auto [at, is_new] = known.try_emplace({one.was, one.became, one.line == 0}, kinds.size());
     if (is_new) kinds.push_back({&one, 0});
     ++kinds[at->second].times;
   }
