@@ -34,8 +34,13 @@ std::optional<std::string> Lay(const SessionRequest& like, const std::string& qu
 std::optional<Lines> MoonLines::Obey(std::string_view line, const LoopSnapshot& /*now*/) {
   const SaidLine said = ReadLine(line, WordPlace::kBook);
   if (said.word != nullptr && said.word->word == "quit") return std::nullopt;
-  Take(std::string(line));
-  return Lines{};
+  return Take(std::string(line)) ? Lines{} : Asked();
+}
+
+Lines MoonLines::Asked() const {
+  Lines lines{question_};
+  lines.insert(lines.end(), answers_.begin(), answers_.end());
+  return lines;
 }
 
 Companion::Press MoonLines::Pressed(bool /*twice*/, const LoopEvent& event) {
@@ -46,10 +51,7 @@ Companion::Press MoonLines::Pressed(bool /*twice*/, const LoopEvent& event) {
 
 Lines MoonLines::Look(const LoopSnapshot& /*now*/) {
   urgent_ = !std::exchange(told_, true);
-  if (!urgent_) return {};
-  Lines lines{question_};
-  lines.insert(lines.end(), answers_.begin(), answers_.end());
-  return lines;
+  return urgent_ ? Asked() : Lines{};
 }
 
 /// False: that is no answer.

@@ -49,6 +49,7 @@ class MoonLines : public Companion {
 
  private:
   bool Take(const std::string& line);
+  std::vector<std::string> Asked() const;
 
   LoopSession& session_;
   std::string question_;
