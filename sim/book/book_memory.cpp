@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lessons/documents/document_places.h"
+#include "lessons/records/learner_names.h"
 #include "sim/book/book_messages.h"
 #include "textures/base/digest.h"
 #include "textures/base/error.h"
@@ -100,30 +101,18 @@ const ReadMark* BookMemory::MarkNamed(std::string_view name) const {
   return found == marks.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> ReadersIn(const Records& records) {
-  std::vector<std::string> names;
-  for (const LearnerEntry& learner : records.Learners()) {
-    if (!learner.simulated) names.push_back(learner.pseudonym);
-  }
-  return names;
-}
-
 std::optional<std::string> WhoReads(Records& records, const std::string& given, Console& console) {
-  for (const LearnerEntry& learner : records.Learners()) {
-    if (learner.simulated && learner.pseudonym == given)
-      throw UsageError(say::SimulatedReader(given));
-  }
-  const std::vector<std::string> names = ReadersIn(records);
+  const std::vector<LearnerEntry> known = records.Learners();
   if (given.empty()) {
-    if (names.size() == 1) return names.front();
+    const std::vector<std::string> people = PeopleAmong(known);
+    if (people.size() == 1) return people.front();
     return std::nullopt;
   }
-  const std::string folded = CaseFolded(given);
-  for (const std::string& name : names) {
-    if (name == given) return name;
-  }
-  for (const std::string& name : names) {
-    if (CaseFolded(name) == folded) return name;
+  const std::string name = KeptName(given, known);
+  for (const LearnerEntry& learner : known) {
+    if (learner.pseudonym != name) continue;
+    if (learner.simulated) throw UsageError(say::SimulatedReader(given));
+    return name;
   }
   LearnerEntry learner;
   learner.pseudonym = given;

@@ -54,8 +54,6 @@ class BookMemory {
   ReadDocument reading_;
 };
 
-/// The people in the records, without simulated learners.
-std::vector<std::string> ReadersIn(const Records& records);
 /// The records' learner who reads: the one that is named, who is new if nobody is called so, else
 /// the only one. None: nobody is named, and there are none or several. Throws InputError: a
 /// pseudonym that cannot be one; UsageError: a simulated learner.

@@ -6,11 +6,11 @@
 #include "lessons/course/lesson_items.h"
 #include "lessons/course/taught_signs.h"
 #include "lessons/progress/learning.h"
+#include "lessons/records/learner_names.h"
 #include "lessons/records/records.h"
 #include "sim/book/book_messages.h"
 #include "sim/console/console.h"
 #include "textures/base/error.h"
-#include "textures/base/utf8.h"
 #include "textures/fonts/script_library.h"
 
 namespace moontrace {
@@ -18,16 +18,10 @@ namespace {
 
 /// As it stands in the records; empty: nobody is meant.
 std::string LearnerMeant(const Records& records, const std::string& given) {
-  std::string meant;
-  std::size_t people = 0;
-  for (const LearnerEntry& one : records.Learners()) {
-    if (!given.empty() && CaseFolded(one.pseudonym) == CaseFolded(given)) return one.pseudonym;
-    if (one.simulated) continue;
-    ++people;
-    meant = one.pseudonym;
-  }
-  if (!given.empty()) return given;
-  return people == 1 ? meant : std::string();
+  const std::vector<LearnerEntry> known = records.Learners();
+  if (!given.empty()) return KeptName(given, known);
+  const std::vector<std::string> people = PeopleAmong(known);
+  return people.size() == 1 ? people.front() : std::string();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lessons/documents/transcribe.h"
+#include "lessons/records/learner_names.h"
 #include "sim/book/book_memory.h"
 #include "sim/book/book_messages.h"
 #include "sim/book/book_tutor.h"
@@ -50,7 +51,7 @@ SessionRequest RequestOf(const ReadBookOptions& options, const std::string& file
 /// Asked by touch, of several people. None: whoever was asked has left; empty: none of them.
 std::optional<std::string> AskWho(const SessionRequest& like, const Records& records,
                                   LineReader& typed, Console& console) {
-  std::vector<std::string> names = ReadersIn(records);
+  std::vector<std::string> names = PeopleAmong(records.Learners());
   if (names.size() < 2) return std::string();
   names.emplace_back(say::NoneOfThem());
   const auto taken = ChooseByTouch(like, say::AskWhoReads(), names, typed, console);
@@ -144,8 +145,10 @@ void ListReadings(const std::string& learner, const std::string& records, bool j
   std::error_code ignored;
   if (Records::Available() && std::filesystem::exists(records, ignored)) {
     const Records file = Records::OpenToRead(records);
-    for (const LearnerEntry& one : file.Learners()) {
-      if (!learner.empty() && one.pseudonym != learner) continue;
+    const std::vector<LearnerEntry> known = file.Learners();
+    const std::string wanted = learner.empty() ? std::string() : KeptName(learner, known);
+    for (const LearnerEntry& one : known) {
+      if (!learner.empty() && one.pseudonym != wanted) continue;
       for (ReadDocument& reading : file.Readings(one.pseudonym)) {
         all.emplace_back(std::move(reading), one.pseudonym);
       }

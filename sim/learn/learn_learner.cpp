@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "lessons/progress/answer.h"
-#include "lessons/records/learner_history.h"
+#include "lessons/records/learner_names.h"
 #include "sim/console/line_wrap.h"
 #include "sim/console/vocabulary.h"
 #include "sim/learn/learn_messages.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
-#include "textures/base/utf8.h"
 
 namespace moontrace {
 
@@ -79,10 +78,7 @@ std::string RefusedName(const std::string& line) {
 std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntry>& known,
                       LineReader& lines, LearnTeller& teller, const Console& console) {
   if (!options.learner.empty()) return options.learner;
-  std::vector<std::string> names;
-  for (const LearnerEntry& learner : known) {
-    if (!learner.simulated) names.push_back(learner.pseudonym);
-  }
+  const std::vector<std::string> names = PeopleAmong(known);
   if (names.size() == 1) return names.front();
   const std::string asked = names.empty() ? say::AskLearner() : say::AskWhich(names);
   std::string question = asked;
@@ -101,19 +97,6 @@ std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntr
       teller.Say(Priority::kText, say::NotAName());
     }
   }
-}
-
-/// The name under which somebody is kept who is called so but for capitals; the given one for
-/// nobody, or for several.
-std::string KeptName(const std::string& given, const std::vector<LearnerEntry>& known) {
-  std::string kept;
-  for (const LearnerEntry& learner : known) {
-    if (learner.pseudonym == given) return given;
-    if (learner.simulated || CaseFolded(learner.pseudonym) != CaseFolded(given)) continue;
-    if (!kept.empty()) return given;
-    kept = learner.pseudonym;
-  }
-  return kept.empty() ? given : kept;
 }
 
 }  // namespace
