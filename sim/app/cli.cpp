@@ -12,6 +12,7 @@
 #include "devices/core/device_error.h"
 #include "sim/app/commands.h"
 #include "sim/app/course_messages.h"
+#include "sim/app/manual.h"
 #include "sim/app/messages.h"
 #include "sim/app/program_help.h"
 #include "sim/app/recognise_messages.h"
@@ -238,6 +239,28 @@ void CheckHelp(const Args& args) {
   }
 }
 
+std::vector<CommandSheet> Sheets() {
+  std::vector<CommandSheet> sheets;
+  for (const Command& command : kCommands) sheets.push_back(command.sheet(command.card));
+  return sheets;
+}
+
+/// `help --markdown` and the like, for files that are made of help; false: something else is asked.
+bool HelpForFiles(const std::string& what, Console& console) {
+  if (what == "--markdown") {
+    console.out() << Reference(Cards(), Sheets());
+  } else if (what == "--man") {
+    console.out() << Manual(Cards(), Sheets(), MOONTRACE_VERSION);
+  } else if (what == "--bash") {
+    std::vector<std::string> words{"help", "version"};
+    for (const Command& command : kCommands) words.emplace_back(command.card.name);
+    console.out() << BashCompletion(words, Sheets());
+  } else {
+    return false;
+  }
+  return true;
+}
+
 /// `help`, `help COMMAND`, `help --markdown`.
 int Help(const Args& args, Console& console) {
   CheckHelp(args);
@@ -246,11 +269,7 @@ int Help(const Args& args, Console& console) {
     console.Help(ProgramHelp(Cards()));
   } else if (const PlainWord* word = PlainWordNamed(what)) {
     console.Result(word->help);
-  } else if (what == "--markdown") {
-    std::vector<CommandSheet> sheets;
-    for (const Command& command : kCommands) sheets.push_back(command.sheet(command.card));
-    console.out() << Reference(Cards(), sheets);
-  } else {
+  } else if (!HelpForFiles(what, console)) {
     const Command* command = CommandNamed(what);
     if (command == nullptr) RefuseCommand(args);
     const bool all = AsksForHelp(args) == HelpAsked::kAll;

@@ -23,22 +23,6 @@ constexpr std::size_t kLongestExample = 40;  // [bytes]
 /// CLI11's own heading, for options that were added before any other.
 constexpr const char* kOwn = "Options";
 
-const char* HeadingOf(Audience audience) {
-  switch (audience) {
-    case Audience::kLearner:
-      return "To learn and feel Moon";
-    case Audience::kTutor:
-      return "To teach it";
-    case Audience::kWriter:
-      return "To set, read and print text";
-    case Audience::kResearcher:
-      return "To label models, to measure and study";
-    case Audience::kDeviceBuilder:
-      return "Devices";
-  }
-  return "";
-}
-
 /// What people call an option elsewhere, and what does it here: the first that the command has.
 struct UsualOption {
   const char* words;
@@ -69,31 +53,6 @@ std::string Titled(const OptionSheet& option) {
   return option.value.empty() ? option.name : option.name + " " + option.value;
 }
 
-std::string Usage(const CommandSheet& sheet) {
-  std::string usage = "moontrace " + sheet.name;
-  for (const OptionSheet& option : sheet.options) {
-    if (option.positional) usage += " [" + option.name + "]";
-  }
-  return usage + " [options]";
-}
-
-/// The options under each heading, in the order in which headings first occur.
-using Grouped = std::vector<std::pair<std::string, std::vector<const OptionSheet*>>>;
-Grouped ByGroup(const CommandSheet& sheet) {
-  Grouped groups;
-  for (const OptionSheet& option : sheet.options) {
-    const auto at = std::find_if(groups.begin(), groups.end(), [&option](const auto& group) {
-      return group.first == option.group;
-    });
-    if (at != groups.end()) {
-      at->second.push_back(&option);
-    } else {
-      groups.push_back({option.group, {&option}});
-    }
-  }
-  return groups;
-}
-
 std::string Line(std::string_view text) { return std::string(text) + '\n'; }
 
 std::string OptionLine(const OptionSheet& option) {
@@ -118,12 +77,86 @@ std::string Table(const std::vector<const OptionSheet*>& options) {
   return table + "\n";
 }
 
-/// Equal groups of two commands read equal.
-std::string KeyOf(const std::string& heading, const std::vector<const OptionSheet*>& options) {
-  return "### " + heading + "\n\n" + Table(options);
+/// Whether two commands have the same options, as help tells them.
+bool Alike(const std::vector<const OptionSheet*>& a, const std::vector<const OptionSheet*>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const OptionSheet* one, const OptionSheet* other) {
+        return Titled(*one) == Titled(*other) && one->description == other->description;
+      });
+}
+
+/// The group of that heading and those options; null: there is none.
+template <typename Groups>
+auto* Find(Groups& groups, const std::string& heading,
+           const std::vector<const OptionSheet*>& options) {
+  const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+    return group.heading == heading && Alike(group.options, options);
+  });
+  return same == groups.end() ? nullptr : &*same;
 }
 
 }  // namespace
+
+const char* HeadingOf(Audience audience) {
+  switch (audience) {
+    case Audience::kLearner:
+      return "To learn and feel Moon";
+    case Audience::kTutor:
+      return "To teach it";
+    case Audience::kWriter:
+      return "To set, read and print text";
+    case Audience::kResearcher:
+      return "To label models, to measure and study";
+    case Audience::kDeviceBuilder:
+      return "Devices";
+  }
+  return "";
+}
+
+std::string UsageOf(const CommandSheet& sheet) {
+  std::string usage = "moontrace " + sheet.name;
+  for (const OptionSheet& option : sheet.options) {
+    if (option.positional) usage += " [" + option.name + "]";
+  }
+  return usage + " [options]";
+}
+
+const char* ExitCodes() { return kExitCodes; }
+
+Grouped ByGroup(const CommandSheet& sheet) {
+  Grouped groups;
+  for (const OptionSheet& option : sheet.options) {
+    const auto at = std::find_if(groups.begin(), groups.end(), [&option](const auto& group) {
+      return group.first == option.group;
+    });
+    if (at != groups.end()) {
+      at->second.push_back(&option);
+    } else {
+      groups.push_back({option.group, {&option}});
+    }
+  }
+  return groups;
+}
+
+SharedGroups::SharedGroups(const std::vector<CommandSheet>& sheets) {
+  for (const CommandSheet& sheet : sheets) {
+    for (const auto& [heading, options] : ByGroup(sheet)) {
+      if (heading == kOwn) continue;
+      if (Group* same = Find(groups_, heading, options)) {
+        same->users.push_back(sheet.name);
+      } else {
+        groups_.push_back({heading, options, {sheet.name}});
+      }
+    }
+  }
+  const auto single = [](const Group& group) { return group.users.size() < 2; };
+  groups_.erase(std::remove_if(groups_.begin(), groups_.end(), single), groups_.end());
+}
+
+bool SharedGroups::Holds(const std::string& heading,
+                         const std::vector<const OptionSheet*>& options) const {
+  return Find(groups_, heading, options) != nullptr;
+}
 
 std::string Introduction() {
   return Line(
@@ -157,7 +190,7 @@ std::string ProgramHelp(const std::vector<CommandCard>& cards) {
 std::string CommandHelp(const CommandCard& card, const CommandSheet& sheet, bool all) {
   const std::vector<std::string> common = Words(card.common);
   std::string help = Line(fmt::format("moontrace {}: {}.", sheet.name, sheet.purpose)) +
-                     Line("Usage: " + Usage(sheet));
+                     Line("Usage: " + UsageOf(sheet));
   if (all || common.empty()) {
     for (const auto& [heading, options] : ByGroup(sheet)) {
       if (!common.empty() && heading != kOwn) help += fmt::format("\n{}:\n", heading);
@@ -184,43 +217,30 @@ std::string CommandHelp(const CommandCard& card, const CommandSheet& sheet, bool
 
 std::string Reference(const std::vector<CommandCard>& cards,
                       const std::vector<CommandSheet>& sheets) {
-  std::map<std::string, std::vector<std::string>> users;  // of a group
-  std::vector<std::string> order;
-  for (const CommandSheet& sheet : sheets) {
-    for (const auto& [heading, options] : ByGroup(sheet)) {
-      if (heading == kOwn) continue;
-      std::vector<std::string>& names = users[KeyOf(heading, options)];
-      if (names.empty()) order.push_back(KeyOf(heading, options));
-      names.push_back(sheet.name);
-    }
-  }
+  const SharedGroups shared(sheets);
   std::string text =
       "# Commands and their options\n\nMade by `moontrace help --markdown`; a test holds it to the "
       "program. `./moontrace COMMAND --help` tells\nthe common options of one command, "
       "`--help-all` "
       "all of them.\n\n## Options that commands share\n\n";
-  for (const std::string& key : order) {
-    const std::vector<std::string>& names = users[key];
-    if (names.size() < 2) continue;
+  for (const SharedGroups::Group& group : shared.groups()) {
     std::string of;
-    for (const std::string& name : names) of += (of.empty() ? "`" : ", `") + name + "`";
-    const std::size_t end = key.find('\n');
-    text += key.substr(0, end) + "\n\nOf " + of + "." + key.substr(end);
+    for (const std::string& name : group.users) of += (of.empty() ? "`" : ", `") + name + "`";
+    text += "### " + group.heading + "\n\nOf " + of + ".\n\n" + Table(group.options);
   }
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const CommandSheet& sheet = sheets[i];
     text += fmt::format("## {}\n\n    moontrace{}\n\n{}.", sheet.name,
-                        Usage(sheet).substr(std::string("moontrace").size()), sheet.purpose);
-    std::string shared, own;
+                        UsageOf(sheet).substr(std::string("moontrace").size()), sheet.purpose);
+    std::string elsewhere, own;
     for (const auto& [heading, options] : ByGroup(sheet)) {
-      const std::string key = KeyOf(heading, options);
-      if (heading != kOwn && users[key].size() > 1) {
-        shared += (shared.empty() ? "" : "; ") + LowerCase(heading);
+      if (shared.Holds(heading, options)) {
+        elsewhere += (elsewhere.empty() ? "" : "; ") + LowerCase(heading);
       } else {
-        own += heading == kOwn ? Table(options) : key;
+        own += (heading == kOwn ? "" : "### " + heading + "\n\n") + Table(options);
       }
     }
-    if (!shared.empty()) text += fmt::format(" Shared options: {}.", shared);
+    if (!elsewhere.empty()) text += fmt::format(" Shared options: {}.", elsewhere);
     if (cards[i].common[0] != '\0') text += fmt::format(" Common ones: `{}`.", cards[i].common);
     text += "\n\n" + own;
   }

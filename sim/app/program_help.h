@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/setup/help.h"
@@ -19,6 +20,36 @@ struct CommandCard {
   Audience audience;
   const char* common;  ///< options that `--help` tells, as "--size-mm --script"; empty: all
   const char* also;    ///< other words that mean it: "lesson lessons teach"
+};
+
+/// What stands above the commands of one audience.
+const char* HeadingOf(Audience audience);
+/// "moontrace page [TEXT] [options]".
+std::string UsageOf(const CommandSheet& sheet);
+/// "Exit codes: 0 good; ..."
+const char* ExitCodes();
+
+/// The options under each heading, in the order in which headings first occur. Of the sheet, which
+/// outlives them.
+using Grouped = std::vector<std::pair<std::string, std::vector<const OptionSheet*>>>;
+Grouped ByGroup(const CommandSheet& sheet);
+
+/// Headings under which two commands or more have the same options.
+class SharedGroups {
+ public:
+  struct Group {
+    std::string heading;
+    std::vector<const OptionSheet*> options;
+    std::vector<std::string> users;  ///< names of commands
+  };
+  /// The sheets outlive this.
+  explicit SharedGroups(const std::vector<CommandSheet>& sheets);
+  /// In the order in which they first occur.
+  const std::vector<Group>& groups() const { return groups_; }
+  bool Holds(const std::string& heading, const std::vector<const OptionSheet*>& options) const;
+
+ private:
+  std::vector<Group> groups_;
 };
 
 /// `moontrace` alone: what this is and what to type first.
