@@ -152,6 +152,13 @@ const TypedWord* WholeBefore(std::string_view line, WordPlace place) {
 
 SaidLine Refused(std::string refusal) { return {nullptr, {}, std::move(refusal)}; }
 
+/// Whole or by its number, and whatever stands behind it: who wants all force gone may say more
+/// than the word.
+bool BeginsWithStop(std::string_view given) {
+  return given.substr(0, given.find_first_of(" \t.,;:!?")) == "stop" ||
+         given.substr(0, given.find_first_of(" \t")) == "1";
+}
+
 /// The word for what other programs, and people, call otherwise; empty: none.
 std::string CalledElsewhere(std::string_view given) {
   constexpr std::pair<std::string_view, const char*> kOthers[] = {
@@ -234,6 +241,7 @@ SaidLine ReadLine(std::string_view line, WordPlace place) {
   if (!typed.empty() && typed.front() == '/') typed = Trimmed(typed.substr(1));
   if (typed.empty()) return {};
   const std::string given = LowerCase(typed);
+  if (BeginsWithStop(given)) return {WordNamed("stop"), {}, {}};
   const WordFound alone = FindWord(given, place);
   // "find n" looks for an n: only the whole of "find next" is that word
   const TypedWord* before = WholeBefore(given, place);

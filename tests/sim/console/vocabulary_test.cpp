@@ -139,6 +139,20 @@ TEST(Vocabulary, ReadsWordsWithWhatStandsBehind) {
   EXPECT_EQ(read("pause now").refusal, "Say pause alone, without now.");
 }
 
+// "stop now" was refused: "Say stop alone, without now."
+TEST(Vocabulary, StopsWhateverElseIsSaid) {
+  for (const WordPlace place : kPlaces) {
+    for (const char* line : {"stop now", "stop please", "STOP stop stop", "stop!", "stop, stop!",
+                             " /stop it", "stop.", "1 stop", "1 now"}) {
+      EXPECT_EQ(ReadLine(line, place).word, WordNamed("stop")) << NameOf(place) << ": " << line;
+      EXPECT_EQ(ReadLine(line, place).behind, "") << line;
+    }
+    for (const char* line : {"stopp now", "stopping", "stop-over"}) {
+      EXPECT_EQ(ReadLine(line, place).word, nullptr) << NameOf(place) << ": " << line;
+    }
+  }
+}
+
 TEST(Vocabulary, SaysWhyALineIsNone) {
   const auto refused = [](std::string_view line) {
     return ReadLine(line, WordPlace::kLoop).refusal;
