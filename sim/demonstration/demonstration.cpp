@@ -7,6 +7,7 @@
 #include "sim/console/line_wrap.h"
 #include "sim/console/word_messages.h"
 #include "sim/demonstration/demonstration_messages.h"
+#include "sim/learn/learn_messages.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
@@ -236,6 +237,9 @@ bool Demonstration::Takes(const std::string& given) {
     Reply(say::NothingAsked(paused_));
   } else if (!unknown && AsksWord() && CountCharacters(given) == 1) {
     Reply(say::WholeWordAsked());
+    StillAsk();
+  } else if (KnowsWithoutName(given)) {
+    Reply(AsksWord() ? say::WholeWordAsked() : say::SayTheName());
     StillAsk();
   } else if (unknown || IsAnswer(given)) {
     Answer(given);

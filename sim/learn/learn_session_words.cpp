@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/progress/answer.h"
 #include "lessons/progress/lesson_path.h"
 #include "lessons/progress/mastery.h"
 #include "sim/console/word_messages.h"
@@ -270,6 +271,10 @@ void LearnSession::Answer(const std::string& text) {
   if (await_ != Await::kAnswer) {
     teller_.Say(Priority::kText, say::NothingIsAsked());
     return teller_.Say(Priority::kText, Awaited());
+  }
+  if (KnowsWithoutName(text)) {
+    const bool same = state_.question == Question::kSame;
+    return teller_.Say(Priority::kText, same ? Awaited() : say::SayTheName());
   }
   lesson_event::Answered answered;
   answered.text = text;

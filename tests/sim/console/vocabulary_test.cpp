@@ -158,6 +158,8 @@ TEST(Vocabulary, SaysWhyALineIsNone) {
     return ReadLine(line, WordPlace::kLoop).refusal;
   };
   EXPECT_EQ(refused("stopp"), "Unknown: stopp. Did you mean stop? Type ? for the words.");
+  EXPECT_EQ(refused("I know nothing"), "Unknown: I know nothing. Type ? for the words.")
+      << "all of it, not its first word";
   EXPECT_EQ(refused("s"), "s could be stop, smaller, size or spacing.");
   EXPECT_EQ(refused("spell"), "spell is no word here. Type ? for the words.");
   EXPECT_EQ(refused("5"), "5 is no word here. Type ? for the words.");

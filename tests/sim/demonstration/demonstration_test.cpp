@@ -157,6 +157,15 @@ TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
   EXPECT_EQ(Said("Toil it is."), 1U);
 }
 
+TEST_F(DemonstrationTest, WhoKnowsAndForgetsTheNameIsAskedForIt) {
+  Until("which letter is it");
+  Forget();
+  demonstration_.Obey("I know");
+  EXPECT_EQ(Said("Say the name."), 1U) << out_.str().substr(from_);
+  EXPECT_EQ(Said("Unknown"), 0U);
+  EXPECT_TRUE(demonstration_.asks());
+}
+
 TEST_F(DemonstrationTest, OnlyAnswersAreAnswers) {
   Until("which letter is it");
   for (const char* line : {"repeat", "where", "5", "bigger", "hello there", "t or i"}) {

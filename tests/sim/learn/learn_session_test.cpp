@@ -232,6 +232,27 @@ TEST_F(LearnSessionTest, TakesTheOnlyLearnerInAPipe) {
   EXPECT_TRUE(Holds(one.out, "Learner: ann, 0 exercises so far.")) << one.out;
 }
 
+// Whoever said next three times was told of an exercise, and the records kept it.
+TEST_F(LearnSessionTest, WhatIsLeftUntouchedIsNoExercise) {
+  const FakeHid fake("moontrace-raw");  // its tip is in the air
+  const Outcome outcome = RunLine(
+      {"learn", "--course", In("course"), "--records", In("records.sqlite"), "--learner", "ann"},
+      "next\nnext\nnext\nnext\nquit\n");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(Holds(outcome.out, "Ended: 0 exercises this time, 0 signs sure.")) << outcome.out;
+  for (const Trial& trial : Records::OpenToRead(In("records.sqlite")).Trials("ann")) {
+    EXPECT_EQ(trial.item, "");
+  }
+}
+
+// "Unknown: i" was the answer.
+TEST_F(LearnSessionTest, WhoKnowsAndForgetsTheNameIsAskedForIt) {
+  const Outcome outcome = RunLine(
+      Learn(), "next\nnext\nnext\nnext\nnext\nnext\nnext\nI know\nI know it is hard\nquit\n");
+  EXPECT_TRUE(Holds(outcome.out, "\nSay the name.\n")) << outcome.out;
+  EXPECT_FALSE(Holds(outcome.out, "Unknown")) << outcome.out;
+}
+
 TEST_F(LearnSessionTest, KeepsADemonstrationAsSimulatedAndMakesNothingSure) {
   const Outcome outcome = RunLine(Learn({"--seconds", "9"}), "next\n");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
