@@ -229,7 +229,7 @@ std::string ConsentGiven(bool yes) {
 }
 std::string SayTheName() { return "Say the name."; }
 std::string YesOrNo() { return "Type yes or no."; }
-std::string NotAName() { return "Not a name: 1 to 60 printable characters, no slashes."; }
+std::string NotAName() { return "Not a name: take 1 to 60 letters, without a slash."; }
 std::string WordIsNoName(std::string_view word) {
   return fmt::format("{} is a word, not a name: who learns?", OneLine(word, 14));
 }
@@ -264,8 +264,8 @@ std::string WhatProgramsHandDoes(bool kept) {
                      kept ? "are kept, but " : "");
 }
 std::string DemonstrationIsAlone() {
-  return "The demonstration, of which nothing is kept: moontrace learn --device simulated, and "
-         "nothing behind it.";
+  return "For the demonstration, which keeps nothing, say quit, then type: "
+         "moontrace learn --device simulated.";
 }
 std::string NoNameNeeded() { return "The demonstration keeps nothing, so no name is needed."; }
 std::string WithDevice(std::string_view device) {
@@ -513,7 +513,7 @@ std::string SimulatedStuck(std::string_view lesson, std::string_view item) {
 }
 
 std::string SimulatedProves() {
-  return "A simulated learner proves the software, not the pedagogy.";
+  return "A simulated learner: this shows that the program works, not how people learn.";
 }
 
 std::string NotSimulated(std::string_view learner) {
