@@ -41,7 +41,7 @@ void Drive(Demonstration& demonstration, LearnStage& stage, const DriveParts& pa
     demonstration.Look(now);
     if (parts.path != nullptr) parts.path->Hear();
     if (parts.feed != nullptr) {
-      parts.feed->Look(stage.session().felt(), demonstration.poll());
+      parts.feed->Look(stage.session().felt(), demonstration.poll(), !demonstration.hides());
       parts.feed->Hear(obey, [](const std::string&) {});
       if (parts.feed->closed()) break;
     }

@@ -170,6 +170,15 @@ void Demonstration::Reply(const std::string& line) {
   until_ = std::max(until_, now_) + Seconds(pace_ * SecondsFor(line));
 }
 
+bool Demonstration::hides() const {
+  if (over_) return false;
+  if (!step().ask.empty() && (!asked_ || asking_)) return true;
+  for (std::size_t i = at_ + 1; i < steps_.size() && steps_[i].show.empty(); ++i) {
+    if (!steps_[i].ask.empty()) return true;
+  }
+  return false;
+}
+
 bool Demonstration::AsksWord() const {
   return !step().answers.empty() &&
          std::all_of(step().answers.begin(), step().answers.end(),

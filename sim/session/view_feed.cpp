@@ -50,11 +50,12 @@ std::unique_ptr<ViewFeed> ViewFeed::Open(const ViewOptions& options,
   }
 }
 
-void ViewFeed::Look(const FeltPage& page, const LoopPoll& poll) {
+void ViewFeed::Look(const FeltPage& page, const LoopPoll& poll, bool print) {
   if (ended()) return;
-  if (shown_ != page.shown) {
-    viewer_.Show(ViewPageOf(page));
+  if (shown_ != page.shown || print_ != print) {
+    viewer_.Show(print ? ViewPageOf(page) : WithoutPrint(*ViewPageOf(page)));
     shown_ = page.shown;
+    print_ = print;
   }
   ViewMoment moment = MomentOf(poll.newest());
   moment.lateness_us = poll.lateness_us();

@@ -166,6 +166,20 @@ TEST_F(DemonstrationTest, WhoKnowsAndForgetsTheNameIsAskedForIt) {
   EXPECT_TRUE(demonstration_.asks());
 }
 
+TEST_F(DemonstrationTest, NoPrintTellsWhatIsAskedOfThePage) {
+  EXPECT_FALSE(demonstration_.hides());
+  Until("which letter is it");
+  EXPECT_TRUE(demonstration_.hides());
+  demonstration_.Obey("t");
+  EXPECT_FALSE(demonstration_.hides());
+  Until("What is the first letter?");
+  demonstration_.Obey("t");
+  EXPECT_TRUE(demonstration_.hides()) << "the next letters of that page are asked, too";
+  Until("what is the word?");
+  demonstration_.Obey("toil");
+  EXPECT_FALSE(demonstration_.hides());
+}
+
 TEST_F(DemonstrationTest, OnlyAnswersAreAnswers) {
   Until("which letter is it");
   for (const char* line : {"repeat", "where", "5", "bigger", "hello there", "t or i"}) {
