@@ -196,7 +196,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   const bool by_window = (feed && feed->closed()) || (view && view->left());
   const bool asks = at_terminal && session.over() && !stage.simulated() && !by_window;
   if (asks) AskConsent(memory, lines, teller, console);
-  if (feed) SayView(*feed, options.view, console);
+  if (feed) EndView(*feed, options.view, console);
   if (lost > 0) throw LackError(say::NeverKept(lost));
   RequireDevice(stage.session());
   if (feed) RequireView(*feed, options.live.device);

@@ -93,7 +93,7 @@ int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_ke
         options.live.seconds, console);
   stage.session().loop().End();
   if (feed) {
-    SayView(*feed, options.view, console);
+    EndView(*feed, options.view, console);
     RequireView(*feed, options.live.device);
   }
   return exit_code::kGood;

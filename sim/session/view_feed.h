@@ -93,6 +93,8 @@ void RequireView(const ViewFeed& feed, const std::string& device);
 Json ViewJson(ViewFeed& feed);
 /// Ends a view. The outcome of a view in words: where its frames are, how it kept up.
 void SayView(ViewFeed& feed, const ViewOptions& options, Console& console);
+/// Likewise for learners: not how it kept up.
+void EndView(ViewFeed& feed, const ViewOptions& options, Console& console);
 
 std::shared_ptr<const ViewPage> ViewPageOf(const FeltPage& page);
 ViewMoment MomentOf(const LoopSnapshot& snapshot);
