@@ -394,6 +394,16 @@ TEST(LearnWithoutADevice, OffersTheDemonstrationAtATerminal) {
   EXPECT_NE(no.all().find("nothing was begun"), std::string::npos) << no.all();
 }
 
+TEST(LearnWithoutADevice, IsTheDemonstrationForWhoGivesAName) {
+  const Outcome outcome = RunLine({"learn", "--device", "simulated", "--learner", "ann"}, "quit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "The demonstration keeps nothing, so no name is needed.");
+  EXPECT_EQ(outcome.out.find("ann"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Learner"), std::string::npos) << outcome.out;
+}
+
 /// Where nobody answers, nothing is waited for; the whole of it is kept beside the tests, to be
 /// read.
 TEST(LearnWithoutADevice, IsADemonstrationThatKeepsNothing) {
