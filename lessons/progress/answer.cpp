@@ -90,6 +90,20 @@ bool DoesNotKnow(std::string_view said) {
   return false;
 }
 
+bool KnowsWithoutName(std::string_view said) {
+  std::string plain = Plain(said);
+  while (!plain.empty() && (plain.back() == '.' || plain.back() == '!')) plain.pop_back();
+  for (const std::string_view begin : {"yes, ", "yes ", "oh, ", "oh ", "ah, ", "ah "}) {
+    if (plain.compare(0, begin.size(), begin) == 0) plain.erase(0, begin.size());
+  }
+  for (const std::string_view words :
+       {"i know", "i do know", "i know it", "i know that", "i know this", "i know that one",
+        "i know this one", "i know what it is"}) {
+    if (plain == words) return true;
+  }
+  return false;
+}
+
 bool Names(const Course& course, std::string_view item, std::string_view said) {
   const std::vector<std::string> readings = ReadingsOf(said);
   return std::any_of(readings.begin(), readings.end(),

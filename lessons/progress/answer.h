@@ -16,6 +16,9 @@ std::vector<std::string> ReadingsOf(std::string_view said);
 /// "I don't know", "no idea": no answer is to be expected.
 bool DoesNotKnow(std::string_view said);
 
+/// "I know", "yes, I know it": the name itself was not said.
+bool KnowsWithoutName(std::string_view said);
+
 /// Whether what was said names the item: by its text or its name in the course. Capitals (of
 /// English letters), blanks, a closing mark and words before the name do not count: "B", " b ",
 /// "capital b", "the letter B." are all b.

@@ -73,11 +73,15 @@ double ShareOfKnown(const MasteryRule& rule, const Progress& progress) {
   return hard ? std::min(1.0, 2 * share) : share;
 }
 
+bool IsNew(const ItemProgress& item, const ItemChooser& chooser, const std::string& text) {
+  return !item.introduced && !Contains(chooser.named, text);
+}
+
 /// What is done with an item where names are asked; `by_ladder`: at its own size until it is sure.
-StepKind TaskOf(const Course& course, const Progress& progress, bool by_ladder,
-                const std::string& text) {
+StepKind TaskOf(const Course& course, const Progress& progress, const ItemChooser& chooser,
+                bool by_ladder, const std::string& text) {
   const ItemProgress item = ProgressOf(progress, text);
-  if (!item.introduced) return StepKind::kDemonstrate;
+  if (IsNew(item, chooser, text)) return StepKind::kDemonstrate;
   if (by_ladder && TracesCount(PracticeOf(course, text), item) &&
       !TracedEnough(course.mastery, item)) {
     return StepKind::kTrace;
@@ -90,7 +94,7 @@ NextItem ChooseToRecognise(const Course& course, const Progress& progress, const
   const bool practice = step.kind == StepKind::kTest;
   const bool by_ladder = practice || (!step.size && step.question == Question::kName);
   if (by_ladder && chooser.last_traced && Contains(open, chooser.last)) {
-    const StepKind task = TaskOf(course, progress, by_ladder, chooser.last);
+    const StepKind task = TaskOf(course, progress, chooser, by_ladder, chooser.last);
     if (task != StepKind::kRecognise) return {chooser.last, task};
   }
   std::vector<std::string> known;
@@ -103,7 +107,7 @@ NextItem ChooseToRecognise(const Course& course, const Progress& progress, const
   if (!chooser.queue.empty() && chooser.queue.front() != chooser.last) {
     const std::string text = chooser.queue.front();
     chooser.queue.erase(chooser.queue.begin());
-    if (Contains(there, text)) return {text, TaskOf(course, progress, by_ladder, text)};
+    if (Contains(there, text)) return {text, TaskOf(course, progress, chooser, by_ladder, text)};
     if (Contains(known, text)) return {text, StepKind::kRecognise};
   }
   const bool only_last = there.size() == 1 && there.front() == chooser.last;
@@ -112,7 +116,7 @@ NextItem ChooseToRecognise(const Course& course, const Progress& progress, const
     return {Weighted(progress, known, chooser.last, chooser.random), StepKind::kRecognise};
   }
   const std::string text = Weighted(progress, there, chooser.last, chooser.random);
-  return {text, TaskOf(course, progress, by_ladder, text)};
+  return {text, TaskOf(course, progress, chooser, by_ladder, text)};
 }
 
 }  // namespace
@@ -146,8 +150,8 @@ std::optional<NextItem> ChooseItem(const Course& course, const Progress& progres
     case StepKind::kRecognise:
       return ChooseToRecognise(course, progress, *step, open, chooser);
     case StepKind::kTrace: {
-      const bool known = ProgressOf(progress, open.front()).introduced;
-      return NextItem{open.front(), known ? StepKind::kTrace : StepKind::kDemonstrate};
+      const bool fresh = IsNew(ProgressOf(progress, open.front()), chooser, open.front());
+      return NextItem{open.front(), fresh ? StepKind::kDemonstrate : StepKind::kTrace};
     }
     case StepKind::kExplore:
     case StepKind::kDemonstrate:

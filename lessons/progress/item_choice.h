@@ -26,6 +26,7 @@ struct ItemChooser {
   std::uint64_t random = 1;
   std::vector<std::string> queue;    ///< to be asked again soon, after a failure
   std::vector<std::string> skipped;  ///< left at this step
+  std::vector<std::string> named;    ///< shown by name in this session: as if introduced
   std::string last;                  ///< item of the last trial; empty: none
   bool last_traced = false;
 };

@@ -32,11 +32,11 @@ std::string MateOf(Turn& turn, const std::string& item) {
   const auto named = turn.course.mates.find(item);
   const bool has_mate = named != turn.course.mates.end() && named->second != item &&
                         HasItem(turn.course, named->second);
-  if (has_mate && ProgressOf(turn, named->second).introduced) return named->second;
+  if (has_mate && IsIntroduced(turn, named->second)) return named->second;
   const auto any_of = [&](const std::vector<std::string>& texts) {
     std::vector<std::string> others;
     for (const std::string& text : texts) {
-      if (text != item && ProgressOf(turn, text).introduced) others.push_back(text);
+      if (text != item && IsIntroduced(turn, text)) others.push_back(text);
     }
     return others.empty() ? std::string() : others[NextRandom(turn.state.random) % others.size()];
   };
@@ -58,7 +58,7 @@ void MakePair(Turn& turn) {
     if (heads || state.mate.empty()) state.mate = state.item;
   } else if (state.mate.empty()) {
     state.question = Question::kName;
-  } else if (heads && ProgressOf(turn, state.mate).introduced) {
+  } else if (heads && IsIntroduced(turn, state.mate)) {
     std::swap(state.item, state.mate);
   }
 }

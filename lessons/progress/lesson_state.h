@@ -174,10 +174,13 @@ struct LessonState {
   bool practising = false;                              ///< for a test that was not passed
   bool offered = false;  ///< a lesson beside the course, in this session
   bool another = false;  ///< the next question would sound like the last one asked once more
-  std::string lesson_announced;        ///< id of the lesson whose title was said last
-  std::vector<std::string> reviews;    ///< items due, still to be asked
-  std::vector<std::string> queue;      ///< items to be asked again soon, after a failure
-  std::vector<std::string> skipped;    ///< items of this step that were left by "next"
+  std::string lesson_announced;      ///< id of the lesson whose title was said last
+  std::vector<std::string> reviews;  ///< items due, still to be asked
+  std::vector<std::string> queue;    ///< items to be asked again soon, after a failure
+  std::vector<std::string> skipped;  ///< items of this step that were left by "next"
+  /// New items that were left by "next" while they were shown: no trial, and in this session they
+  /// count as introduced.
+  std::vector<std::string> named;
   std::string item, mate;              ///< shown now; second of a pair
   std::string own_text;                ///< of the learner's own, read now; empty: none
   bool review = false;                 ///< it was due

@@ -65,6 +65,7 @@ bool PresentNext(Turn& turn) {
   chooser.random = state.random;
   chooser.queue = state.queue;
   chooser.skipped = state.skipped;
+  chooser.named = state.named;
   chooser.last = state.item;
   chooser.last_traced = state.task == StepKind::kTrace || state.task == StepKind::kDemonstrate;
   const auto next = ChooseItem(turn.course, state.progress, chooser);

@@ -180,11 +180,12 @@ void Skip(Turn& turn) {
       if (StepNow(turn) != nullptr) EndStepNow(turn, *LessonNow(turn), *StepNow(turn));
       break;
     case StepKind::kDemonstrate: {
-      // Skipped: the item has been named all the same, and counts as introduced.
-      Trial named = TrialOf(turn, {});
-      named.help = 0;
-      named.guidance = GuidanceMode::kOff;
-      Keep(turn, std::move(named));
+      // The item has been named all the same. At a step that only shows, it is left with that.
+      state.named.push_back(state.item);
+      const Step* step = StepNow(turn);
+      if (step != nullptr && step->kind == StepKind::kDemonstrate) {
+        state.skipped.push_back(state.item);
+      }
       break;
     }
     case StepKind::kTrace:

@@ -1,5 +1,6 @@
 #include "lessons/progress/lesson_turn.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "lessons/course/lesson_items.h"
@@ -50,6 +51,8 @@ void Keep(Turn& turn, Trial trial) {
   trial.simulated = trial.simulated || turn.state.simulated;
   trial.scaled = trial.scaled || turn.state.scaled;
   turn.state.progress = Learn(turn.course, std::move(turn.state.progress), trial);
+  // what was only named, and goes wrong, is shown after all
+  if (!trial.right) std::erase(turn.state.named, trial.item);
   turn.actions.emplace_back(lesson_action::Keep{std::move(trial)});
 }
 
@@ -71,6 +74,13 @@ const Lesson* LessonNow(const Turn& turn) {
 
 const Step* StepNow(const Turn& turn) {
   return StepAt(turn.course, turn.state.progress.lesson, turn.state.progress.step);
+}
+
+bool IsIntroduced(const Turn& turn, const std::string& item) {
+  const auto found = turn.state.progress.items.find(item);
+  const std::vector<std::string>& named = turn.state.named;
+  return (found != turn.state.progress.items.end() && found->second.introduced) ||
+         std::find(named.begin(), named.end(), item) != named.end();
 }
 
 std::string Shortened(std::string_view text) {

@@ -34,6 +34,8 @@ void KeepArrival(Turn& turn, const Lesson& lesson, std::size_t step = 0);
 /// The present lesson and step; null: none.
 const Lesson* LessonNow(const Turn& turn);
 const Step* StepNow(const Turn& turn);
+/// The item has been shown by its name: once before, or in this session.
+bool IsIntroduced(const Turn& turn, const std::string& item);
 /// What was said, short enough to be said again: whole UTF-8 characters, at most 60 bytes.
 std::string Shortened(std::string_view text);
 

@@ -196,8 +196,7 @@ void HandleOwnText(Turn& turn, const std::string& text) {
 /// A sign that was learned before is traced once more, whatever is asked now; that comes again.
 void HandlePractise(Turn& turn, const std::string& name) {
   const std::optional<std::string> item = ItemSaid(turn.course, name, {});
-  const auto known = turn.state.progress.items.find(item.value_or(""));
-  if (!item || known == turn.state.progress.items.end() || !known->second.introduced) {
+  if (!item || !IsIntroduced(turn, *item)) {
     SayCount(turn, Sentence::kCannotPractise, item ? *item : Shortened(name),
              item ? LessonNumber(turn, *item) : 0, 0);
     return AwaitNow(turn, turn.state.await);

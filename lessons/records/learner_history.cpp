@@ -275,10 +275,8 @@ void RequirePseudonym(std::string_view pseudonym) {
                     pseudonym.find_first_of("/\\") == std::string_view::npos &&
                     pseudonym.find_first_not_of(' ') != std::string_view::npos;
   if (good) return;
-  throw InputError(
-      fmt::format("learner \"{}\": choose a name of 1 to {} printable characters "
-                  "without slashes",
-                  OneLine(pseudonym), kLongestPseudonym));
+  throw InputError(fmt::format("learner \"{}\": choose a name of 1 to {} letters, without a slash",
+                               OneLine(pseudonym), kLongestPseudonym));
 }
 
 std::string ShownPseudonym(std::string_view pseudonym) {

@@ -226,7 +226,9 @@ int Run(const SoundsOptions& options, Console& console);
 /// `report NAME [--html F | --csv F]`: how a learner does, from the records.
 struct ReportOptions {
   OutputOptions output;
-  std::string learner, course, records, html, csv;
+  std::string learner;
+  std::string learner_too;  ///< the same, by --learner
+  std::string course, records, html, csv;
 };
 void AddOptions(CLI::App& app, ReportOptions& options);
 int Run(const ReportOptions& options, Console& console);

@@ -141,9 +141,17 @@ int LearnWithoutDevice(LearnOptions options, const std::optional<KeyMap>& keys,
   return Demonstrate(options, keys, course, console);
 }
 
+/// Where none can open that is not needed: told before anything is asked.
+void DropWindow(LearnOptions& options, Console& console) {
+  if (!options.view.window || IsMouse(options.live.device) || WindowMayOpen()) return;
+  console.Remark(say::NoWindowHere());
+  options.view = {};
+}
+
 int Learn(LearnOptions options, Course course, Console& console) {
   const bool at_terminal = AtTerminal(console);
   const std::optional<KeyMap> keys = KeysFor(options, at_terminal);
+  DropWindow(options, console);
   if (IsDemonstration(options)) return Demonstrate(options, keys, course, console);
   options.live.device = DeviceForLearning(options.live.device, console);
   if (options.live.device.empty()) return LearnWithoutDevice(options, keys, course, console);
@@ -196,7 +204,7 @@ int Learn(LearnOptions options, Course course, Console& console) {
   const bool by_window = (feed && feed->closed()) || (view && view->left());
   const bool asks = at_terminal && session.over() && !stage.simulated() && !by_window;
   if (asks) AskConsent(memory, lines, teller, console);
-  if (feed) SayView(*feed, options.view, console);
+  if (feed) EndView(*feed, options.view, console);
   if (lost > 0) throw LackError(say::NeverKept(lost));
   RequireDevice(stage.session());
   if (feed) RequireView(*feed, options.live.device);

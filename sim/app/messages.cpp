@@ -53,7 +53,7 @@ std::string CannotWriteOutput() {
   return "standard output: cannot be written; check the room on its disk";
 }
 
-std::string Stopped() { return "Stopped at your request; nothing half-written is left."; }
+std::string Stopped() { return "Stopped, as you asked. Nothing is left half done."; }
 
 std::string Failed(std::string_view cause) { return fmt::format("failed: {}", cause); }
 

@@ -43,7 +43,7 @@ double SmallestOn(const std::vector<std::string>& devices) {
 Course CourseOf(const ReportOptions& options, const LearnerEntry& learner, const Records& records) {
   const std::string name =
       options.course.empty() ? records.LastCourse(learner.pseudonym) : options.course;
-  if (name.empty()) throw InputError(say::NoTrialsYet(options.learner));
+  if (name.empty()) throw InputError(say::NoTrialsYet(learner.pseudonym));
   try {
     Course course = LoadCourse(name);
     AddOwnName(course, learner.pseudonym);
@@ -150,6 +150,7 @@ std::vector<std::string> Head(const LearnerEntry& learner, const Course& course,
 void AddOptions(CLI::App& app, ReportOptions& options) {
   namespace help = say::help;
   AddPath(app, "NAME", "NAME", options.learner, help::kReportLearner);
+  AddPath(app, "--learner", "NAME", options.learner_too, help::kReportLearnerToo);
   AddPath(app, "--course", "NAME", options.course, help::kReportCourse);
   AddPath(app, "--html", "FILE", options.html, help::kReportHtml);
   AddPath(app, "--csv", "FILE", options.csv, help::kReportCsv);
@@ -158,10 +159,12 @@ void AddOptions(CLI::App& app, ReportOptions& options) {
 }
 
 int Run(const ReportOptions& options, Console& console) {
-  if (options.learner.empty()) throw UsageError(say::NoReportLearner());
+  const bool named = !options.learner.empty(), too = !options.learner_too.empty();
+  if (named && too) throw UsageError(say::TwoReportLearners());
+  if (!named && !too) throw UsageError(say::NoReportLearner());
   if (!options.html.empty() && !options.csv.empty()) throw UsageError(say::TwoReportFiles());
   const Records records = Records::OpenToRead(RecordsPathOf(options.records));
-  const LearnerEntry learner = KnownLearner(records, options.learner);
+  const LearnerEntry learner = KnownLearner(records, named ? options.learner : options.learner_too);
   Course course = CourseOf(options, learner, records);
   const std::vector<Trial> trials = records.Trials(learner.pseudonym, course.id);
   if (trials.empty()) throw InputError(say::NoTrialsOf(learner.pseudonym, course.id));

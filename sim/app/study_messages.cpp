@@ -91,8 +91,8 @@ std::string StudyExclusionLine(const StudyExclusion& exclusion) {
 }
 
 std::string StudyProves() {
-  return "Mean tracing error of each learner; CI: 95 percent. A simulated learner proves the "
-         "software, not the pedagogy.";
+  return "Mean tracing error of each learner; CI: 95 percent. Simulated learners: this shows "
+         "that the program works, not how people learn.";
 }
 
 std::string StudyRowsIn() { return "Rows are in"; }

@@ -45,7 +45,7 @@ void Erase(std::string_view text, std::string& echo) {
 
 }  // namespace
 
-LineEditor::Typed LineEditor::Take(std::string_view bytes) {
+LineEditor::Typed LineEditor::Take(std::string_view bytes, bool early) {
   Typed typed;
   const std::string all = std::exchange(held_, {}) + std::string(bytes);
   std::string_view rest = all;
@@ -54,7 +54,7 @@ LineEditor::Typed LineEditor::Take(std::string_view bytes) {
   while (!rest.empty()) {
     const std::size_t control = std::min(rest.find_first_of(kControls), rest.size());
     for (const std::string& key : ReadKeys(rest.substr(0, control))) TakeKey(key, typed);
-    if (control < rest.size()) TakeControl(rest[control], typed);
+    if (control < rest.size()) TakeControl(rest[control], early, typed);
     rest.remove_prefix(std::min(control + 1, rest.size()));
   }
   return typed;
@@ -75,8 +75,9 @@ void LineEditor::Recall(bool earlier, Typed& typed) {
   Replace(at_ == before_.size() ? now_ : before_[at_], typed);
 }
 
-void LineEditor::TakeControl(char byte, Typed& typed) {
-  if ((byte == kCtrlD || byte == kEarlyCtrlD) && line_.empty()) typed.ended = true;
+void LineEditor::TakeControl(char byte, bool early, Typed& typed) {
+  const bool ends = byte == kCtrlD || (early && byte == kEarlyCtrlD);
+  if (ends && line_.empty()) typed.ended = true;
   if (byte == kCtrlU) Replace({}, typed);
   if (byte != kCtrlW) return;
   const std::size_t end = line_.find_last_not_of(' ') + 1;

@@ -22,7 +22,9 @@ class LineEditor {
     std::vector<std::string> lines;  ///< without their ends
     bool ended = false;              ///< no more will come
   };
-  Typed Take(std::string_view bytes);
+  /// `early`: typed before the program had the terminal, when Ctrl-D came as a zero; later a zero
+  /// is Ctrl-@, and does nothing.
+  Typed Take(std::string_view bytes, bool early = false);
   /// What was held back, in hope of the rest of a key's sequence, was a key of its own: it does
   /// nothing. To be said where nothing has followed for a while.
   void ForgetBegun();
@@ -31,7 +33,7 @@ class LineEditor {
 
  private:
   void TakeKey(const std::string& key, Typed& typed);
-  void TakeControl(char byte, Typed& typed);
+  void TakeControl(char byte, bool early, Typed& typed);
   void Replace(std::string line, Typed& typed);
   void Recall(bool earlier, Typed& typed);
 

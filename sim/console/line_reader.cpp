@@ -31,6 +31,16 @@ void Echo(const std::string& text) {
 LineReader::LineReader(std::istream& in)
     : in_(in), standard_(&in == &std::cin), editor_(kLongestLine) {
   if (standard_) terminal_ = RawTerminalIfOurs();
+  if (terminal_) TakeEarly();
+}
+
+/// What was typed before the terminal was the program's.
+void LineReader::TakeEarly() {
+  char block[4096];  // no terminal holds more
+  pollfd wait{STDIN_FILENO, POLLIN, 0};
+  if (poll(&wait, 1, 0) <= 0 || (wait.revents & POLLIN) == 0) return;
+  const ssize_t count = read(STDIN_FILENO, block, sizeof block);
+  if (count > 0) Take({block, static_cast<std::size_t>(count)}, true);
 }
 
 std::optional<std::string> LineReader::TakeTyped() {
@@ -40,12 +50,12 @@ std::optional<std::string> LineReader::TakeTyped() {
   return line;
 }
 
-void LineReader::Take(std::string_view bytes) {
+void LineReader::Take(std::string_view bytes, bool early) {
   if (!terminal_) {
     begun_.append(bytes);
     return;
   }
-  LineEditor::Typed typed = editor_.Take(bytes);
+  LineEditor::Typed typed = editor_.Take(bytes, early);
   Echo(typed.echo);
   for (std::string& line : typed.lines) typed_.push_back(std::move(line));
   ended_ = typed.ended;

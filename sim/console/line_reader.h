@@ -36,7 +36,8 @@ class LineReader {
   std::optional<std::string> Look(int milliseconds);
   std::optional<std::string> Whole();
   std::optional<std::string> TakeTyped();
-  void Take(std::string_view bytes);
+  void TakeEarly();
+  void Take(std::string_view bytes, bool early = false);
 
   std::istream& in_;
   bool standard_ = false;                  ///< `in` is the process's standard input

@@ -1,7 +1,9 @@
 #include "sim/console/line_wrap.h"
 
 #include <algorithm>
+#include <string>
 
+#include "sim/console/vocabulary.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -13,11 +15,26 @@ bool IsNumber(std::string_view word) {
          word.front() != '.' && word.back() != '.';
 }
 
+/// Where a word of the vocabulary ends that stands behind its number ("22 how am i doing"), with
+/// what follows it up to the next blank; 0: there is none.
+std::size_t NumberedWordEnd(std::string_view text, std::size_t space) {
+  std::size_t end = 0;
+  for (const TypedWord& word : Vocabulary()) {
+    const std::size_t size = space + 1 + word.word.size();
+    const bool fits = text.substr(0, space) == std::to_string(word.number) &&
+                      text.substr(space + 1, word.word.size()) == word.word;
+    if (fits) end = std::min(text.find(' ', size), text.size());
+  }
+  return end;
+}
+
 /// Where the next piece that stays on one line ends: a word, or a number with what it counts or
-/// names ("26 back", "12 mm"), if that goes into `columns`.
+/// names ("26 back", "12 mm"), a word's number with the whole of it, if that goes into `columns`.
 std::size_t PieceEnd(std::string_view text, std::size_t columns) {
   const std::size_t space = std::min(text.find(' '), text.size());
   if (space == text.size() || !IsNumber(text.substr(0, space))) return space;
+  const std::size_t word = NumberedWordEnd(text, space);
+  if (word > 0 && CountCharacters(text.substr(0, word)) <= columns) return word;
   const std::size_t next = std::min(text.find(' ', space + 1), text.size());
   const bool alone = next == space + 1 || CountCharacters(text.substr(0, next)) > columns;
   return alone ? space : next;

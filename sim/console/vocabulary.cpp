@@ -152,6 +152,13 @@ const TypedWord* WholeBefore(std::string_view line, WordPlace place) {
 
 SaidLine Refused(std::string refusal) { return {nullptr, {}, std::move(refusal)}; }
 
+/// Whole or by its number, and whatever stands behind it: who wants all force gone may say more
+/// than the word.
+bool BeginsWithStop(std::string_view given) {
+  return given.substr(0, given.find_first_of(" \t.,;:!?")) == "stop" ||
+         given.substr(0, given.find_first_of(" \t")) == "1";
+}
+
 /// The word for what other programs, and people, call otherwise; empty: none.
 std::string CalledElsewhere(std::string_view given) {
   constexpr std::pair<std::string_view, const char*> kOthers[] = {
@@ -164,7 +171,7 @@ std::string CalledElsewhere(std::string_view given) {
 }
 
 SaidLine Said(const WordFound& found, std::string_view given, std::string_view behind,
-              WordPlace place) {
+              std::string_view line, WordPlace place) {
   if (found.word != nullptr) return {found.word, std::string(behind), {}};
   if (!found.begun.empty()) {
     return Refused(say::WordAmbiguous(given, {found.begun.begin(), found.begun.end()}));
@@ -185,7 +192,7 @@ SaidLine Said(const WordFound& found, std::string_view given, std::string_view b
   if (std::find(words.begin(), words.end(), meant) == words.end()) {
     meant = NearestWord(std::string(given), words);
   }
-  return Refused(say::WordUnknown(given, meant));
+  return Refused(say::WordUnknown(line, meant));
 }
 
 }  // namespace
@@ -234,12 +241,13 @@ SaidLine ReadLine(std::string_view line, WordPlace place) {
   if (!typed.empty() && typed.front() == '/') typed = Trimmed(typed.substr(1));
   if (typed.empty()) return {};
   const std::string given = LowerCase(typed);
+  if (BeginsWithStop(given)) return {WordNamed("stop"), {}, {}};
   const WordFound alone = FindWord(given, place);
   // "find n" looks for an n: only the whole of "find next" is that word
   const TypedWord* before = WholeBefore(given, place);
   const bool wants = before != nullptr && !before->behind.empty() &&
                      (alone.word == nullptr || alone.word->word != given);
-  if (!wants && !Empty(alone)) return Said(alone, given, {}, place);
+  if (!wants && !Empty(alone)) return Said(alone, given, {}, typed, place);
   std::size_t end = std::min(given.find_first_of(" \t"), given.size());
   WordFound first = FindWord(given.substr(0, end), place);
   if (const TypedWord* whole = WholeBefore(given, place)) {
@@ -249,7 +257,7 @@ SaidLine ReadLine(std::string_view line, WordPlace place) {
   const std::string_view behind = Trimmed(typed.substr(end));
   const bool alone_only = first.word != nullptr && first.word->behind.empty() && !behind.empty();
   if (alone_only) return Refused(say::WordStandsAlone(first.word->word, behind));
-  return Said(first, given.substr(0, end), behind, place);
+  return Said(first, given.substr(0, end), behind, typed, place);
 }
 
 }  // namespace moontrace

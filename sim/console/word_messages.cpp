@@ -44,7 +44,7 @@ std::string WordShortElsewhere(std::string_view given, std::string_view elsewher
 }
 
 std::string WordUnknown(std::string_view given, std::string_view nearest) {
-  return fmt::format("Unknown: {}. {}Type ? for the words.", Unstopped(OneLine(given, 20)),
+  return fmt::format("Unknown: {}. {}Type ? for the words.", Unstopped(OneLine(given, 40)),
                      nearest.empty() ? std::string() : fmt::format("Did you mean {}? ", nearest));
 }
 

@@ -9,6 +9,7 @@
 #include "sim/demonstration/demonstration.h"
 #include "sim/demonstration/demonstration_messages.h"
 #include "sim/learn/key_wording.h"
+#include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_sound.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
@@ -41,7 +42,7 @@ void Drive(Demonstration& demonstration, LearnStage& stage, const DriveParts& pa
     demonstration.Look(now);
     if (parts.path != nullptr) parts.path->Hear();
     if (parts.feed != nullptr) {
-      parts.feed->Look(stage.session().felt(), demonstration.poll());
+      parts.feed->Look(stage.session().felt(), demonstration.poll(), !demonstration.hides());
       parts.feed->Hear(obey, [](const std::string&) {});
       if (parts.feed->closed()) break;
     }
@@ -64,8 +65,8 @@ KeyMap KeysHere(KeyMap keys) {
 }  // namespace
 
 bool IsDemonstration(const LearnOptions& options) {
-  return options.live.device == "simulated" && options.learner.empty() && options.records.empty() &&
-         !options.tutor && options.course == LearnOptions().course;
+  return options.live.device == "simulated" && options.records.empty() && !options.tutor &&
+         options.course == LearnOptions().course;
 }
 
 int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_keys,
@@ -77,6 +78,7 @@ int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_ke
   const std::unique_ptr<Sound> sound = SoundFor(options);
   LearnTeller teller(console, speech.get(), sound.get());
   if (keys) teller.SetWording([&keys](std::string_view line) { return WithKeys(line, *keys); });
+  if (!options.learner.empty()) teller.Say(Priority::kText, say::NoNameNeeded());
   LineReader lines(console.in());
   const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, nullptr, console);
   LearnStage stage({options.live, options.press, options.seed}, console);
@@ -93,7 +95,7 @@ int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_ke
         options.live.seconds, console);
   stage.session().loop().End();
   if (feed) {
-    SayView(*feed, options.view, console);
+    EndView(*feed, options.view, console);
     RequireView(*feed, options.live.device);
   }
   return exit_code::kGood;

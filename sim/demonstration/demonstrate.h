@@ -9,7 +9,8 @@
 
 namespace moontrace {
 
-/// The program's hand for nobody in particular: no lesson, whose trials would be somebody's.
+/// The program's hand, and nobody wants more of it: no tutor, no course, no records of one's own. A
+/// name makes no lesson of it: whose hand is led nowhere has no use for lessons.
 bool IsDemonstration(const LearnOptions& options);
 
 /// Tells the shipped demonstration to the console, until it ends by itself or by a word; exit code.

@@ -7,6 +7,7 @@
 #include "sim/console/line_wrap.h"
 #include "sim/console/word_messages.h"
 #include "sim/demonstration/demonstration_messages.h"
+#include "sim/learn/learn_messages.h"
 #include "textures/base/resources.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
@@ -169,6 +170,15 @@ void Demonstration::Reply(const std::string& line) {
   until_ = std::max(until_, now_) + Seconds(pace_ * SecondsFor(line));
 }
 
+bool Demonstration::hides() const {
+  if (over_) return false;
+  if (!step().ask.empty() && (!asked_ || asking_)) return true;
+  for (std::size_t i = at_ + 1; i < steps_.size() && steps_[i].show.empty(); ++i) {
+    if (!steps_[i].ask.empty()) return true;
+  }
+  return false;
+}
+
 bool Demonstration::AsksWord() const {
   return !step().answers.empty() &&
          std::all_of(step().answers.begin(), step().answers.end(),
@@ -236,6 +246,9 @@ bool Demonstration::Takes(const std::string& given) {
     Reply(say::NothingAsked(paused_));
   } else if (!unknown && AsksWord() && CountCharacters(given) == 1) {
     Reply(say::WholeWordAsked());
+    StillAsk();
+  } else if (KnowsWithoutName(given)) {
+    Reply(AsksWord() ? say::WholeWordAsked() : say::SayTheName());
     StillAsk();
   } else if (unknown || IsAnswer(given)) {
     Answer(given);

@@ -52,6 +52,8 @@ class Demonstration final : public RunningStage, private LoopListener {
   void Leave();
   /// An answer is awaited.
   bool asks() const { return asking_; }
+  /// What lies there is asked, or will be before another page does: nothing must show it in print.
+  bool hides() const;
   bool over() const { return over_; }
 
   const LoopPoll& poll() const override { return poll_; }

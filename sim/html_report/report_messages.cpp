@@ -370,6 +370,10 @@ std::string NoReportLearner() {
   return "report lacks a learner: write report NAME; \"moontrace records list\" names them";
 }
 
+std::string TwoReportLearners() {
+  return "two learners: write report NAME, or report --learner NAME";
+}
+
 std::string TwoReportFiles() { return "--html and --csv are two reports: ask for one at a time"; }
 
 std::string NoTrialsYet(std::string_view learner) {

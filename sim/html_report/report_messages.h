@@ -40,6 +40,7 @@ struct ReportSection {
 namespace say {
 
 std::string NoReportLearner();
+std::string TwoReportLearners();
 std::string TwoReportFiles();
 std::string NoTrialsYet(std::string_view learner);
 std::string NoTrialsOf(std::string_view learner, std::string_view course);
@@ -66,6 +67,7 @@ std::string PlotWords(const ReportPlot& plot);
 namespace help {
 inline constexpr const char* kReport =
     "says what a learner is sure of, what to practise, how quickly and at what size";
+inline constexpr const char* kReportLearnerToo = "the same, as moontrace learn takes it.";
 inline constexpr const char* kReportLearner = "the learner, as moontrace records list names them.";
 inline constexpr const char* kReportCourse =
     "name of a course or path of its folder. Default the one last learnt.";

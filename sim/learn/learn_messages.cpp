@@ -227,8 +227,9 @@ std::string ConsentHelp() {
 std::string ConsentGiven(bool yes) {
   return yes ? "The path of your hand will be kept." : "The path of your hand will not be kept.";
 }
+std::string SayTheName() { return "Say the name."; }
 std::string YesOrNo() { return "Type yes or no."; }
-std::string NotAName() { return "Not a name: 1 to 60 printable characters, no slashes."; }
+std::string NotAName() { return "Not a name: take 1 to 60 letters, without a slash."; }
 std::string WordIsNoName(std::string_view word) {
   return fmt::format("{} is a word, not a name: who learns?", OneLine(word, 14));
 }
@@ -263,9 +264,10 @@ std::string WhatProgramsHandDoes(bool kept) {
                      kept ? "are kept, but " : "");
 }
 std::string DemonstrationIsAlone() {
-  return "The demonstration, of which nothing is kept: moontrace learn --device simulated, and "
-         "nothing behind it.";
+  return "For the demonstration, which keeps nothing, say quit, then type: "
+         "moontrace learn --device simulated.";
 }
+std::string NoNameNeeded() { return "The demonstration keeps nothing, so no name is needed."; }
 std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));
 }
@@ -353,6 +355,7 @@ std::string NoWindowForMouse() {
   return "no window can open here: start it from the desktop, or print a lesson: moontrace learn "
          "--print lesson.pdf";
 }
+std::string NoWindowHere() { return "No window can open here: it goes on without --view."; }
 std::string AskDemonstration() {
   return "Shall the demonstration begin? Type yes, or Enter for no.";
 }
@@ -510,7 +513,7 @@ std::string SimulatedStuck(std::string_view lesson, std::string_view item) {
 }
 
 std::string SimulatedProves() {
-  return "A simulated learner proves the software, not the pedagogy.";
+  return "A simulated learner: this shows that the program works, not how people learn.";
 }
 
 std::string NotSimulated(std::string_view learner) {

@@ -109,6 +109,8 @@ std::string NothingFollowed();
 std::string NextLeavesIt();
 std::string StillAsked();
 std::string NothingIsAsked();
+/// To who says "I know" where a name is asked.
+std::string SayTheName();
 
 // Where we are in the course; `of` 0: beside it.
 std::string WhereInCourse(std::string_view title, std::size_t number, std::size_t of,
@@ -143,6 +145,8 @@ std::string SimulatedOnly(std::string_view name);
 /// Lessons of a learner, without a device.
 std::string ByProgramsHand();
 std::string WhatProgramsHandDoes(bool kept);
+/// Where one was given.
+std::string NoNameNeeded();
 std::string DemonstrationIsAlone();
 std::string WithDevice(std::string_view device);
 std::string NotFelt();
@@ -174,6 +178,8 @@ std::string DeviceProblem(std::string_view name, std::string_view problem);
 /// `window`: one can be opened, as far as is known.
 std::vector<std::string> LearningWithoutDevice(bool window);
 std::string NoWindowForMouse();
+/// Of a window that is not needed.
+std::string NoWindowHere();
 /// At a terminal, where there is no device.
 std::string AskDemonstration();
 std::string DemonstrationIs();

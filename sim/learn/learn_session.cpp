@@ -62,9 +62,10 @@ Asked LearnSession::asked() const {
 bool LearnSession::AsksNumbers() const {
   if (state_.question == Question::kPick) return IsNumber(state_.item) || IsNumber(state_.mate);
   const auto& items = state_.progress.items;
-  return std::any_of(items.begin(), items.end(), [](const auto& item) {
-    return item.second.introduced && IsNumber(item.first);
-  });
+  return std::any_of(state_.named.begin(), state_.named.end(), IsNumber) ||
+         std::any_of(items.begin(), items.end(), [](const auto& item) {
+           return item.second.introduced && IsNumber(item.first);
+         });
 }
 
 void LearnSession::Begin() {

@@ -68,6 +68,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   void GoToLesson(const std::string& given);
   void TellLessons();
   void TellHowItGoes();
+  bool OnlyNamed(const std::string& text) const;
   void TellOthers(const std::vector<std::string>& asked);
   void Help();
   void Brief(bool brief);

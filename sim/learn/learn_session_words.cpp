@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lessons/course/lesson_items.h"
+#include "lessons/progress/answer.h"
 #include "lessons/progress/lesson_path.h"
 #include "lessons/progress/mastery.h"
 #include "sim/console/word_messages.h"
@@ -182,12 +183,22 @@ void LearnSession::TellLessons() {
   }
 }
 
+/// It was left in this session while it was shown: begun, and no more.
+bool LearnSession::OnlyNamed(const std::string& text) const {
+  const auto found = state_.progress.items.find(text);
+  const bool known = found != state_.progress.items.end() && found->second.introduced;
+  return !known && std::find(state_.named.begin(), state_.named.end(), text) != state_.named.end();
+}
+
 /// How far it is in all, then each sign that the present step still asks for.
 void LearnSession::TellHowItGoes() {
   const Progress& progress = state_.progress;
   std::size_t begun = 0, all = 0;
   double smallest = 0;
   for (const Lesson& lesson : course_.lessons) all += lesson.items.size();
+  begun = static_cast<std::size_t>(std::count_if(
+      state_.named.begin(), state_.named.end(),
+      [this](const std::string& text) { return IsTaught(course_, text) && OnlyNamed(text); }));
   for (const auto& [text, item] : progress.items) {
     if (!IsTaught(course_, text) || !item.introduced) continue;
     ++begun;
@@ -214,9 +225,10 @@ void LearnSession::TellOthers(const std::vector<std::string>& asked) {
   for (const Lesson& lesson : course_.lessons) {
     for (const std::string& text : lesson.items) {
       const auto found = state_.progress.items.find(text);
-      if (found == state_.progress.items.end() || !found->second.introduced) continue;
+      const bool known = found != state_.progress.items.end() && found->second.introduced;
+      if (!known && !OnlyNamed(text)) continue;
       if (std::find(asked.begin(), asked.end(), text) != asked.end()) continue;
-      const ItemProgress& item = found->second;
+      const ItemProgress item = known ? found->second : ItemProgress();
       const bool none = !item.sure && item.size_step == 0;
       const double size =
           none ? 0 : SizeAt(course_, item.sure ? item.size_step : item.size_step - 1);
@@ -259,6 +271,10 @@ void LearnSession::Answer(const std::string& text) {
   if (await_ != Await::kAnswer) {
     teller_.Say(Priority::kText, say::NothingIsAsked());
     return teller_.Say(Priority::kText, Awaited());
+  }
+  if (KnowsWithoutName(text)) {
+    const bool same = state_.question == Question::kSame;
+    return teller_.Say(Priority::kText, same ? Awaited() : say::SayTheName());
   }
   lesson_event::Answered answered;
   answered.text = text;

@@ -62,6 +62,8 @@ void RequireWindow() {
   ViewWindow::RequireDisplayNamed();
 }
 
+}  // namespace
+
 bool WindowMayOpen() {
   try {
     ViewWindow::RequireDisplayNamed();
@@ -70,8 +72,6 @@ bool WindowMayOpen() {
     return false;
   }
 }
-
-}  // namespace
 
 std::string DeviceForLearning(const std::string& named, Console& console) {
   if (!named.empty()) {

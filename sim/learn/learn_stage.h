@@ -15,6 +15,9 @@
 
 namespace moontrace {
 
+/// A window can be opened, as far as is known: a display is named.
+bool WindowMayOpen();
+
 /// The device of a lesson: `named`, otherwise the first that is there, can be opened and has
 /// motors. Where there is none, says so first, then what works without; empty. Throws DeviceError
 /// where the named one is not there.

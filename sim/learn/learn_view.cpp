@@ -57,7 +57,7 @@ LearnView::LearnView(ViewFeed& feed, const LearnParts& parts, RunningLesson& les
 LearnView::~LearnView() { parts_.stage.SetWatch(nullptr); }
 
 void LearnView::Look() {
-  feed_.Look(parts_.stage.session().felt(), lesson_.poll());
+  feed_.Look(parts_.stage.session().felt(), lesson_.poll(), parts_.stage.shown().told);
   feed_.SetValues(LearnPanelValues(parts_, lesson_));
   const auto obey = [this](const ViewLine& line) {
     if (!lesson_.over()) Obey(line);

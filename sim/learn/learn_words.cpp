@@ -111,6 +111,25 @@ bool IsWord(const std::string& bare) {
   return found.word != nullptr || !found.begun.empty();
 }
 
+/// "stop", and more behind it. A text of one's own may begin so, too: there what is behind must be
+/// of who wants it now.
+bool SaysStop(const std::string& bare, Asked asked) {
+  const bool stop = bare.compare(0, 4, "stop") == 0 &&
+                    ReadLine(bare, WordPlace::kLesson).word == WordNamed("stop");
+  if (!stop || asked != Asked::kText) return stop;
+  constexpr std::string_view kMore[] = {"now", "please", "stop", "it", "this", "at", "once"};
+  std::string_view rest = std::string_view(bare).substr(4);
+  while (!rest.empty()) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t.,;:!?"), rest.size()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t.,;:!?"));
+    if (!word.empty() && std::find(std::begin(kMore), std::end(kMore), word) == std::end(kMore)) {
+      return false;
+    }
+    rest.remove_prefix(word.size());
+  }
+  return true;
+}
+
 LearnLine WhereNameIsAsked(std::string_view typed, const std::string& given,
                            const std::string& bare, const Course& course) {
   if (given != "?" && ItemSaid(course, given, {})) return Answer(given);
@@ -154,7 +173,7 @@ LearnLine ReadLearnLine(std::string_view line, Asked asked, const Course& course
     const bool would_answer = DoesNotKnow(given) || ItemSaid(course, given, {});
     return would_answer && IsNoWord(read, given) ? Answer(given) : read;
   }
-  if (bare == "stop") return Word(LearnWord::kStop);
+  if (bare == "stop" || (!is_item && SaysStop(bare, asked))) return Word(LearnWord::kStop);
   if (bare == "quit") return Word(LearnWord::kQuit);
   if (asked != Asked::kText && DoesNotKnow(given)) return Answer(given);
   switch (asked) {

@@ -50,11 +50,12 @@ std::unique_ptr<ViewFeed> ViewFeed::Open(const ViewOptions& options,
   }
 }
 
-void ViewFeed::Look(const FeltPage& page, const LoopPoll& poll) {
+void ViewFeed::Look(const FeltPage& page, const LoopPoll& poll, bool print) {
   if (ended()) return;
-  if (shown_ != page.shown) {
-    viewer_.Show(ViewPageOf(page));
+  if (shown_ != page.shown || print_ != print) {
+    viewer_.Show(print ? ViewPageOf(page) : WithoutPrint(*ViewPageOf(page)));
     shown_ = page.shown;
+    print_ = print;
   }
   ViewMoment moment = MomentOf(poll.newest());
   moment.lateness_us = poll.lateness_us();
@@ -104,12 +105,25 @@ void RequireView(const ViewFeed& feed, const std::string& device) {
   if (IsMouse(device)) throw LackError(say::MouseGone());
 }
 
-void SayView(ViewFeed& feed, const ViewOptions& options, Console& console) {
-  const ViewerReport report = feed.Finish();
+namespace {
+
+ViewerReport FinishTelling(ViewFeed& feed, const ViewOptions& options, Console& console) {
+  ViewerReport report = feed.Finish();
   if (!options.frames.empty()) {
     console.Result(say::FramesIn());
     console.Path(options.frames);
   }
+  return report;
+}
+
+}  // namespace
+
+void EndView(ViewFeed& feed, const ViewOptions& options, Console& console) {
+  FinishTelling(feed, options, console);
+}
+
+void SayView(ViewFeed& feed, const ViewOptions& options, Console& console) {
+  const ViewerReport report = FinishTelling(feed, options, console);
   console.Result(say::ViewKeptUp(report.frames, report.median_frame_ms, report.slowest_frame_ms));
 }
 

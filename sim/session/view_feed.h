@@ -36,7 +36,8 @@ class ViewFeed {
       : viewer_(options), window_(options.frames.empty()) {}
 
   /// The page that is felt, if it is another than it was, and its newest instant.
-  void Look(const FeltPage& page, const LoopPoll& poll);
+  /// `print`: with the letters in print beneath, which would tell what is asked.
+  void Look(const FeltPage& page, const LoopPoll& poll, bool print = true);
   /// An instant between; in order of time, before the newest.
   void Add(const LoopSample& sample);
 
@@ -76,6 +77,7 @@ class ViewFeed {
   Viewer viewer_;
   bool window_;
   std::optional<std::uint64_t> shown_;  ///< FeltPage::shown
+  bool print_ = true;                   ///< of the page that is shown
   std::vector<PanelValue> values_;
   bool failed_ = false;
 };
@@ -91,6 +93,8 @@ void RequireView(const ViewFeed& feed, const std::string& device);
 Json ViewJson(ViewFeed& feed);
 /// Ends a view. The outcome of a view in words: where its frames are, how it kept up.
 void SayView(ViewFeed& feed, const ViewOptions& options, Console& console);
+/// Likewise for learners: not how it kept up.
+void EndView(ViewFeed& feed, const ViewOptions& options, Console& console);
 
 std::shared_ptr<const ViewPage> ViewPageOf(const FeltPage& page);
 ViewMoment MomentOf(const LoopSnapshot& snapshot);

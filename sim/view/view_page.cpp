@@ -40,6 +40,12 @@ std::shared_ptr<const ViewPage> MakeViewPage(const Typeset& set, std::size_t ind
   return view;
 }
 
+std::shared_ptr<const ViewPage> WithoutPrint(const ViewPage& page) {
+  auto view = std::make_shared<ViewPage>(page);
+  for (ViewPage::Letter& letter : view->letters) letter.print.clear();
+  return view;
+}
+
 std::shared_ptr<const ViewPage> WithPaperAround(const ViewPage& page) {
   auto view = std::make_shared<ViewPage>(page);
   Box text;

@@ -39,6 +39,9 @@ std::shared_ptr<const ViewPage> MakeViewPage(const Typeset& set, std::size_t ind
                                              std::shared_ptr<const TextureField> field, bool blank,
                                              std::uint32_t number);
 
+/// The same page, its letters standing for nothing: what lies there is asked.
+std::shared_ptr<const ViewPage> WithoutPrint(const ViewPage& page);
+
 /// The same page, its paper drawn on round the text, so that this can stand in the middle of a
 /// view: for trials, which lie on a plane without edges.
 std::shared_ptr<const ViewPage> WithPaperAround(const ViewPage& page);

@@ -65,6 +65,15 @@ TEST(Answer, WhoDoesNotKnowSaysSoInManyWays) {
   }
 }
 
+TEST(Answer, WhoKnowsMayForgetTheName) {
+  for (const char* said : {"I know", "i know.", "Yes, I know it!", "I know that"}) {
+    EXPECT_TRUE(KnowsWithoutName(said)) << said;
+  }
+  for (const char* said : {"", "i", "know", "I don't know", "I know it is t", "I know t"}) {
+    EXPECT_FALSE(KnowsWithoutName(said)) << said;
+  }
+}
+
 TEST(Answer, SameAndDifferentAreToldApart) {
   EXPECT_EQ(SameSaid("Same"), true);
   EXPECT_EQ(SameSaid("the same."), true);

@@ -188,6 +188,36 @@ TEST_F(LessonWords, NextAtADemonstrationGoesOnToTheTrace) {
   EXPECT_EQ(run_.Find(Sentence::kTraceIt)->text, "i");
 }
 
+// Three words of nobody's hand were told as an exercise, and kept as one.
+TEST_F(LessonWords, WhatIsLeftUntouchedIsNoTrial) {
+  for (int i = 0; i < 100 && run_.state.progress.lesson == "01"; ++i) run_.Next();
+  for (const Trial& trial : run_.kept) EXPECT_EQ(trial.item, "") << NameOf(trial.kind);
+}
+
+TEST_F(LessonWords, ANewSignThatWasLeftIsShownTheNextTime) {
+  run_.Next();
+  ASSERT_TRUE(run_.push.demonstrate);
+  run_.Next();
+  ASSERT_FALSE(run_.push.demonstrate);
+  LessonRun later(SmallCourse(), LearnAll(run_.course, run_.kept));
+  later.Begin();
+  EXPECT_TRUE(later.push.demonstrate);
+  EXPECT_EQ(later.Find(Sentence::kNewItem)->text, "i");
+}
+
+TEST_F(LessonWords, ASignThatWasLeftAndNamedWrongIsShownAfterAll) {
+  Course course = SmallCourse();
+  course.lessons = {
+      MakeLesson("01", {"i", "t"}, {MakeStep(StepKind::kDemonstrate), MakeStep(StepKind::kTest)})};
+  LessonRun run(course);
+  run.Begin();
+  for (int i = 0; i < 2; ++i) run.Next();
+  ASSERT_EQ(run.state.task, StepKind::kTest);
+  ASSERT_EQ(run.kept.back().item, "");
+  for (int i = 0; i < 2; ++i) run.Answer(run.WrongAnswer());
+  EXPECT_TRUE(run.push.demonstrate) << run.state.item;
+}
+
 TEST_F(LessonWords, SizesGoAlongTheLadderAndBackToTheRules) {
   GoToTrace();
   run_.Say(Word::kBigger);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 #include <tuple>
 
 #include "devices/catalogue/catalogue.h"
@@ -76,6 +77,32 @@ TEST_F(LearnCommand, OffersNoMouseWithoutADisplayAndRefusesItBeforeItAsksWhoLear
             "no window can open here: start it from the desktop, or print a lesson: moontrace "
             "learn --print lesson.pdf\n");
   ExpectOnly({"course"});
+}
+
+// It was told once a name had been asked for and kept, in a programmer's words.
+TEST_F(LearnCommand, TellsThatNoWindowOpensBeforeItAsksAnything) {
+  const char* display = std::getenv("DISPLAY");
+  const std::string kept = display == nullptr ? "" : display;
+  unsetenv("WAYLAND_DISPLAY");
+  unsetenv("DISPLAY");
+  std::istringstream in("ann\nquit\n");
+  std::ostringstream all;
+  Console console(in, all, all);
+  const Outcome outcome =
+      RunLine({"learn", "--device", "simulated", "--view", "--contrast"}, "quit\n");
+  LearnOptions options;
+  options.course = In("course");
+  options.records = In("records.sqlite");
+  options.live.device = "simulated";
+  options.view.window = true;
+  const int code = moontrace::Run(options, console);
+  if (display != nullptr) setenv("DISPLAY", kept.c_str(), 1);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "No window can open here: it goes on without --view.\n");
+  EXPECT_EQ(code, 0);
+  const std::string first = all.str().substr(0, all.str().find('\n'));
+  EXPECT_EQ(first, "No window can open here: it goes on without --view.") << all.str();
+  EXPECT_FALSE(Holds(all.str(), "DISPLAY")) << all.str();
 }
 
 TEST_F(LearnCommand, SaysThatASimulatedLearnerIsNotKeptWithoutRecords) {

@@ -1,4 +1,5 @@
 #include "sim/app/messages.h"
+#include "sim/app/study_messages.h"
 #include "sim/setup/setup_messages.h"
 
 #include <gtest/gtest.h>
@@ -31,6 +32,11 @@ TEST(Messages, TellFiguresOfTheBenchWithoutExponents) {
   EXPECT_EQ(say::BenchLine(Shown("nothing", 0, "mJ")), "nothing: 0 mJ");
   EXPECT_EQ(say::OutOfRange("--seconds", "-1", 0.01, 1e6),
             "--seconds is -1: write a number from 0.01 to 1000000");
+}
+
+TEST(Messages, SayOfAStopAndOfAStudyWhatAnybodyUnderstands) {
+  EXPECT_EQ(say::Stopped(), "Stopped, as you asked. Nothing is left half done.");
+  EXPECT_NE(say::StudyProves().find("not how people learn"), std::string::npos);
 }
 
 TEST(Messages, CountInWords) {

@@ -273,6 +273,13 @@ TEST_F(ReportCommand, KeepsForeignTextFromBeingMarkup) {
   EXPECT_TRUE(pugi::xml_document().load_string(html.c_str()));
 }
 
+TEST_F(ReportCommand, TakesItsLearnerAsLearnDoes) {
+  const Outcome usual = Report({"bat"});
+  const Outcome named = Report({"--learner", "bat"});
+  EXPECT_EQ(named.code, 0) << named.err;
+  EXPECT_EQ(named.out, usual.out);
+}
+
 TEST_F(ReportCommand, RefusesWhatIsNoUse) {
   const auto refused = [](const Outcome& outcome, int code, const std::string& words) {
     EXPECT_EQ(outcome.code, code) << outcome.err;
@@ -281,6 +288,7 @@ TEST_F(ReportCommand, RefusesWhatIsNoUse) {
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
   refused(Report({}), 2, "report lacks a learner");
+  refused(Report({"bat", "--learner", "owl"}), 2, "two learners");
   refused(Report({"bat", "--html", "a", "--csv", "b"}), 2, "ask for one at a time");
   refused(Report({"bit"}), 3, "did you mean bat?");
   refused(RunLine({"report", "bat", "--records", path_, "--course", "learn-moon"}), 3,

@@ -84,7 +84,16 @@ TEST(LineEditor, EndsAtCtrlDOnAnEmptyLineOnly) {
   EXPECT_FALSE(editor.Take("a\x04").ended);
   EXPECT_TRUE(editor.Take("\x7f\x04").ended);
   // typed before the terminal was the program's, the system gives it as a zero
-  EXPECT_TRUE(LineEditor(100).Take(std::string_view("\0", 1)).ended);
+  EXPECT_TRUE(LineEditor(100).Take(std::string_view("\0", 1), true).ended);
+}
+
+// Ctrl-@, or Ctrl and the space bar, ended the lesson.
+TEST(LineEditor, TakesNoNoticeOfCtrlAt) {
+  LineEditor editor(100);
+  const auto typed = editor.Take(std::string_view("\0", 1));
+  EXPECT_FALSE(typed.ended);
+  EXPECT_EQ(typed.echo, "");
+  EXPECT_EQ(editor.Take(std::string_view("a\0b\n", 4)).lines, Texts{"ab"});
 }
 
 TEST(LineEditor, LeavesOutWhatIsBeyondTheLongestLine) {

@@ -35,6 +35,19 @@ TEST(Wrapped, KeepsANumberWithTheWordBehindIt) {
   EXPECT_EQ(Wrapped("of 100 unbreakable", 8), "of 100\nunbreakable\n") << "too long together";
 }
 
+// "49 find" at a line's end is another word than "49 find next".
+TEST(Wrapped, KeepsTheNumberOfAWordWithTheWholeOfIt) {
+  EXPECT_EQ(Wrapped("Words: 48 find, 49 find next, 50 return.", 23),
+            "Words: 48 find,\n49 find next,\n50 return.\n");
+  EXPECT_EQ(Wrapped("Words: 21 lessons, 22 how am i doing, 23 brief.", 34),
+            "Words: 21 lessons,\n22 how am i doing, 23 brief.\n");
+  EXPECT_EQ(Wrapped("Words: 19 help, 46 more time.", 26), "Words: 19 help,\n46 more time.\n");
+  EXPECT_EQ(Wrapped("Words: 22 how am i doing.", 9), "Words:\n22 how am\ni doing.\n")
+      << "too long together";
+  EXPECT_EQ(Wrapped("It took 9 minutes and more.", 17), "It took 9 minutes\nand more.\n")
+      << "no number of a word";
+}
+
 TEST(Sentences, EndAtAMarkBeforeASpaceAndACapital) {
   EXPECT_EQ(Sentences("Feel it. It is\nupright! Is it?  Yes."),
             (List{"Feel it.", "It is upright!", "Is it?", "Yes."}));

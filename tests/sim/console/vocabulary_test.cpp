@@ -139,11 +139,27 @@ TEST(Vocabulary, ReadsWordsWithWhatStandsBehind) {
   EXPECT_EQ(read("pause now").refusal, "Say pause alone, without now.");
 }
 
+// "stop now" was refused: "Say stop alone, without now."
+TEST(Vocabulary, StopsWhateverElseIsSaid) {
+  for (const WordPlace place : kPlaces) {
+    for (const char* line : {"stop now", "stop please", "STOP stop stop", "stop!", "stop, stop!",
+                             " /stop it", "stop.", "1 stop", "1 now"}) {
+      EXPECT_EQ(ReadLine(line, place).word, WordNamed("stop")) << NameOf(place) << ": " << line;
+      EXPECT_EQ(ReadLine(line, place).behind, "") << line;
+    }
+    for (const char* line : {"stopp now", "stopping", "stop-over"}) {
+      EXPECT_EQ(ReadLine(line, place).word, nullptr) << NameOf(place) << ": " << line;
+    }
+  }
+}
+
 TEST(Vocabulary, SaysWhyALineIsNone) {
   const auto refused = [](std::string_view line) {
     return ReadLine(line, WordPlace::kLoop).refusal;
   };
   EXPECT_EQ(refused("stopp"), "Unknown: stopp. Did you mean stop? Type ? for the words.");
+  EXPECT_EQ(refused("I know nothing"), "Unknown: I know nothing. Type ? for the words.")
+      << "all of it, not its first word";
   EXPECT_EQ(refused("s"), "s could be stop, smaller, size or spacing.");
   EXPECT_EQ(refused("spell"), "spell is no word here. Type ? for the words.");
   EXPECT_EQ(refused("5"), "5 is no word here. Type ? for the words.");

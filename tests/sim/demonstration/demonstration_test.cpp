@@ -157,6 +157,29 @@ TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
   EXPECT_EQ(Said("Toil it is."), 1U);
 }
 
+TEST_F(DemonstrationTest, WhoKnowsAndForgetsTheNameIsAskedForIt) {
+  Until("which letter is it");
+  Forget();
+  demonstration_.Obey("I know");
+  EXPECT_EQ(Said("Say the name."), 1U) << out_.str().substr(from_);
+  EXPECT_EQ(Said("Unknown"), 0U);
+  EXPECT_TRUE(demonstration_.asks());
+}
+
+TEST_F(DemonstrationTest, NoPrintTellsWhatIsAskedOfThePage) {
+  EXPECT_FALSE(demonstration_.hides());
+  Until("which letter is it");
+  EXPECT_TRUE(demonstration_.hides());
+  demonstration_.Obey("t");
+  EXPECT_FALSE(demonstration_.hides());
+  Until("What is the first letter?");
+  demonstration_.Obey("t");
+  EXPECT_TRUE(demonstration_.hides()) << "the next letters of that page are asked, too";
+  Until("what is the word?");
+  demonstration_.Obey("toil");
+  EXPECT_FALSE(demonstration_.hides());
+}
+
 TEST_F(DemonstrationTest, OnlyAnswersAreAnswers) {
   Until("which letter is it");
   for (const char* line : {"repeat", "where", "5", "bigger", "hello there", "t or i"}) {
@@ -369,6 +392,16 @@ TEST(LearnWithoutADevice, OffersTheDemonstrationAtATerminal) {
   no.Send("\n");
   EXPECT_EQ(no.Wait(), 4);
   EXPECT_NE(no.all().find("nothing was begun"), std::string::npos) << no.all();
+}
+
+TEST(LearnWithoutADevice, IsTheDemonstrationForWhoGivesAName) {
+  const Outcome outcome = RunLine({"learn", "--device", "simulated", "--learner", "ann"}, "quit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = Lines(outcome.out);
+  ASSERT_GE(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "The demonstration keeps nothing, so no name is needed.");
+  EXPECT_EQ(outcome.out.find("ann"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Learner"), std::string::npos) << outcome.out;
 }
 
 /// Where nobody answers, nothing is waited for; the whole of it is kept beside the tests, to be

@@ -176,7 +176,8 @@ TEST(LearnMessages, SayInWordsHowMuchWasFollowed) {
 // Words of who measures are for tutors and researchers.
 TEST(LearnMessages, HaveNoJargon) {
   std::string all = say::SizesEndAt(0.01, 0.0084) + say::SizesEndAt(0.01, 0.02) + say::NotFelt() +
-                    say::LearnScaled() + say::SofterThanUsual(0.8);
+                    say::LearnScaled() + say::SofterThanUsual(0.8) + say::NotAName() +
+                    say::SimulatedProves() + say::DemonstrationIsAlone();
   for (int i = 0; i <= static_cast<int>(Sentence::kSmallestSize); ++i) {
     lesson_action::Say say;
     say.sentence = static_cast<Sentence>(i);
@@ -186,7 +187,8 @@ TEST(LearnMessages, HaveNoJargon) {
     all += say::Event(static_cast<SafetyEvent>(i), true);
     all += say::Event(static_cast<SafetyEvent>(i), false);
   }
-  for (const char* word : {"covered", "greatest", "N/m", "renders", "MuJoCo", "mastery", "rial"}) {
+  for (const char* word : {"covered", "greatest", "N/m", "renders", "MuJoCo", "mastery", "rial",
+                           "pedagogy", "printable"}) {
     EXPECT_EQ(all.find(word), std::string::npos) << word << " in " << all;
   }
 }

@@ -219,6 +219,16 @@ TEST(LearnWords, StopAndQuitAreNeverAnswers) {
   }
 }
 
+TEST(LearnWords, StopStopsWhateverElseIsSaid) {
+  for (const Asked asked :
+       {Asked::kNothing, Asked::kName, Asked::kNumber, Asked::kSame, Asked::kText}) {
+    for (const char* line : {"stop now", "Stop, please!", "stop stop stop", "/stop now"}) {
+      ExpectWord(Read(line, asked), LearnWord::kStop);
+    }
+  }
+  EXPECT_EQ(Read("Stop the car", Asked::kText).answer, "Stop the car") << "a text of one's own";
+}
+
 TEST(LearnWords, SameAndDifferentMayBeBegun) {
   ExpectAnswer(Read("same", Asked::kSame), "same");
   ExpectAnswer(Read("S", Asked::kSame), "s");

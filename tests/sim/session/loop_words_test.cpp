@@ -65,7 +65,8 @@ TEST(LoopWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(Read(""), LoopWord::kNothing);
   EXPECT_EQ(Read(" \t"), LoopWord::kNothing);
   EXPECT_EQ(Refused("99"), "Unknown: 99. Type ? for the words.");
-  EXPECT_EQ(Refused("stop now"), "Say stop alone, without now.");
+  EXPECT_EQ(Refused("pause now"), "Say pause alone, without now.");
+  EXPECT_EQ(Read("stop now"), LoopWord::kStop);
 }
 
 TEST(LineReader, GivesLinesAndAtTheirEndNothing) {

@@ -42,6 +42,16 @@ TEST(ViewPage, LettersStandForTheirCharacters) {
   EXPECT_EQ(view->letters[1].print, "é");
 }
 
+TEST(ViewPage, LettersThatAreAskedForStandForNothing) {
+  const auto told = Page("moon").View();
+  const auto asked = WithoutPrint(*told);
+  ASSERT_EQ(asked->letters.size(), 4U);
+  for (const ViewPage::Letter& letter : asked->letters) EXPECT_EQ(letter.print, "");
+  EXPECT_EQ(asked->number, told->number);
+  EXPECT_EQ(asked->field, told->field);
+  EXPECT_EQ(asked->letters[0].box_P, told->letters[0].box_P);
+}
+
 // The numeral sign stands for no character of the text.
 TEST(ViewPage, TheNumeralSignHasNoPrint) {
   const auto view = Page("3").View();
