@@ -163,6 +163,7 @@ TEST(SetText, BeginsNoLineWithAMarkThatCloses) {
   EXPECT_EQ(Drawn(Set("ab-, cd", 4, 9)), "ab-#\ncd");
   EXPECT_EQ(Drawn(Set("......", 4, 9)), "####\n##");  // nothing else is left
   EXPECT_EQ(Drawn(Set("a....", 4, 9)), "a\n####");    // the marks at least stay together
+  EXPECT_EQ(Drawn(Set("abc...", 3, 9)), "abc\n###");  // and c, which they leave, stays with a and b
 }
 
 TEST(SetText, PartsNoMarkThatOpensFromItsWord) {
