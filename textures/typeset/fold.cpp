@@ -144,6 +144,7 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
     first.begin = static_cast<std::uint32_t>(at_);
     first.end = static_cast<std::uint32_t>(end);
     first.column = static_cast<std::uint32_t>(column_);
+    first.was = c;
     if (end == base_end) {
       const Form& form = FormInQuotation(c);
       const bool padded = form.text.size() > 1 && form.changed &&

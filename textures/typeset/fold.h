@@ -34,6 +34,7 @@ struct FoldedChar {
     kMissing   ///< the script has no form; `code` is the character itself
   };
   char32_t code = 0;
+  char32_t was = 0;          ///< the character of the text, of a cluster the first
   std::uint32_t begin = 0;   ///< bytes of the text that it stands for; of a character that became
   std::uint32_t end = 0;     ///< several the first has them, the others an empty range at the end
   std::uint32_t column = 0;  ///< in code points, from 1
