@@ -216,6 +216,13 @@ TEST(Hyphenation, UnknownLanguagesNameTheNearest) {
         << error.what();
   }
   EXPECT_THROW(Hyphenation("../../../etc/passwd"), InputError);
+  try {
+    const Hyphenation patterns("EN_us");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean en_US?"), std::string::npos)
+        << error.what();
+  }
 }
 
 Typeset Headed(const std::string& text, const std::string& head, bool numbers,
