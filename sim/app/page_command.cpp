@@ -43,8 +43,9 @@ struct Book {
   PageCounts counts;
 };
 
+/// `rows` takes what each page's rows hold, if not null.
 Book SetBook(const std::string& text, const Script& script, const TypeStyle& style,
-             const PageSpec& page, Console& console) {
+             const PageSpec& page, RowSigns* rows, Console& console) {
   Book book{text, script, {}, {}};
   std::vector<TextPage> kept;
   PageLinker linker(script, style);
@@ -56,6 +57,7 @@ Book SetBook(const std::string& text, const Script& script, const TypeStyle& sty
     }
     linker.Keep(one);
     AddCounts(one, script, style, book.counts);
+    if (rows != nullptr) rows->Add(one);
     if (kept.size() < kMostKept) kept.push_back(std::move(one));
   });
   book.set.pages = std::move(kept);
@@ -221,12 +223,14 @@ int Run(const PageOptions& options, Console& console) {
   Script script = ScriptOf(options.style, nullptr, text);
   for (const std::string& remark : script.remarks) console.Remark(remark);
   const TypeStyle style = StyleOf(options.style, options.layout, script, nullptr);
-  const Book book = SetBook(text, script, style, PageOf(options.layout), console);
+  RowSigns rows;
+  const Book book = SetBook(text, script, style, PageOf(options.layout),
+                            options.read_back ? &rows : nullptr, console);
   const Typeset& set = book.set;
   std::vector<std::string> pictures;
   if (!options.picture.empty()) pictures = DrawPages(book, options, console);
   std::optional<BackTranslation> back;
-  if (options.read_back) back = TranslateBack(text, script, style, &set.page);
+  if (options.read_back) back = TranslateBack(text, script, style, &rows);
   if (options.output.json) {
     WriteJson(book, pictures, back, console);
     return exit_code::kGood;

@@ -224,17 +224,12 @@ WrittenScript Written(const Script& script, const std::string& svg_name) {
   }
 }
 
-/// Throws LackError where something lies in the place of a file that nobody named: a link too, even
-/// a broken one, and what cannot be read. The very same text may lie there.
-void RequireFree(const std::string& path, const std::string& text) {
+/// Throws LackError where something lies in a file's place that may be somebody's work: all but
+/// what a former conversion left there. A link too, even a broken one, and what cannot be read.
+void RequireFree(const std::string& path, std::string_view what) {
   std::error_code ignored;
-  if (!fs::exists(fs::symlink_status(path, ignored))) return;
-  try {
-    if (ReadTextFile(path, kMaxRulesBytes) == text) return;
-  } catch (const InputError&) {
-    // then it is another's
-  }
-  throw LackError(say::RulesInTheWay(path));
+  if (!fs::exists(fs::symlink_status(path, ignored)) || IsAsWritten(path)) return;
+  throw LackError(say::InTheWay(path, what));
 }
 
 int Convert(const ScriptOptions& options, Script script, Console& console) {
@@ -246,7 +241,8 @@ int Convert(const ScriptOptions& options, Script script, Console& console) {
   }
   const std::string rules = fs::path(options.to).replace_extension(".toml").string();
   const WrittenScript written = Written(script, options.to);
-  RequireFree(rules, written.toml);
+  RequireFree(options.to, "font");
+  RequireFree(rules, "rules");
   // neither stands there without the other where one cannot be written
   OutputFile font_file(options.to), rules_file(rules);
   font_file.Append(written.svg);

@@ -171,11 +171,11 @@ std::string NotConverted(std::string_view why) {
       why);
 }
 
-std::string RulesInTheWay(std::string_view path) {
+std::string InTheWay(std::string_view path, std::string_view what) {
   return fmt::format(
-      "nothing converted: another file lies where the rules would go; give --to another name, or "
-      "remove it: {}",
-      OneLine(path, 300));
+      "nothing converted: another file, or one changed by hand, lies where the {} would go; give "
+      "--to another name, or remove it: {}",
+      what, OneLine(path, 300));
 }
 
 std::string Converted(std::size_t glyphs, std::size_t joined) {

@@ -32,8 +32,8 @@ std::string FindingsSummedUp();
 std::string MoreFindings(std::size_t count);
 /// `why`: the line that reading it back would say.
 std::string NotConverted(std::string_view why);
-/// What lies where the rules would be written is not theirs.
-std::string RulesInTheWay(std::string_view path);
+/// What lies where the font or the rules (`what`) would be written may be somebody's work.
+std::string InTheWay(std::string_view path, std::string_view what);
 std::string Converted(std::size_t glyphs, std::size_t joined);
 std::string TableOutcome(std::size_t shown, std::size_t glyphs);
 std::string TableRow(std::size_t row, std::string_view names);

@@ -11,11 +11,14 @@ namespace moontrace::say {
 
 std::string ReportsItself() { return "records cannot report: write moontrace report NAME"; }
 std::string NoSubject(std::string_view action) {
-  if (action == "import") return "records import lacks its file: write records import FILE";
-  return fmt::format("records {0} lacks a learner: write records {0} NAME", action);
+  if (action == "import")
+    return "records import lacks its file: write moontrace records import FILE";
+  return fmt::format("records {0} lacks a learner: write moontrace records {0} NAME", action);
 }
 
-std::string NoConsentAnswer() { return "records consent lacks its answer: write yes or no"; }
+std::string NoConsentAnswer() {
+  return "records consent lacks its answer: write yes or no behind the name";
+}
 
 std::string OnlyWith(std::string_view option, std::string_view action) {
   return fmt::format("{} goes with records {} only: leave it out", option, action);

@@ -367,7 +367,8 @@ ReportSection Conditions(const Course& course, const ReportFacts& facts) {
 }  // namespace
 
 std::string NoReportLearner() {
-  return "report lacks a learner: write report NAME; \"moontrace records list\" names them";
+  return "report lacks a learner: write moontrace report NAME; \"moontrace records list\" names "
+         "them";
 }
 
 std::string TwoReportLearners() {

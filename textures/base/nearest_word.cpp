@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "textures/base/text_file.h"
+
 namespace moontrace {
 namespace {
 
@@ -29,15 +31,15 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
 constexpr std::size_t kLongestWord = 64;
 constexpr std::size_t kBytesAnEdit = 3;
 
-/// The first of those within `longest` bytes that take the fewest edits, empty if all take more
-/// than `most`.
+/// The first of those within `longest` bytes that take the fewest edits from a word in small
+/// letters, empty if all take more than `most`.
 std::string FewestEdits(std::string_view word, const std::vector<std::string>& candidates,
                         std::size_t longest, std::size_t most) {
   std::string nearest;
   std::size_t best = most + 1;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest) continue;
-    const std::size_t distance = EditDistance(word, candidate);
+    const std::size_t distance = EditDistance(word, LowerCase(candidate));
     if (distance < best) {
       best = distance;
       nearest = candidate;
@@ -51,17 +53,18 @@ std::string FewestEdits(std::string_view word, const std::vector<std::string>& c
 std::string NearestWord(std::string_view word, const std::vector<std::string>& candidates) {
   std::string nearest;
   if (word.empty() || word.size() > kLongestWord) return nearest;
+  const std::string lower = LowerCase(word);
   for (const std::string& candidate : candidates) {
-    if (candidate.compare(0, word.size(), word) != 0) continue;
+    if (LowerCase(candidate).compare(0, word.size(), lower) != 0) continue;
     if (nearest.empty() || candidate.size() < nearest.size()) nearest = candidate;
   }
-  return nearest.empty() ? FewestEdits(word, candidates, kLongestWord, word.size() / kBytesAnEdit)
+  return nearest.empty() ? FewestEdits(lower, candidates, kLongestWord, word.size() / kBytesAnEdit)
                          : nearest;
 }
 
 std::string NearestName(std::string_view word, const std::vector<std::string>& names) {
   if (word.size() > kLongestWord) return {};
-  return FewestEdits(word, names, std::string::npos, word.size() / kBytesAnEdit);
+  return FewestEdits(LowerCase(word), names, std::string::npos, word.size() / kBytesAnEdit);
 }
 
 }  // namespace moontrace

@@ -110,10 +110,32 @@ std::string NearestScript(const std::string& name, const std::vector<ScriptEntry
   return known ? nearest : with_prefix;
 }
 
+/// How to ask for a script at the grade that a name holds, such as "braille-g2", "moon2" or, of
+/// Braille, "grade2"; empty for other names.
+std::string GradeMeant(const std::string& name, const std::vector<ScriptEntry>& entries) {
+  const std::string lower = LowerCase(name);
+  const auto begins = [&lower](const ScriptEntry& entry) {
+    return lower.rfind(entry.name, 0) == 0;
+  };
+  const auto script = std::find_if(entries.begin(), entries.end(), begins);
+  const bool named = script != entries.end();
+  std::string rest = lower.substr(named ? script->name.size() : 0);
+  std::erase_if(rest, [](char c) { return c == ' ' || c == '-' || c == '_'; });
+  if (rest.empty() || rest.back() < '0' || rest.back() > '9') return {};
+  const std::string grade(1, rest.back());
+  rest.pop_back();
+  if (rest != "grade" && rest != "g" && !(named && rest.empty())) return {};
+  return fmt::format("--script {} --grade {}", named ? script->name : "braille", grade);
+}
+
 [[noreturn]] void FailUnknown(const std::string& name, const std::vector<ScriptEntry>& entries) {
   std::error_code error;
   if (name.rfind(kHershey, 0) == 0 && !fs::is_directory(kHersheyFolder, error)) {
     throw LackError("no Hershey fonts here: install hershey-fonts-data, or give a font's path");
+  }
+  if (const std::string meant = GradeMeant(name, entries); !meant.empty()) {
+    throw InputError(fmt::format("unknown script '{}', it names a grade; write {}",
+                                 OneLine(name, 25), OneLine(meant, 60)));
   }
   const std::string nearest = NearestScript(name, entries);
   if (nearest != std::string(kHershey).append(name) && fs::exists(name, error)) {
@@ -121,8 +143,9 @@ std::string NearestScript(const std::string& name, const std::vector<ScriptEntry
                                  OneLine(name, 25)));
   }
   if (nearest.empty()) {
-    throw InputError(fmt::format("unknown script '{}': give a font's path or see script list",
-                                 OneLine(name, 30)));
+    throw InputError(
+        fmt::format("unknown script '{}': give a font's path, or see: moontrace script list",
+                    OneLine(name, 30)));
   }
   throw InputError(fmt::format("unknown script '{}'; did you mean '{}'?", OneLine(name, 25),
                                OneLine(nearest, 25)));

@@ -5,10 +5,13 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
+#include "textures/base/digest.h"
 #include "textures/base/error.h"
+#include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 #include "textures/fonts/script_library.h"
 #include "textures/fonts/svg_font_writer.h"
@@ -129,10 +132,35 @@ std::optional<std::string> Difference(const Script& one, const Script& other) {
   return RulesDifference(one, other);
 }
 
+// What stands before a text's digest in the comment at its end.
+constexpr std::string_view kSeal = "Digest of all above, as moontrace script convert wrote it: ";
+
+/// The text with a last line that holds its digest.
+std::string Sealed(const std::string& text, std::string_view begin, std::string_view end) {
+  const std::string digest = ToHex(DigestOf(text));
+  return std::string(text).append(begin).append(kSeal).append(digest).append(end) + "\n";
+}
+
+bool EndsInItsSeal(std::string_view text) {
+  const std::size_t seal = text.rfind(kSeal);
+  if (seal == std::string_view::npos) return false;
+  const std::string above(text.substr(0, text.rfind('\n', seal) + 1));
+  return text == Sealed(above, "<!-- ", " -->") || text == Sealed(above, "# ", "");
+}
+
 }  // namespace
 
+bool IsAsWritten(const std::string& path) {
+  try {
+    return EndsInItsSeal(ReadTextFile(path, kMaxSvgBytes));
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 WrittenScript WriteScript(const Script& script, const std::string& svg_name) {
-  WrittenScript written{WriteSvgFont(script), WriteRules(script)};
+  WrittenScript written{Sealed(WriteSvgFont(script), "<!-- ", " -->"),
+                        Sealed(WriteRules(script), "# ", "")};
   const std::string toml_name = std::filesystem::path(svg_name).replace_extension(".toml").string();
   if (written.toml.size() > kMaxRulesBytes) {
     throw InputError(toml_name + ": its rules would fill more than 4 MB");

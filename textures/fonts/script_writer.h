@@ -10,11 +10,16 @@ namespace moontrace {
 /// Greatest size of a script's TOML file [bytes].
 constexpr std::size_t kMaxRulesBytes = std::size_t{4} << 20U;
 
-/// A script as two files hold it.
+/// A script as two files hold it, each with a comment as its last line by which IsAsWritten knows
+/// it.
 struct WrittenScript {
   std::string svg;   ///< by WriteSvgFont
   std::string toml;  ///< by WriteRules
 };
+
+/// Whether a file holds, to the last byte, what WriteScript once made of any script: nobody has
+/// worked on it since. Not of one that is missing or cannot be read.
+bool IsAsWritten(const std::string& path);
 
 /// Writes a script and reads it back from the text, so that no file is left that cannot be read.
 /// `svg_name`, the path of the font, stands in messages. Throws InputError (what comes back

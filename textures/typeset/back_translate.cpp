@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -273,55 +272,41 @@ void Compare(const std::string& read, const std::vector<WantedWord>& want, std::
   result.wanted += want_text + '\n';
 }
 
-/// The signs of a page's rows, in the order in which they are read.
-class PageSigns {
- public:
-  PageSigns(std::string_view text, const Script& script, const TypeStyle& style,
-            const PageSpec& page) {
-    SetPages(text, script, style, page, [this](TextPage&& one) { Add(one); });
-  }
-
-  /// Those of the text before `end`, which no call has given yet.
-  std::vector<Sign> Before(std::size_t end) {
-    std::vector<Sign> signs;
-    for (; next_ < signs_.size() && (signs_[next_].begin < end || signs_[next_].end <= end);
-         ++next_) {
-      signs.push_back(signs_[next_]);
-    }
-    return signs;
-  }
-
- private:
-  void Add(const TextPage& page) {
-    std::size_t row = ~std::size_t{0};
-    for (const PlacedGlyph& placed : page.glyphs) {
-      if (placed.kind == LineKind::kHead || placed.bridge) continue;
-      Sign sign;
-      sign.begin = static_cast<std::uint32_t>(placed.source_begin);
-      sign.end = static_cast<std::uint32_t>(placed.source_end);
-      if (!signs_.empty() && placed.word != word_) {
-        sign.space = true;
-        sign.end = sign.begin;
-        signs_.push_back(sign);
-        sign.end = static_cast<std::uint32_t>(placed.source_end);
-        sign.space = false;
-      }
-      sign.glyph = static_cast<std::uint32_t>(placed.glyph);
-      sign.begins_row = placed.line != row;
-      row = placed.line;
-      word_ = placed.word;
-      signs_.push_back(sign);
-    }
-  }
-
-  std::vector<Sign> signs_;
-  std::size_t word_ = 0, next_ = 0;
-};
-
 }  // namespace
 
+void RowSigns::Add(const TextPage& page) {
+  std::size_t row = ~std::size_t{0};
+  for (const PlacedGlyph& placed : page.glyphs) {
+    if (placed.kind == LineKind::kHead || placed.bridge) continue;
+    Sign sign;
+    sign.begin = static_cast<std::uint32_t>(placed.source_begin);
+    sign.end = static_cast<std::uint32_t>(placed.source_end);
+    if (!signs_.empty() && placed.word != word_) {
+      sign.space = true;
+      sign.end = sign.begin;
+      signs_.push_back(sign);
+      sign.end = static_cast<std::uint32_t>(placed.source_end);
+      sign.space = false;
+    }
+    sign.glyph = static_cast<std::uint32_t>(placed.glyph);
+    sign.begins_row = placed.line != row;
+    row = placed.line;
+    word_ = placed.word;
+    signs_.push_back(sign);
+  }
+}
+
+std::vector<Sign> RowSigns::Before(std::size_t end) {
+  std::vector<Sign> signs;
+  for (; next_ < signs_.size() && (signs_[next_].begin < end || signs_[next_].end <= end);
+       ++next_) {
+    signs.push_back(signs_[next_]);
+  }
+  return signs;
+}
+
 BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style,
-                              const PageSpec* page) {
+                              RowSigns* rows) {
   const std::unique_ptr<Writer> writer = MakeWriter(script, style);
   std::unique_ptr<Reader> reader;
   if (script.braille_tables.empty()) {
@@ -331,8 +316,6 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
   }
   Folder folder(text, script, [&writer](char32_t c) { return writer->Has(c); });
   const Rewriter rewriter(*writer, script);
-  std::optional<PageSigns> rows;
-  if (page != nullptr) rows.emplace(text, script, style, *page);
   BackTranslation result;
   Typeset notes;  // only counted here; SetText reports them one by one
   std::vector<FoldedChar> line;
@@ -343,7 +326,7 @@ BackTranslation TranslateBack(std::string_view text, const Script& script, const
     if (style.structure.read) TakeMarks(text, line, folder.begins_line());
     if (style.older_punctuation) UseOlderPunctuation(text, script, line);
     writer->Write(text, folder.line_number(), line, signs, notes);
-    if (rows) signs = rows->Before(end);
+    if (rows != nullptr) signs = rows->Before(end);
     Compare(reader->Read(signs), Wanted(line), text, rewriter, result);
   }
   result.left_out = notes.missing_count + notes.untaught_count;

@@ -7,6 +7,7 @@
 
 #include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
+#include "textures/typeset/writer.h"
 
 namespace moontrace {
 
@@ -29,6 +30,18 @@ struct BackTranslation {
   std::size_t left_out = 0, replaced = 0;
 };
 
+/// The signs of pages' rows, in the order in which they are read. Takes the pages as they are set.
+class RowSigns {
+ public:
+  void Add(const TextPage& page);
+  /// Those of the text before byte `end`, which no call has given yet.
+  std::vector<Sign> Before(std::size_t end);
+
+ private:
+  std::vector<Sign> signs_;
+  std::size_t word_ = 0, next_ = 0;
+};
+
 /// Writes a text in signs, reads the signs by the script's rules alone, and compares.
 ///
 /// By a script's own rules: at each place the contraction of the grade with the most signs that may
@@ -42,11 +55,10 @@ struct BackTranslation {
 /// without accents that it lacks, and without protect marks and characters that have no sign.
 /// Letters that are not among TypeStyle::only are in it, so that they differ. Linear in the text.
 ///
-/// With a page the signs are read from its rows: a hyphen at a row's end that is not of the text is
-/// passed over, a number ends with its row, and no group of signs is read across two rows. Braille
-/// is read as if no word were broken.
-/// Throws as SetText does, without a page but for the page.
+/// With `rows` the signs are read from those of the text's pages: a hyphen at a row's end that is
+/// not of the text is passed over, a number ends with its row, and no group of signs is read across
+/// two rows. Braille is read as if no word were broken. Throws as SetText does, but for the page.
 BackTranslation TranslateBack(std::string_view text, const Script& script, const TypeStyle& style,
-                              const PageSpec* page = nullptr);
+                              RowSigns* rows = nullptr);
 
 }  // namespace moontrace

@@ -67,10 +67,13 @@ void BrailleWriter::WriteRun(const std::vector<FoldedChar>& run, const std::vect
       throw InputError(fmt::format("script {}: its font lacks the cell U+{:04X}: draw it",
                                    script_.name, 0x2800 + cell.dots));
     }
-    sign.keep_next = !stands || ends[cell.end - 1].keep_next;
-    sign.bound = !stands || ends[cell.end - 1].bound;
-    sign.mark = stands && ends[cell.end - 1].mark;
-    sign.break_after = MayBreak(run, cell.begin, cell.end);
+    // a blank that a table writes beside a mark ends a line where the mark may
+    const bool blank = sign.space && cell.end > 0;
+    const LineEnd end = stands || blank ? ends[cell.end - 1] : LineEnd{!sign.space, !sign.space};
+    sign.keep_next = end.keep_next;
+    sign.bound = end.bound;
+    sign.mark = end.mark;
+    sign.break_after = MayBreak(run, cell.begin, cell.end) || end.may_end;
     signs.push_back(sign);
   }
 }
@@ -102,6 +105,7 @@ void BrailleWriter::Write(std::string_view text, std::size_t line_number,
       signs.back().keep_next = ends[i].keep_next;
       signs.back().bound = ends[i].bound;
       signs.back().mark = ends[i].mark;
+      signs.back().break_after = ends[i].may_end;
     }
   }
   end_run();

@@ -12,6 +12,7 @@
 namespace moontrace {
 namespace {
 
+constexpr std::size_t kMostMarks = 16;  // that a character keeps (ours: no language has so many)
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 // Unicode's mandatory breaks (UAX #14, classes CR, LF, NL, BK).
@@ -144,17 +145,14 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
     first.begin = static_cast<std::uint32_t>(at_);
     first.end = static_cast<std::uint32_t>(end);
     first.column = static_cast<std::uint32_t>(column_);
+    first.was = c;
     if (end == base_end) {
       const Form& form = FormInQuotation(c);
       const bool padded = form.text.size() > 1 && form.changed &&
                           (form.text.front() == U' ' || form.text.back() == U' ');
       Append(padded ? Parted(form, end, line) : form, first, line);
     } else {
-      // One composed character if there is one (its own sign or fold counts), else the marks go.
-      const char32_t composed = Composed(at_, end);
-      Form form = FormOf(composed ? composed : c);
-      if (!composed) form.changed = true;
-      Append(form, first, line);
+      AppendCluster(c, base_end, first, line);
     }
     if (written_ + line.size() > kMostText) {
       throw InputError(
@@ -167,6 +165,37 @@ bool Folder::NextLine(std::vector<FoldedChar>& line) {
   }
   written_ += line.size();
   return true;
+}
+
+// One composed character if there is one (its own sign or fold counts), else the first and those of
+// its marks that a table of Braille writes (vowels of Hindi, Arabic and Hebrew, say); the others
+// go.
+void Folder::AppendCluster(char32_t c, std::size_t base_end, FoldedChar first,
+                           std::vector<FoldedChar>& line) {
+  const std::size_t end = first.end;
+  const char32_t composed = Composed(first.begin, end);
+  Form form = FormOf(composed ? composed : c);
+  std::vector<FoldedChar> marks;
+  bool all = !composed;
+  for (std::size_t at = base_end, next = at; !composed && at < end; at = next) {
+    FoldedChar mark = first;
+    mark.code = mark.was = Read(at, next);
+    mark.kind = FoldedChar::Kind::kSign;
+    mark.letter = form.letter;
+    mark.begin = static_cast<std::uint32_t>(at);
+    mark.end = static_cast<std::uint32_t>(next);
+    const bool has = !script_.braille_tables.empty() && HasSign(mark.code);
+    const bool kept = has && form.kind == FoldedChar::Kind::kSign && marks.size() < kMostMarks;
+    if (kept) marks.push_back(mark);
+    all = all && kept;
+  }
+  if (!composed && !all) form.changed = true;
+  if (all) first.end = static_cast<std::uint32_t>(base_end);
+  Append(form, first, line);
+  for (FoldedChar& mark : marks) {
+    if (!all) mark.begin = mark.end = first.end;
+    line.push_back(mark);
+  }
 }
 
 // The form with spaces at its edges only where it would else join a word or a number.

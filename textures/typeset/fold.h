@@ -34,6 +34,7 @@ struct FoldedChar {
     kMissing   ///< the script has no form; `code` is the character itself
   };
   char32_t code = 0;
+  char32_t was = 0;          ///< the character of the text, of a cluster the first
   std::uint32_t begin = 0;   ///< bytes of the text that it stands for; of a character that became
   std::uint32_t end = 0;     ///< several the first has them, the others an empty range at the end
   std::uint32_t column = 0;  ///< in code points, from 1
@@ -47,7 +48,8 @@ struct FoldedChar {
 /// Reads UTF-8 text line by line and folds it to what a script has: the script's own table first
 /// (for Braille, the characters that the table of liblouis has), then upper to lower case, then
 /// Unicode's compatibility decomposition without combining marks, then the script's
-/// transliterations, then its names in square brackets ("[euro sign]"). A character of which a part
+/// transliterations, then its names in square brackets ("[euro sign]"). Marks that no character is
+/// composed with stay where a table of Braille writes them. A character of which a part
 /// has no sign is missing as a whole. A space at the edge of a replacement (" and " of &) stands
 /// only beside a letter or a digit. A byte order mark is skipped; CR, CRLF, form feed and Unicode's
 /// own separators end a line. Linear in the text.
@@ -90,6 +92,8 @@ class Folder {
   bool AppendSign(char32_t c, std::u32string& text) const;
   bool HasSign(char32_t c) const { return has_sign_(c); }
   char32_t Composed(std::size_t begin, std::size_t end) const;
+  void AppendCluster(char32_t c, std::size_t base_end, FoldedChar first,
+                     std::vector<FoldedChar>& line);
   void Append(const Form& form, FoldedChar first, std::vector<FoldedChar>& line) const;
 
   std::string_view text_;

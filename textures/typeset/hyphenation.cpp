@@ -54,7 +54,11 @@ std::string FileOf(const std::string& language) {
   }
   std::sort(names.begin(), names.end());
   const std::string package = PackageOf(language);
-  const std::string nearest = package.empty() ? NearestWord(language, names) : std::string();
+  const auto same = std::find_if(names.begin(), names.end(), [&language](const std::string& name) {
+    return LowerCase(name) == LowerCase(language);
+  });
+  std::string nearest = same == names.end() ? std::string() : *same;
+  if (nearest.empty() && package.empty()) nearest = NearestWord(language, names);
   std::string advice;
   if (!package.empty()) advice = "on Debian, \"apt install " + package + "\"; ";
   if (!nearest.empty()) advice = "did you mean " + nearest + "? ";

@@ -40,9 +40,9 @@ void AddGuides(Script& script, const TypeStyle& style);
 /// its page goes to the next with what does, unless it begins the page. Rows of a quotation are
 /// indented by an em, where lines do not alternate.
 ///
-/// A word that no line holds is broken where no mark is parted from what it belongs to
-/// (line_ends.h), else between any two signs; a number that is broken has its numeral sign again on
-/// the new row.
+/// A word that no line holds is broken at a space at which no line should end, else where no mark
+/// is parted from what it belongs to (line_ends.h), else between any two signs, and fills its rows;
+/// a number that is broken has its numeral sign again on the new row.
 ///
 /// Alternating lines follow old Moon: text runs on, a line of the text ends in a paragraph's space;
 /// a word is broken where the line ends, without a mark; a broken part stands close to the guide
@@ -59,7 +59,7 @@ class Layout {
   void SetHead(std::vector<Sign> head, NumberSigns number);
   /// Words may end a row where their signs say `hyphen_after`, with this sign behind them, though
   /// not right behind a hyphen of the text; it then stands at every break within a word, unless
-  /// that is behind a mark.
+  /// that is behind a mark, or the line is so short that a single sign would stand beside it.
   void SetHyphen(const Sign& hyphen) { hyphen_ = hyphen; }
 
   /// Sets one line of the text, wrapped into as many rows as it needs. Throws InputError when a
@@ -90,14 +90,22 @@ class Layout {
   void Wrap(const Sign& last);
   void BeginRunning();
   void AddRunning(const std::vector<Sign>& signs);
+  void AddSign(const std::vector<Sign>& signs, std::size_t at, bool& new_word);
   void AddWrapped(const std::vector<Sign>& signs);
   // Where a row may end within a chunk, in the order of choice.
-  enum class Break { kPattern, kBehindMark, kKeepingMarks, kKeepingGroups, kAnywhere };
+  enum class Break { kPattern, kAtSpace, kBehindMark, kKeepingMarks, kKeepingGroups, kAnywhere };
   static bool MayEnd(const Sign& sign, Break how);
   bool NeedsHyphen(const Sign& last, const Sign& next) const;
+  std::size_t PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end, Break how,
+                      bool hyphenated) const;
   std::size_t PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
-                      Break how) const;
-  std::size_t PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end) const;
+                      bool forced) const;
+  double AdvanceOf(const Sign& sign) const {
+    return sign.space ? Row().space : Row().advance[sign.glyph];
+  }
+  double ExtentOf(const Sign& sign) const { return sign.space ? 0 : Row().extent[sign.glyph]; }
+  std::size_t ForcedEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end) const;
+  bool HoldsUnit(const std::vector<Sign>& signs, std::size_t at, std::size_t end, Break how) const;
   void BreakRow(const Sign& last, const Sign& next);
   void RepeatNumeral(const Sign& digit);
   std::size_t ChunkEnd(const std::vector<Sign>& signs, std::size_t at) const;

@@ -11,9 +11,10 @@
 
 namespace moontrace {
 
-// A chunk is what no line ends within if it holds it: up to a space or behind a hyphen.
+// A chunk is what no line ends within if it holds it: up to a space at which a line may end, or
+// behind a hyphen.
 std::size_t Layout::ChunkEnd(const std::vector<Sign>& signs, std::size_t at) const {
-  while (at < signs.size() && !signs[at].space) {
+  while (at < signs.size() && !(signs[at].space && !signs[at].keep_next)) {
     const Sign& sign = signs[at++];
     if (sign.break_after && !sign.keep_next) break;
   }
@@ -23,8 +24,8 @@ std::size_t Layout::ChunkEnd(const std::vector<Sign>& signs, std::size_t at) con
 bool Layout::Fits(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
                   double pen) const {
   for (; at < end; ++at) {
-    if (pen + Row().extent[signs[at].glyph] > line_length_ + kSlack) return false;
-    pen += Row().advance[signs[at].glyph];
+    if (pen + ExtentOf(signs[at]) > line_length_ + kSlack) return false;
+    pen += AdvanceOf(signs[at]);
   }
   return true;
 }
@@ -44,6 +45,8 @@ bool Layout::MayEnd(const Sign& sign, Break how) {
   switch (how) {
     case Break::kPattern:
       return sign.hyphen_after && !sign.keep_next;
+    case Break::kAtSpace:
+      return sign.space && !sign.bound;
     case Break::kBehindMark:
       return sign.mark && !sign.keep_next;
     case Break::kKeepingMarks:
@@ -60,17 +63,18 @@ bool Layout::NeedsHyphen(const Sign& last, const Sign& next) const {
   return hyphen_ && !last.keep_next && !last.mark && !next.mark;
 }
 
-// The end of the longest part of a chunk that the row holds, with a hyphen where one is needed;
-// `at` if there is none. With hyphens a single letter is not left over where two can be.
+// The end of the longest part of a chunk that the row holds, if `hyphenated` with a hyphen where
+// one is needed; `at` if there is none. With hyphens a single letter is not left over where two can
+// be.
 std::size_t Layout::PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
-                            Break how) const {
+                            Break how, bool hyphenated) const {
   std::size_t best = at, before_best = at, places = 0;
   double pen = pen_;
   for (std::size_t i = at; i + 1 < end; ++i) {
-    if (pen + Row().extent[signs[i].glyph] > line_length_ + kSlack) break;
-    pen += Row().advance[signs[i].glyph];
+    if (pen + ExtentOf(signs[i]) > line_length_ + kSlack) break;
+    pen += AdvanceOf(signs[i]);
     if (!MayEnd(signs[i], how)) continue;
-    if (NeedsHyphen(signs[i], signs[i + 1]) &&
+    if (hyphenated && NeedsHyphen(signs[i], signs[i + 1]) &&
         pen + Row().extent[hyphen_->glyph] > line_length_ + kSlack) {
       continue;
     }
@@ -85,21 +89,44 @@ std::size_t Layout::PartEnd(const std::vector<Sign>& signs, std::size_t at, std:
   return before_best;
 }
 
-// The end of what goes on the row of a chunk; `at` for nothing.
-std::size_t Layout::PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end) const {
-  if (Fits(signs, at, end, pen_)) return end;
-  const bool behind_hyphen = !row_empty_ && at > 0 && signs[at - 1].break_after;
-  if (hyphen_ && !(behind_hyphen && Fits(signs, at, end, indent_))) {
-    const std::size_t part = PartEnd(signs, at, end, Break::kPattern);
-    if (part > at) return part;
+// Whether an empty row holds what begins at `at`, up to where it may end.
+bool Layout::HoldsUnit(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
+                       Break how) const {
+  double pen = indent_;
+  for (; at < end; ++at) {
+    if (pen + ExtentOf(signs[at]) > line_length_ + kSlack) return false;
+    if (MayEnd(signs[at], how)) return true;
+    pen += AdvanceOf(signs[at]);
   }
-  if (!row_empty_ || pen_ > text_start_) return at;
-  for (const Break how :
-       {Break::kBehindMark, Break::kKeepingMarks, Break::kKeepingGroups, Break::kAnywhere}) {
-    const std::size_t part = PartEnd(signs, at, end, how);
-    if (part > at) return part;
+  return true;
+}
+
+// The same on an empty row that does not hold the chunk, nor a part that patterns allow: as much as
+// fits. A hyphen is left out where a single sign would stand beside it and two can without.
+std::size_t Layout::ForcedEnd(const std::vector<Sign>& signs, std::size_t at,
+                              std::size_t end) const {
+  for (const Break how : {Break::kAtSpace, Break::kBehindMark, Break::kKeepingMarks,
+                          Break::kKeepingGroups, Break::kAnywhere}) {
+    std::size_t part = PartEnd(signs, at, end, how, true);
+    if (part <= at + 1) part = PartEnd(signs, at, end, how, false);
+    // what no row keeps together does not leave this one half empty
+    const bool in_vain = how == Break::kKeepingMarks && !HoldsUnit(signs, part, end, how);
+    if (part > at && !in_vain) return part;
   }
   return at + 1;
+}
+
+// The end of what goes on the row of a chunk; `at` for nothing. Once a word was broken elsewhere
+// (`forced`) its rows are filled: patterns would leave stubs.
+std::size_t Layout::PartEnd(const std::vector<Sign>& signs, std::size_t at, std::size_t end,
+                            bool forced) const {
+  if (Fits(signs, at, end, pen_)) return end;
+  const bool behind_hyphen = !row_empty_ && at > 0 && signs[at - 1].break_after;
+  if (hyphen_ && !forced && !(behind_hyphen && Fits(signs, at, end, indent_))) {
+    const std::size_t part = PartEnd(signs, at, end, Break::kPattern, true);
+    if (part > at) return part;
+  }
+  return row_empty_ && pen_ <= text_start_ ? ForcedEnd(signs, at, end) : at;
 }
 
 // Ends a row within a word.
@@ -128,26 +155,39 @@ void Layout::RepeatNumeral(const Sign& digit) {
   row_empty_ = true;
 }
 
+// On a row that has room; `new_word`: it begins one.
+void Layout::AddSign(const std::vector<Sign>& signs, std::size_t at, bool& new_word) {
+  if (signs[at].space) {
+    pen_ += Row().space;
+    new_word = true;
+    return;
+  }
+  if (std::exchange(new_word, false)) ++words_;
+  Place(signs, at);
+}
+
 void Layout::AddWrapped(const std::vector<Sign>& signs) {
   bool new_word = true;
   for (std::size_t at = 0; at < signs.size();) {
     if (signs[at].space) {
-      pen_ += Row().space;
-      ++at;
-      new_word = true;
+      AddSign(signs, at++, new_word);
       continue;
     }
     const std::size_t end = ChunkEnd(signs, at);
+    bool forced = false;
     while (at < end) {
-      const std::size_t part = PartEnd(signs, at, end);
+      const std::size_t part = PartEnd(signs, at, end, forced);
       if (part == at) {
         if (!row_empty_) StartRow();
         pen_ = text_start_;  // spaces at the wrap, or an indent that leaves no room
         continue;
       }
-      if (std::exchange(new_word, false)) ++words_;
-      for (; at < part; ++at) Place(signs, at);
-      if (part < end) BreakRow(signs[part - 1], signs[part]);
+      for (; at < part; ++at) AddSign(signs, at, new_word);
+      if (part == end) break;
+      const Sign& last = signs[part - 1];
+      forced = forced || !(last.hyphen_after || last.mark || last.space);
+      BreakRow(last, signs[part]);
+      while (at < end && signs[at].space) ++at;  // none begins a row
     }
   }
 }

@@ -227,10 +227,13 @@ Translation Translated(const std::string& table, std::u32string_view text) {
   }
 }
 
-// Ranges of cells, by the index that each was made of; where a table swaps parts the index would
-// run back, and is held.
-void AppendCells(const Translation& part, std::size_t first, std::size_t length,
+// Ranges of cells of `text`, which begins at `first`, by the index that each was made of; where a
+// table swaps parts the index would run back, and is held. A letter that the index leaves to the
+// blank before it (of a pair written as one, the first) belongs to the cell behind; a mark that is
+// written with a blank behind it is its cell, not the blank.
+void AppendCells(const Translation& part, std::u32string_view text, std::size_t first,
                  std::vector<BrailleCell>& cells) {
+  const std::size_t length = text.size();
   const std::size_t base = cells.size();
   std::size_t begin = 0;
   for (std::size_t i = 0; i < part.cells.size(); ++i) {
@@ -244,6 +247,16 @@ void AppendCells(const Translation& part, std::size_t first, std::size_t length,
   for (std::size_t i = base; i < cells.size(); ++i) {
     const bool last = i + 1 == cells.size();
     cells[i].end = last ? static_cast<std::uint32_t>(first + length) : cells[i + 1].begin;
+    if (cells[i].dots != 0 || cells[i].begin == cells[i].end) continue;
+    const std::uint32_t behind = cells[i].begin + 1;
+    if (text[cells[i].begin - first] != U' ') {
+      const bool written = i > base && cells[i - 1].dots != 0 &&
+                           cells[i - 1].end == cells[i].begin &&
+                           cells[i - 1].begin == cells[i - 1].end;
+      if (written) cells[i].begin = cells[i - 1].end = cells[i].end;
+    } else if (!last && cells[i].end > behind && text[behind - first] != U' ') {
+      cells[i].end = cells[i + 1].begin = behind;
+    }
   }
 }
 
@@ -284,7 +297,8 @@ std::vector<BrailleCell> BrailleTable::Translate(std::u32string_view line) const
   std::vector<BrailleCell> cells;
   for (std::size_t at = 0; at < line.size();) {
     const std::size_t end = PartEnd(line, at);
-    AppendCells(Translated(name_, line.substr(at, end - at)), at, end - at, cells);
+    const std::u32string_view part = line.substr(at, end - at);
+    AppendCells(Translated(name_, part), part, at, cells);
     at = end;
   }
   return cells;

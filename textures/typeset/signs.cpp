@@ -197,6 +197,7 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
       signs.back().keep_next = end.keep_next;
       signs.back().bound = end.bound;
       signs.back().mark = end.mark;
+      signs.back().break_after = signs.back().break_after || end.may_end;
     }
     if (group || c.kind == Kind::kSpace) reads_on = false;
     if (is_digit) reads_on = true;

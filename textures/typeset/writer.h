@@ -18,9 +18,11 @@ struct Sign {
   std::uint32_t begin = 0;  ///< bytes of the text that it stands for
   std::uint32_t end = 0;
   bool space = false;
-  bool break_after = false;   ///< a hyphen within a word: the line may end behind it
+  bool break_after = false;   ///< the line may end behind it: a hyphen within a word, a character
+                              ///< of a script that parts no words
   bool keep_next = false;     ///< the next stays on its line: of a numeral sign the first digit, of
-                              ///< a mark that opens the letter, of a letter the mark that closes
+                              ///< a mark that opens the letter, of a letter the mark that closes;
+                              ///< of a space, no line ends at it
   bool hyphen_after = false;  ///< the line may end behind it, with a hyphen
   bool link = false;          ///< of a link's words
   bool bound = false;         ///< the next stays on its line above all: of a group, the same mark

@@ -202,8 +202,8 @@ TEST_F(ScriptCommand, WritesNoRulesOverAnotherFile) {
     EXPECT_EQ(outcome.code, 4);
     EXPECT_EQ(outcome.out, "");
     EXPECT_EQ(outcome.err,
-              "nothing converted: another file lies where the rules would go; give --to another "
-              "name, or remove it: " +
+              "nothing converted: another file, or one changed by hand, lies where the rules would "
+              "go; give --to another name, or remove it: " +
                   In("z.toml") + "\n");
     EXPECT_FALSE(std::filesystem::exists(In("z.svg")));
   };
@@ -225,6 +225,50 @@ TEST_F(ScriptCommand, WritesNoRulesOverAnotherFile) {
   EXPECT_EQ(convert().code, 0);
   EXPECT_EQ(ReadAll(In("z.toml")), rules);
   ExpectOnly({"z.svg", "z.toml"});
+}
+
+// A drawing of that name may be somebody's work, be it that they changed what was converted.
+TEST_F(ScriptCommand, WritesNoFontOverAnotherFile) {
+  const auto convert = [this](const std::string& script) {
+    return RunLine({"script", "convert", script, "--to", In("note.svg")});
+  };
+  const auto refused = [&](const std::string& file) {
+    const std::string before = ReadAll(In(file));
+    const Outcome outcome = convert("shapes");
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find("lies where the " +
+                               std::string(file == "note.svg" ? "font" : "rules") + " would go"),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find(In(file)), std::string::npos);
+    EXPECT_EQ(ReadAll(In(file)), before);
+  };
+  WriteAll(In("note.svg"),
+           "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"M0 0L9 9\"/></svg>");
+  refused("note.svg");
+  ExpectOnly({"note.svg"});
+  std::filesystem::remove(In("note.svg"));
+  ASSERT_EQ(convert("shapes").code, 0);
+  // what was converted before is replaced, whatever it was made of
+  const std::string shapes = ReadAll(In("note.svg"));
+  ASSERT_EQ(convert(kKanji).code, 0);
+  EXPECT_NE(ReadAll(In("note.svg")), shapes);
+  ASSERT_EQ(convert("shapes").code, 0);
+  EXPECT_EQ(ReadAll(In("note.svg")), shapes);
+  // but not once somebody worked on it
+  for (const std::string file : {"note.svg", "note.toml"}) {
+    const std::string written = ReadAll(In(file));
+    std::string changed = written;
+    changed[changed.find("hapes")] = 'H';
+    WriteAll(In(file), changed);
+    refused(file);
+    WriteAll(In(file), written + "\n");
+    refused(file);
+    WriteAll(In(file), written);
+  }
+  EXPECT_EQ(convert("shapes").code, 0);
 }
 
 TEST_F(ScriptCommand, JoinsStrokesWhereAsked) {

@@ -30,6 +30,13 @@ TEST(NearestWord, CountsTwoNeighboursSwappedAsOneEdit) {
   EXPECT_EQ(NearestWord("leanr", {"lean-to", "learn"}), "learn");
 }
 
+TEST(NearestWord, TakesCapitalsForSmallLetters) {
+  EXPECT_EQ(NearestWord("RIGHT-TO-LEFT", {"left-to-right", "right-to-left"}), "right-to-left");
+  EXPECT_EQ(NearestWord("en_us", {"en", "en_US", "de_DE"}), "en_US");
+  EXPECT_EQ(NearestWord("VER", {"left", "vertical"}), "vertical");
+  EXPECT_EQ(NearestName("POLHME", {"openffboard", "Polhem"}), "Polhem");
+}
+
 TEST(NearestName, TakesTheFewestChanges) {
   EXPECT_EQ(NearestName("polehm", {"openffboard", "polhem", "spacemouse"}), "polhem");
   EXPECT_EQ(NearestName("rate", {"rat", "gate", "rate"}), "rate");

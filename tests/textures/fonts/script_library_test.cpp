@@ -115,10 +115,27 @@ TEST_F(ScriptLibrary, TellsHowToNameAFolderThatLiesHere) {
   fs::current_path(before);
 }
 
+// Whoever wants contracted Braille may take the grade for a script.
+TEST_F(ScriptLibrary, TellsWhoNamesAGradeHowToAskForIt) {
+  const auto line = [](const std::string& name, const std::string& meant) {
+    return "unknown script '" + name + "', it names a grade; write " + meant;
+  };
+  for (const char* name : {"grade2", "Grade2", "grade-2", "grade 2", "g2"}) {
+    EXPECT_EQ(Error(name), line(name, "--script braille --grade 2"));
+  }
+  EXPECT_EQ(Error("braille2"), line("braille2", "--script braille --grade 2"));
+  EXPECT_EQ(Error("braille-grade1"), line("braille-grade1", "--script braille --grade 1"));
+  EXPECT_EQ(Error("moon-g2"), line("moon-g2", "--script moon --grade 2"));
+  for (const char* name : {"2", "grade", "gr8", "grade22", "moon2x"}) {
+    EXPECT_EQ(Error(name).find("names a grade"), std::string::npos) << name;
+  }
+}
+
 TEST_F(ScriptLibrary, SaysWhatIsKnownAndWhatIsNoScript) {
   EXPECT_EQ(Error("mon"), "unknown script 'mon'; did you mean 'moon'?");
   // half of its letters are those of 'hershey:greek'
-  EXPECT_EQ(Error("grade2"), "unknown script 'grade2': give a font's path or see script list");
+  EXPECT_EQ(Error("grace2"),
+            "unknown script 'grace2': give a font's path, or see: moontrace script list");
   EXPECT_EQ(Error(kData),
             kData + ": a folder without characters: give KanjiVG's or hanzi-writer-data's");
   EXPECT_NE(Error("./none.jhf").find("./none.jhf"), std::string::npos);

@@ -164,7 +164,7 @@ TEST(FindScript, LoadsMoonByNameAndByPath) {
 TEST(FindScript, NamesTheKnownScriptsForAnUnknownName) {
   EXPECT_EQ(ErrorOf([] { FindScript("mon"); }), "unknown script 'mon'; did you mean 'moon'?");
   EXPECT_EQ(ErrorOf([] { FindScript("\n"); }),
-            "unknown script '?': give a font's path or see script list");
+            "unknown script '?': give a font's path, or see: moontrace script list");
 }
 
 class ScriptFiles : public testing::Test {

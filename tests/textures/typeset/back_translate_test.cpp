@@ -9,6 +9,7 @@
 #include "textures/base/error.h"
 #include "textures/fonts/script_library.h"
 #include "textures/typeset/louis.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {
@@ -39,7 +40,9 @@ TEST(BackTranslation, ReadsMoonByItsRules) {
 BackTranslation BackFromPage(std::string_view text, double width_mm) {
   const TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, Moon());
   const PageSpec page{"custom", width_mm / 1000 + 0.010, 0.200, 0.005};
-  return TranslateBack(text, Moon(), style, &page);
+  RowSigns rows;
+  SetPages(text, Moon(), style, page, [&rows](TextPage&& one) { rows.Add(one); });
+  return TranslateBack(text, Moon(), style, &rows);
 }
 
 TEST(BackTranslation, ReadsTheRowsOfAPage) {

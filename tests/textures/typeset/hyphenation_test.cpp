@@ -101,15 +101,15 @@ TEST(Hyphenation, NeverPartsASign) {
   }
 }
 
-// What stands at a line's end within a word is a hyphen, of the text where it has one; no hyphen
-// begins a line.
+// What stands at a line's end within a word is a hyphen, of the text where it has one, on lines
+// that hold two letters beside it; no hyphen begins a line.
 TEST(Hyphenation, ShowsEveryBrokenWord) {
   if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
   const std::string hyphen = "hyphen";
   const std::set<std::string> word_ends = {"g", "s", "w"};
   const std::string text = "extraordinary-looking circumstances mother-in-law amazing strengths";
   int broken = 0;
-  for (int width = 40; width < 160; ++width) {
+  for (int width = 52; width < 160; ++width) {
     for (const std::string& row : Rows(text, "en_US", width)) {
       EXPECT_NE(row.rfind(hyphen, 0), 0U) << width << " mm: " << row;
       const bool ends =
@@ -120,6 +120,58 @@ TEST(Hyphenation, ShowsEveryBrokenWord) {
     }
   }
   EXPECT_GT(broken, 100);
+}
+
+// On lines too short for the word's parts it is broken anywhere, and from there on every row holds
+// as many letters as fit: where a hyphen would leave a letter alone that another fits beside, it is
+// the hyphen that goes.
+TEST(Hyphenation, FillsTheRowsOfAWordThatHadToBeBrokenElsewhere) {
+  if (!HavePatterns()) GTEST_SKIP() << "no libhyphen or no patterns";
+  const Script script = FindScript("moon");
+  TypeStyle style = DefaultStyle(0.010, Relief::kEngraved, script);
+  style.hyphenation = "en_US";
+  const RowMetrics row = MeasureRows(script, style, 1);
+  const std::size_t hyphen = script.Find("hyphen");
+  const std::set<std::string> parts = {"cir", "cum", "stances", "cirhyphen", "cumhyphen"};
+  int forced = 0;
+  for (int width = 22; width < 100; ++width) {
+    PageSpec page = FindPage(std::to_string(width) + "x900");
+    page.margin = 0.001;
+    const double line = page.width - 2 * page.margin;
+    const Typeset set = SetText("circumstances", script, style, page);
+    std::vector<std::vector<std::size_t>> rows(set.pages.at(0).lines);
+    for (const PlacedGlyph& glyph : set.pages[0].glyphs) rows[glyph.line].push_back(glyph.glyph);
+    const auto length = [&row](const std::vector<std::size_t>& glyphs) {
+      double pen = 0;
+      for (std::size_t i = 0; i < glyphs.size(); ++i) {
+        pen += i + 1 < glyphs.size() ? row.advance[glyphs[i]] : row.extent[glyphs[i]];
+      }
+      return pen;
+    };
+    bool broken = false;
+    std::size_t letters = 0;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      std::vector<std::size_t> held = rows[r];
+      std::string name;
+      for (const std::size_t glyph : held) name += script.glyphs[glyph].name;
+      const bool shown = held.back() == hyphen;
+      if (shown) held.pop_back();
+      letters += held.size();
+      broken = broken || parts.count(name) == 0;
+      if (r + 1 == rows.size()) break;
+      // no hyphen is missing but for a second letter
+      EXPECT_TRUE(shown || held.size() > 1 || length({held[0], hyphen}) > line) << width;
+      if (!broken) continue;
+      ++forced;
+      // one more, unless that would leave the last letter alone
+      if (rows[r + 1].size() == 2 && r + 2 == rows.size()) continue;
+      held.push_back(rows[r + 1][0]);
+      if (shown || held.size() > 2) held.push_back(hyphen);
+      EXPECT_GT(length(held), line) << width << " mm: " << name;
+    }
+    EXPECT_EQ(letters, 13U) << width;
+  }
+  EXPECT_GT(forced, 50);
 }
 
 TEST(Hyphenation, PrefersTheHyphenOfTheText) {
@@ -164,6 +216,13 @@ TEST(Hyphenation, UnknownLanguagesNameTheNearest) {
         << error.what();
   }
   EXPECT_THROW(Hyphenation("../../../etc/passwd"), InputError);
+  try {
+    const Hyphenation patterns("EN_us");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean en_US?"), std::string::npos)
+        << error.what();
+  }
 }
 
 Typeset Headed(const std::string& text, const std::string& head, bool numbers,

@@ -29,6 +29,25 @@ std::string Ends(std::string_view text) {
   return marked;
 }
 
+/// The text with "_" for each space at which no line ends, "|" where a line may end in every word.
+std::string Spaces(std::string_view text) {
+  const Script script = SmallScript();
+  Folder folder(text, script, [](char32_t c) { return c != U' ' && c != 0x202F && c != 0xA0; });
+  std::vector<FoldedChar> line;
+  folder.NextLine(line);
+  const std::vector<LineEnd> ends = LineEndsOf(line);
+  std::string marked;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool space = line[i].kind == FoldedChar::Kind::kSpace;
+    marked += space && ends[i].keep_next ? "_" : ToUtf8(line[i].code);
+    const bool kept = !space && i + 1 < line.size() && ends[i + 1].keep_next &&
+                      line[i + 1].kind == FoldedChar::Kind::kSpace;
+    if (kept) EXPECT_TRUE(ends[i].keep_next) << marked;
+    if (ends[i].may_end && !ends[i].keep_next && i + 1 < line.size()) marked += '|';
+  }
+  return marked;
+}
+
 // What typesetters hold to in every language: no line begins with a mark that closes or ends with
 // one that opens, and an ellipsis is one mark.
 TEST(LineEnds, KeepMarksThatCloseWithWhatStandsBeforeThem) {
@@ -55,6 +74,28 @@ TEST(LineEnds, StandBehindHyphensAndStrokes) {
 // Neither "don" nor "t" is a word.
 TEST(LineEnds, KeepAnApostropheWithBothSides) {
   EXPECT_EQ(Ends("don't boys'"), "d|o|n't b|o|y|s'");
+}
+
+// UAX #14, class GL; French sets such a space before high marks and within its quotation marks.
+TEST(LineEnds, AreNoneAtANoBreakSpace) {
+  EXPECT_EQ(Spaces("10\u202F000\u00A0F a b"), "10_000_F a b");
+  EXPECT_EQ(Spaces("\u00AB\u00A0so\u202F!\u00A0\u00BB a\u202F; b"), "\u00AB_so_!_\u00BB a_, b");
+  EXPECT_EQ(Spaces("a  b \u00A0c"), "a  b _c");
+}
+
+// Rules LB13 and LB14 of UAX #14; who types has the plain space only.
+TEST(LineEnds, AreNoneAtASpaceBesideAMarkThatStandsAlone) {
+  EXPECT_EQ(Spaces("\u00AB so ? \u00BB dit-il : \u00AB non ! \u00BB (a) [ b ]"),
+            "\u00AB_so_?_\u00BB dit-il_: \u00AB_non_!_\u00BB (a) [_b_]");
+  EXPECT_EQ(Spaces("er \u00BBso\u00AB und \u201Eso\u201C - a"),
+            "er \u00BBso\u00AB und \u201Eso\u201C - a");
+  EXPECT_EQ(Spaces("a \u00BFb? \u00A1c! \"d\" e ... f * g"),
+            "a \u00BFb? \u00A1c! \"d\" e ... f * g");
+}
+
+TEST(LineEnds, StandBetweenCharactersOfScriptsThatPartNoWords) {
+  EXPECT_EQ(Spaces("\u4F60\u597D\uFF0C\u201C\u4E16\u754C\u201D\u3002ab\u4E00"),
+            "\u4F60|\u597D\uFF0C|\u201C\u4E16|\u754C\u201D\u3002|ab|\u4E00");
 }
 
 }  // namespace

@@ -163,10 +163,28 @@ TEST(SetText, BeginsNoLineWithAMarkThatCloses) {
   EXPECT_EQ(Drawn(Set("ab-, cd", 4, 9)), "ab-#\ncd");
   EXPECT_EQ(Drawn(Set("......", 4, 9)), "####\n##");  // nothing else is left
   EXPECT_EQ(Drawn(Set("a....", 4, 9)), "a\n####");    // the marks at least stay together
+  EXPECT_EQ(Drawn(Set("abc...", 3, 9)), "abc\n###");  // and c, which they leave, stays with a and b
 }
 
 TEST(SetText, PartsNoMarkThatOpensFromItsWord) {
   EXPECT_EQ(Drawn(Set("ab -,cdef", 4, 9)), "ab\n-#cd\nef");
+}
+
+TEST(SetText, WrapsAtNoSpaceThatKeepsItsSides) {
+  EXPECT_EQ(Drawn(Set("x ab\u00A0cd", 6, 9)), "x\nab cd");
+  EXPECT_EQ(Drawn(Set("abc def ; g", 8, 9)), "abc\ndef # g");  // a mark that closes
+  // where no line holds all, rather there than within a word
+  EXPECT_EQ(Drawn(Set("ab\u00A0cde\u00A0fg", 5, 9)), "ab\ncde\nfg");
+  EXPECT_EQ(Drawn(Set("\u00A0 abcd\u00A0;", 4, 9)), "abc\nd #");
+}
+
+TEST(SetText, CountsWordsAcrossNoBreakSpaces) {
+  const Typeset set = Set("ab\u00A0cd e", 8, 1);
+  const auto& glyphs = set.pages.at(0).glyphs;
+  ASSERT_EQ(glyphs.size(), 5U);
+  EXPECT_EQ(glyphs[1].word, 0U);
+  EXPECT_EQ(glyphs[2].word, 1U);
+  EXPECT_EQ(glyphs[4].word, 2U);
 }
 
 TEST(SetText, KeepsMarksInAlternatingLines) {
