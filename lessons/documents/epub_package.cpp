@@ -204,18 +204,16 @@ std::optional<std::string> ResolvePath(std::string_view base, std::string_view a
       const std::size_t end = std::min(path.find('/', at), path.size());
       const std::string_view part = path.substr(at, end - at);
       if (part == "..") {
-        if (parts.empty()) return false;
-        parts.pop_back();
+        if (!parts.empty()) parts.pop_back();
       } else if (!part.empty() && part != ".") {
         parts.push_back(part);
       }
       at = end + 1;
     }
-    return true;
   };
   const std::size_t slash = base.rfind('/');
-  if (plain->front() != '/' && slash != kNone && !walk(base.substr(0, slash))) return std::nullopt;
-  if (!walk(*plain)) return std::nullopt;
+  if (plain->front() != '/' && slash != kNone) walk(base.substr(0, slash));
+  walk(*plain);
   std::string path;
   for (const std::string_view part : parts) {
     if (!path.empty()) path += '/';

@@ -95,9 +95,10 @@ TEST_F(EpubDocument, OddChaptersAreFoundOrToldOf) {
       "<item id='picture' href='p.jpg' media-type='image/jpeg'/>"
       "<item id='gone' href='gone.xhtml' media-type='application/xhtml+xml'/>"
       "<item id='out' href='../../etc/passwd' media-type='application/xhtml+xml'/>"
+      "<item id='file' href='file:///etc/passwd' media-type='application/xhtml+xml'/>"
       "<item id='web' href='http://example.org/x' media-type='application/xhtml+xml'/>";
   std::string spine;
-  for (const char* id : {"typed", "data", "picture", "gone", "out", "web", "unknown"}) {
+  for (const char* id : {"typed", "data", "picture", "gone", "out", "file", "web", "unknown"}) {
     spine += "<itemref idref='" + std::string(id) + "'/>";
   }
   ZipEntries book = Book({Chapter("<p>wrong type</p>"), Chapter("<p>stands in</p>")});
@@ -108,7 +109,7 @@ TEST_F(EpubDocument, OddChaptersAreFoundOrToldOf) {
   const Document read = Read(book);
   EXPECT_EQ(Transcribe(read).text, "wrong type\n\nstands in\n");
   EXPECT_EQ(CountOf(read, LeftOut::kUnreadablePart), 1U);
-  EXPECT_EQ(CountOf(read, LeftOut::kMissingPart), 2U);
+  EXPECT_EQ(CountOf(read, LeftOut::kMissingPart), 3U) << "gone, out, unknown";
   EXPECT_EQ(CountOf(read, LeftOut::kOutsidePart), 2U);
 }
 
@@ -162,6 +163,22 @@ TEST_F(EpubDocument, PathsMayStartAtTheRootAndAreDecodedOnce) {
   const Document read = Read(book);
   EXPECT_EQ(read.blocks.at(0).text, "first on");
   EXPECT_EQ(read.blocks[0].marks.at(0).target, 2U);
+  EXPECT_TRUE(read.left_out.empty());
+}
+
+// EPUB reading systems 3.3, 4.1.1: ".." of the archive's root is the root.
+TEST_F(EpubDocument, NoPathClimbsAboveTheRoot) {
+  ZipEntries book = Book({Chapter("<p>first <a href='../../../up/last.xhtml'>on</a></p>")});
+  const std::string type = "media-type='application/xhtml+xml'";
+  book = Replaced(book, "OPS/book.opf",
+                  Package("<item id='a' href='../../OPS/c0.xhtml' " + type +
+                              "/><item id='b' href='/../up/last.xhtml' " + type + "/>",
+                          "<itemref idref='a'/><itemref idref='b'/>"));
+  book.emplace_back("up/last.xhtml", Chapter("<p>last</p>"));
+  const Document read = Read(book);
+  EXPECT_EQ(read.blocks.at(0).text, "first on");
+  EXPECT_EQ(read.blocks[0].marks.at(0).target, 1U);
+  EXPECT_EQ(read.blocks.at(1).text, "last");
   EXPECT_TRUE(read.left_out.empty());
 }
 
