@@ -36,6 +36,28 @@ std::string Text(const std::string& bytes) {
   return DecodeText(bytes, DeclaredEncoding(bytes)).text;
 }
 
+/// Why a book holds no text: the first of its parts that was left out; empty where none was.
+std::string WhyEmpty(const Document& document) {
+  for (const LeftOutCount& one : document.left_out) {
+    const std::string part = OneLine(one.example);
+    switch (one.what) {
+      case LeftOut::kUnreadablePart:
+        return " (" + part + " in it is no text, and no text stands in for it)";
+      case LeftOut::kMissingPart:
+        return " (" + part + " in it is missing)";
+      case LeftOut::kOutsidePart:
+        return " (" + part + ", a chapter of it, is elsewhere)";
+      case LeftOut::kMedia:
+        return " (it is sound, video or embedded pages)";
+      case LeftOut::kHiddenPart:
+        return " (its text is hidden)";
+      default:
+        break;
+    }
+  }
+  return {};
+}
+
 class EpubReader {
  public:
   EpubReader(ZipArchive& zip, const std::string& name)
@@ -54,7 +76,8 @@ class EpubReader {
       NoteLeftOut(document_, LeftOut::kMissingPart, id);
     }
     if (document_.blocks.empty()) {
-      throw InputError(name_ + ": holds no text that can be read; get it again");
+      throw InputError(name_ + ": holds no text that can be read" + WhyEmpty(document_) +
+                       "; get it again");
     }
     if (document_.language.empty()) document_.language = reader_.language();
     reader_.LeadLinks();

@@ -336,6 +336,30 @@ TEST_F(EpubDocument, DamagedBooksAreRefusedInOneLine) {
   }
 }
 
+TEST_F(EpubDocument, ABookWithoutTextIsRefusedWithItsCause) {
+  const auto refused = [](const std::string& manifest, const std::string& chapter) {
+    ZipEntries book = Replaced(Book({Chapter(chapter)}), "OPS/book.opf",
+                               Package(manifest, "<itemref idref='a'/>"));
+    book.emplace_back("OPS/disk.dmg", "no text");
+    book.emplace_back("OPS/map.psd", "nor this");
+    return Refused(book);
+  };
+  EXPECT_EQ(refused("<item id='a' href='disk.dmg' media-type='application/octet-stream' "
+                    "fallback='b'/><item id='b' href='map.psd' media-type='image/psd'/>",
+                    ""),
+            "book.epub: holds no text that can be read (OPS/disk.dmg in it is no text, and no text "
+            "stands in for it); get it again");
+  const std::string type = "media-type='application/xhtml+xml'/>";
+  EXPECT_NE(refused("<item id='a' href='gone.xhtml' " + type, "").find("OPS/gone.xhtml in it is m"),
+            std::string::npos);
+  EXPECT_NE(refused("<item id='a' href='https://w3.org/x' " + type, "").find("is elsewhere"),
+            std::string::npos);
+  const std::string chapter = "<item id='a' href='c0.xhtml' " + type;
+  EXPECT_NE(refused(chapter, "<video src='a.mp4'/>").find("sound, video"), std::string::npos);
+  EXPECT_NE(refused(chapter, "<p hidden=''>x</p>").find("text is hidden"), std::string::npos);
+  EXPECT_NE(refused(chapter, "<p/>").find("be read; get it again"), std::string::npos);
+}
+
 TEST_F(EpubDocument, WhatUnpacksToTooMuchIsRefused) {
   const ZipEntries book = Book({Chapter("<p>" + std::string(3 << 20, 'a') + "</p>")});
   OpenOptions small;
