@@ -61,7 +61,9 @@ std::string WhyEmpty(const Document& document) {
 class EpubReader {
  public:
   EpubReader(ZipArchive& zip, const std::string& name)
-      : zip_(zip), name_(name), writer_(document_, name), reader_(writer_) {}
+      : zip_(zip), name_(name), writer_(document_, name), reader_(writer_) {
+    reader_.ReadEmbeddedBy([this](const std::string& path) { return ReadEmbedded(path); });
+  }
 
   Document Run() {
     document_.format = DocumentFormat::kEpub;
@@ -192,21 +194,37 @@ class EpubReader {
   }
 
   void ReadChapter(const std::string& path, const std::string& bytes) {
+    reader_.BeginPart(path);
+    ReadMarkup(path, bytes);
+    reader_.EndPart();
+  }
+
+  /// Whether it is a page of the book, which has then been read.
+  bool ReadEmbedded(const std::string& path) {
+    std::size_t item = 0;
+    while (item < package_.items.size() && package_.items[item].path != path) ++item;
+    if (item == package_.items.size()) return false;
+    item = StandIn(item);
+    if (item == kNone || !package_.items[item].path) return false;
+    const std::string& read = *package_.items[item].path;
+    const std::optional<std::string> bytes = zip_.Read(read);
+    if (!bytes) return false;
+    reader_.BeginEmbedded(read);
+    ReadMarkup(read, *bytes);
+    reader_.EndEmbedded();
+    return true;
+  }
+
+  void ReadMarkup(const std::string& path, const std::string& bytes) {
     const DecodedText decoded = DecodeText(bytes, DeclaredEncoding(bytes));
     NoteLeftOut(document_, LeftOut::kBadByte, path, decoded.bad);
-    reader_.BeginPart(path);
     const std::string name = name_ + ": " + OneLine(path);
-    if (!ReadXmlMarkup(decoded.text, name, reader_)) {
-      if (CanReadHtml()) {
-        NoteLeftOut(document_, LeftOut::kBrokenPart, path);
-        const TamedHtml tamed = TameHtml(decoded.text, name, true);
-        NoteLeftOut(document_, LeftOut::kDeepElement, path, tamed.flattened);
-        ReadHtmlMarkup(tamed.html, reader_);
-      } else {
-        NoteLeftOut(document_, LeftOut::kUnreadablePart, path);
-      }
-    }
-    reader_.EndPart();
+    if (ReadXmlMarkup(decoded.text, name, reader_)) return;
+    if (!CanReadHtml()) return NoteLeftOut(document_, LeftOut::kUnreadablePart, path);
+    NoteLeftOut(document_, LeftOut::kBrokenPart, path);
+    const TamedHtml tamed = TameHtml(decoded.text, name, true);
+    NoteLeftOut(document_, LeftOut::kDeepElement, path, tamed.flattened);
+    ReadHtmlMarkup(tamed.html, reader_);
   }
 
   std::optional<EpubNavigation> NavigationOf(std::optional<std::size_t> index, bool ncx) {

@@ -131,6 +131,11 @@ void MarkupReader::AlsoAt(std::string_view path) {
   anchors_.push_back({std::string(path) + "#", writer_.place()});
 }
 
+void MarkupReader::BeginEmbedded(std::string_view path) {
+  outer_path_ = std::exchange(path_, std::string(path));
+  anchors_.push_back({path_ + "#", writer_.place()});
+}
+
 void MarkupReader::EndPart() {
   while (!frames_.empty()) Close();
   writer_.End();
@@ -343,7 +348,7 @@ void MarkupReader::OpenText(Frame& frame, std::string_view name,
       OpenMath(frame, attributes);
       return;
     case Role::kMedia:
-      NoteLeftOut(writer_.document(), LeftOut::kMedia, name);
+      OpenMedia(frame, name, attributes);
       return;
     case Role::kInput:
       OpenInput(frame, attributes);
@@ -461,6 +466,17 @@ void MarkupReader::OpenDrawn(Frame& frame, std::string_view name,
   if (drawing_title_.empty()) drawing_title_ = label;
   Say(label, frame.state);
   Say(" ", frame.state);
+}
+
+void MarkupReader::OpenMedia(Frame& frame, std::string_view name,
+                             const MarkupAttributes& attributes) {
+  std::string_view address = attributes["src"];
+  if (address.empty()) address = attributes["data"];  // of an `object`
+  if (read_embedded_ && outer_path_.empty() && !address.empty()) {
+    const std::optional<std::string> path = ResolvePath(path_, address);
+    frame.silent = path && *path != path_ && read_embedded_(*path);
+  }
+  if (!frame.silent) NoteLeftOut(writer_.document(), LeftOut::kMedia, name);
 }
 
 void MarkupReader::OpenMath(Frame& frame, const MarkupAttributes& attributes) {

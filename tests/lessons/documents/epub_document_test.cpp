@@ -219,6 +219,37 @@ TEST_F(EpubDocument, WhatStandsInForAScriptIsRead) {
   EXPECT_EQ(CountOf(read, LeftOut::kStandIn), 1U);
 }
 
+TEST_F(EpubDocument, APageWithinAPageIsReadInItsPlace) {
+  const auto of = [](const std::string& body) {
+    ZipEntries book = Book({Chapter("<p>before</p>" + body + "<p>after</p>")});
+    const std::string type = "media-type='application/xhtml+xml'/>";
+    book = Replaced(
+        book, "OPS/book.opf",
+        Package("<item id='a' href='c0.xhtml' " + type + "<item id='b' href='in/page.xhtml' " +
+                    type + "<item id='c' href='sound.mp3' media-type='audio/mpeg'/>",
+                "<itemref idref='a'/>"));
+    book.emplace_back("OPS/in/page.xhtml",
+                      Chapter("<h2 id='h'>within</h2><iframe src='page.xhtml'/><object "
+                              "data='../c0.xhtml'/>"));
+    book.emplace_back("OPS/unlisted.xhtml", Chapter("<p>unlisted</p>"));
+    book.emplace_back("OPS/sound.mp3", "sound");
+    return Read(book);
+  };
+  const Document framed =
+      of("<iframe src='in/page.xhtml'>instead</iframe><p><a "
+         "href='in/page.xhtml#h'>up</a></p>");
+  EXPECT_EQ(Transcribe(framed).text, "before\n\n## within\n\n[up](in/page.xhtml#h)\n\nafter\n");
+  EXPECT_EQ(framed.blocks.at(2).marks.at(0).target, 1U);
+  EXPECT_EQ(CountOf(framed, LeftOut::kMedia), 2U) << "what the page within would hold";
+  EXPECT_EQ(Transcribe(of("<object data='in/page.xhtml'>instead</object>")).text,
+            "before\n\n## within\n\nafter\n");
+  for (const char* address : {"sound.mp3", "unlisted.xhtml", "https://w3.org/", "file:///x", ""}) {
+    const Document other = of("<object data='" + std::string(address) + "'>instead</object>");
+    EXPECT_EQ(Transcribe(other).text, "before\n\ninstead\n\nafter\n") << address;
+    EXPECT_EQ(CountOf(other, LeftOut::kMedia), 1U) << address;
+  }
+}
+
 // EPUB content documents 3.0.1, 2.1.3.4: the first case that is known, else the default.
 TEST_F(EpubDocument, OfASwitchOneChildIsRead) {
   const auto read = [](const std::string& cases) {
