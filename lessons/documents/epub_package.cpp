@@ -68,7 +68,8 @@ std::string TextOf(pugi::xml_node root) {
 
 std::optional<pugi::xml_node> Root(pugi::xml_document& document, const std::string& xml) {
   const pugi::xml_parse_result parsed = document.load_buffer(
-      xml.data(), xml.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+      xml.data(), xml.size(), pugi::parse_default | pugi::parse_ws_pcdata_single,
+      pugi::encoding_utf8);  // decoded already, whatever it declares
   if (!parsed || !document.document_element()) return std::nullopt;
   return document.document_element();
 }

@@ -318,6 +318,24 @@ TEST_F(EpubDocument, AGroupOfTheContentsLeadsWhereItsFirstLineDoes) {
   EXPECT_FALSE(read.contents[4].group);
 }
 
+TEST_F(EpubDocument, PackageAndContentsAreDecodedOnceByTheirOwnEncoding) {
+  const std::string declared = "<?xml version='1.0' encoding='ISO-8859-1'?>";
+  ZipEntries book = Book({Chapter("<p>x</p>")});
+  std::string package = Package(
+      "<item id='c' href='c0.xhtml' media-type='application/xhtml+xml'/>"
+      "<item id='n' href='toc.ncx' media-type='application/x-dtbncx+xml'/>",
+      "<itemref idref='c'/>", " toc='n'");
+  package.replace(package.find("Sea &amp;"), 9, "Caf\xE9 &amp;");
+  book = Replaced(book, "OPS/book.opf", declared + package.substr(package.find("<package")));
+  book.emplace_back("OPS/toc.ncx", declared +
+                                       "<ncx><navMap><navPoint><navLabel><text>\xC9t\xE9</text>"
+                                       "</navLabel><content src='c0.xhtml'/></navPoint></navMap>"
+                                       "</ncx>");
+  const Document read = Read(book);
+  EXPECT_EQ(read.title, "Caf\xC3\xA9 & Land");
+  EXPECT_EQ(read.contents.at(0).title, "\xC3\x89t\xC3\xA9");
+}
+
 TEST_F(EpubDocument, DamagedChaptersAreReadAsWebPages) {
   if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
   const Document read = Read(Book({Chapter("<p>un<b>closed</p><p>next")}));
