@@ -106,6 +106,12 @@ std::string NumberLabel(int number, char type) {
          ".";
 }
 
+/// Whether a part of a drawing's text begins a line of its own.
+bool BeginsLine(std::string_view name, const MarkupAttributes& attributes) {
+  return name == "tspan" && (attributes.Has("y") ||
+                             attributes["dy"].find_first_of("123456789") != std::string_view::npos);
+}
+
 /// "a/b/cover.jpg?x" is "cover.jpg".
 std::string_view FileName(std::string_view address) {
   if (address.substr(0, 5) == "data:") return "";
@@ -460,7 +466,8 @@ void MarkupReader::OpenDrawn(Frame& frame, std::string_view name,
                              const MarkupAttributes& attributes) {
   const std::string_view label = attributes["aria-label"];
   frame.labelled = !IsBlank(label);
-  frame.apart = frame.labelled || name == "title" || name == "desc" || name == "text";
+  frame.apart = frame.labelled || name == "title" || name == "desc" || name == "text" ||
+                BeginsLine(name, attributes);
   if (frame.apart) Say(" ", frame.state);
   if (!frame.labelled) return;
   if (drawing_title_.empty()) drawing_title_ = label;

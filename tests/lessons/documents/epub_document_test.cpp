@@ -282,6 +282,15 @@ TEST_F(EpubDocument, DrawingsAreReadByTheirWordsAndToldNotToBeLaidOut) {
   EXPECT_EQ(read.left_out[1].example, "A lamp");
 }
 
+TEST_F(EpubDocument, WordsOfADrawingAreReadByLineAndOnlyWhereTheyShow) {
+  const Document read = Read(Book(
+      {Chapter("<svg><text><tspan x='0'>The r</tspan><tspan x='9'>ed</tspan><tspan x='0' "
+               "dy='1.2em'>lamp</tspan><tspan x='0' y='30'>shines</tspan></text><text "
+               "display='none'>dark</text><g visibility='hidden'><text>night</text></g></svg>")}));
+  EXPECT_EQ(read.blocks.at(0).text, "The red lamp shines");
+  EXPECT_EQ(CountOf(read, LeftOut::kHiddenPart), 2U);
+}
+
 TEST_F(EpubDocument, FaultyNamesAreToldAndReadAllTheSame) {
   const auto fault = [](const std::string& body) -> std::string {
     const Document read = Read(Book({Chapter("<p>x</p>" + body + "<p>y</p>")}));
