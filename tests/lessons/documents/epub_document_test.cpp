@@ -305,6 +305,31 @@ TEST_F(EpubDocument, FaultyNamesAreToldAndReadAllTheSame) {
   EXPECT_EQ(fault("<epub::p>k</epub::p>"), "name epub::p");
 }
 
+TEST_F(EpubDocument, LinesOfTheContentsAreReadAsTheChaptersAre) {
+  const auto title = [](const std::string& words) -> std::string {
+    ZipEntries book = Book({Chapter("<p>one</p>")});
+    const std::string type = "media-type='application/xhtml+xml'/>";
+    book = Replaced(book, "OPS/book.opf",
+                    Package("<item id='a' href='c0.xhtml' " + type +
+                                "<item id='n' properties='nav' href='nav.xhtml' " + type,
+                            "<itemref idref='a'/>"));
+    book.emplace_back("OPS/nav.xhtml", Chapter("<nav epub:type='toc'><ol><li><a href='c0.xhtml'>" +
+                                               words + "</a></li></ol></nav>"));
+    const Document read = Read(book);
+    return read.contents.empty() ? "" : read.contents[0].title;
+  };
+  EXPECT_EQ(title("\n a <img alt='b' title='no'/>, <img title='c'/>"), "a b, c");
+  EXPECT_EQ(title("<math alttext='x squared'><msup><mi>x</mi><mn>2</mn></msup></math>"),
+            "x squared");
+  EXPECT_EQ(title("<svg aria-label='The lamp'><title>no</title></svg>"), "The lamp");
+  EXPECT_EQ(title("<svg><title>Its title</title></svg>"), "Its title");
+  EXPECT_EQ(title("&lt;b&gt; &amp;mdash; &#233; &nosuch;"), "<b> &mdash; \xC3\xA9 &nosuch;");
+  if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
+  EXPECT_EQ(title("a&mdash;b &LT; &AMP;"),
+            "a\xE2\x80\x94"
+            "b &LT; &AMP;");
+}
+
 TEST_F(EpubDocument, AGroupOfTheContentsLeadsWhereItsFirstLineDoes) {
   ZipEntries book = Book({Chapter("<p>one</p>"), Chapter("<p>two</p>")});
   book.emplace_back(
