@@ -111,9 +111,9 @@ std::string WithoutNames(std::string_view xml) {
 
 std::optional<pugi::xml_node> Root(pugi::xml_document& document, const std::string& encoded) {
   const std::string xml = WithoutNames(encoded);
-  const pugi::xml_parse_result parsed = document.load_buffer(
-      xml.data(), xml.size(), pugi::parse_default | pugi::parse_ws_pcdata_single,
-      pugi::encoding_utf8);  // decoded already, whatever it declares
+  const pugi::xml_parse_result parsed =
+      document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_ws_pcdata,
+                           pugi::encoding_utf8);  // decoded already, whatever it declares
   if (!parsed || !document.document_element()) return std::nullopt;
   return document.document_element();
 }

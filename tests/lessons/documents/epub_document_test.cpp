@@ -318,7 +318,8 @@ TEST_F(EpubDocument, LinesOfTheContentsAreReadAsTheChaptersAre) {
     const Document read = Read(book);
     return read.contents.empty() ? "" : read.contents[0].title;
   };
-  EXPECT_EQ(title("\n a <img alt='b' title='no'/>, <img title='c'/>"), "a b, c");
+  EXPECT_EQ(title("\n a <img alt='b' title='no'/> <img title='c'/>"), "a b c");
+  EXPECT_EQ(title("<b>1</b> <i>The</i>\n<i>lamp</i>"), "1 The lamp");
   EXPECT_EQ(title("<math alttext='x squared'><msup><mi>x</mi><mn>2</mn></msup></math>"),
             "x squared");
   EXPECT_EQ(title("<svg aria-label='The lamp'><title>no</title></svg>"), "The lamp");
