@@ -256,6 +256,7 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
       HasType(attributes, "rearnote")) {
     frame.state.note = true;
   }
+  if (name == "nav" && attributes.Has("epub:type")) frame.contents = true;
   if (IsVerse(attributes)) frame.state.kind = BlockKind::kVerse;
   OpenGroup(frame, name, attributes);
   OpenText(frame, name, attributes);
@@ -372,7 +373,7 @@ void MarkupReader::OpenText(Frame& frame, std::string_view name,
 void MarkupReader::BeginList(Frame& frame, const MarkupAttributes& attributes) {
   frame.state.level = 0;
   OpenList list;
-  list.ordered = frame.role == Role::kOrderedList;
+  list.ordered = frame.role == Role::kOrderedList && !frame.contents;
   list.step = attributes.Has("reversed") ? -1 : 1;
   list.next = WholeNumber(attributes["start"], 1);
   const std::string_view type = attributes["type"];

@@ -62,6 +62,7 @@ class MarkupReader : public MarkupSink {
     bool taken = false;     // of a switch: one of its children is read
     bool labelled = false;  // of a drawing: its title would say the same again
     bool apart = false;     // words of their own in a drawing
+    bool contents = false;  // in a table of contents of EPUB: its lists have no numbers
 
     std::uint32_t label = 0;  // of a link, in labels_
     std::size_t written = 0;  // when it began

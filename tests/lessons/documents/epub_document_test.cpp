@@ -331,6 +331,16 @@ TEST_F(EpubDocument, LinesOfTheContentsAreReadAsTheChaptersAre) {
             "b &LT; &AMP;");
 }
 
+// EPUB 3.3 of navigation documents: items of their lists have no numbers of themselves.
+TEST_F(EpubDocument, ContentsThatAreReadAsAChapterHaveNoNumbers) {
+  EXPECT_EQ(TextOf(Book({Chapter("<nav epub:type='toc'><ol><li><a href='c0.xhtml'>One</a><ol><li>"
+                                 "<span>Half</span></li></ol></li></ol></nav><ol><li>x</li></ol>"
+                                 "<nav><ol><li>y</li></ol></nav>")})),
+            "list of 1 item\n- [One](c0.xhtml)\nlist of 1 item, level 2\n-- Half\n\nlist of 1 "
+            "item\n1. x\n\n"
+            "list of 1 item\n1. y\n");
+}
+
 TEST_F(EpubDocument, AGroupOfTheContentsLeadsWhereItsFirstLineDoes) {
   ZipEntries book = Book({Chapter("<p>one</p>"), Chapter("<p>two</p>")});
   book.emplace_back(
