@@ -36,26 +36,27 @@ std::string Text(const std::string& bytes) {
   return DecodeText(bytes, DeclaredEncoding(bytes)).text;
 }
 
-/// Why a book holds no text: the first of its parts that was left out; empty where none was.
+/// Why a book holds no text, by the first of its parts that was left out, and what helps.
 std::string WhyEmpty(const Document& document) {
   for (const LeftOutCount& one : document.left_out) {
     const std::string part = OneLine(one.example);
     switch (one.what) {
       case LeftOut::kUnreadablePart:
-        return " (" + part + " in it is no text, and no text stands in for it)";
+        return " (" + part +
+               " in it is no text, and no text stands in for it); get another edition";
       case LeftOut::kMissingPart:
-        return " (" + part + " in it is missing)";
+        return " (" + part + " in it is missing); get it again";
       case LeftOut::kOutsidePart:
-        return " (" + part + ", a chapter of it, is elsewhere)";
+        return " (" + part + ", a chapter of it, is elsewhere); get another edition";
       case LeftOut::kMedia:
-        return " (it is sound, video or embedded pages)";
+        return " (it is sound, video or embedded pages); get another edition";
       case LeftOut::kHiddenPart:
-        return " (its text is hidden)";
+        return " (its text is hidden); get another edition";
       default:
         break;
     }
   }
-  return {};
+  return "; get it again";
 }
 
 class EpubReader {
@@ -78,8 +79,7 @@ class EpubReader {
       NoteLeftOut(document_, LeftOut::kMissingPart, id);
     }
     if (document_.blocks.empty()) {
-      throw InputError(name_ + ": holds no text that can be read" + WhyEmpty(document_) +
-                       "; get it again");
+      throw InputError(name_ + ": holds no text that can be read" + WhyEmpty(document_));
     }
     if (document_.language.empty()) document_.language = reader_.language();
     reader_.LeadLinks();
