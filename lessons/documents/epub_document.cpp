@@ -36,10 +36,35 @@ std::string Text(const std::string& bytes) {
   return DecodeText(bytes, DeclaredEncoding(bytes)).text;
 }
 
+/// Why a book holds no text, by the first of its parts that was left out, and what helps.
+std::string WhyEmpty(const Document& document) {
+  for (const LeftOutCount& one : document.left_out) {
+    const std::string part = OneLine(one.example);
+    switch (one.what) {
+      case LeftOut::kUnreadablePart:
+        return " (" + part +
+               " in it is no text, and no text stands in for it); get another edition";
+      case LeftOut::kMissingPart:
+        return " (" + part + " in it is missing); get it again";
+      case LeftOut::kOutsidePart:
+        return " (" + part + ", a chapter of it, is elsewhere); get another edition";
+      case LeftOut::kMedia:
+        return " (it is sound, video or embedded pages); get another edition";
+      case LeftOut::kHiddenPart:
+        return " (its text is hidden); get another edition";
+      default:
+        break;
+    }
+  }
+  return "; get it again";
+}
+
 class EpubReader {
  public:
   EpubReader(ZipArchive& zip, const std::string& name)
-      : zip_(zip), name_(name), writer_(document_, name), reader_(writer_) {}
+      : zip_(zip), name_(name), writer_(document_, name), reader_(writer_) {
+    reader_.ReadEmbeddedBy([this](const std::string& path) { return ReadEmbedded(path); });
+  }
 
   Document Run() {
     document_.format = DocumentFormat::kEpub;
@@ -54,7 +79,7 @@ class EpubReader {
       NoteLeftOut(document_, LeftOut::kMissingPart, id);
     }
     if (document_.blocks.empty()) {
-      throw InputError(name_ + ": holds no text that can be read; get it again");
+      throw InputError(name_ + ": holds no text that can be read" + WhyEmpty(document_));
     }
     if (document_.language.empty()) document_.language = reader_.language();
     reader_.LeadLinks();
@@ -169,21 +194,37 @@ class EpubReader {
   }
 
   void ReadChapter(const std::string& path, const std::string& bytes) {
+    reader_.BeginPart(path);
+    ReadMarkup(path, bytes);
+    reader_.EndPart();
+  }
+
+  /// Whether it is a page of the book, which has then been read.
+  bool ReadEmbedded(const std::string& path) {
+    std::size_t item = 0;
+    while (item < package_.items.size() && package_.items[item].path != path) ++item;
+    if (item == package_.items.size()) return false;
+    item = StandIn(item);
+    if (item == kNone || !package_.items[item].path) return false;
+    const std::string& read = *package_.items[item].path;
+    const std::optional<std::string> bytes = zip_.Read(read);
+    if (!bytes) return false;
+    reader_.BeginEmbedded(read);
+    ReadMarkup(read, *bytes);
+    reader_.EndEmbedded();
+    return true;
+  }
+
+  void ReadMarkup(const std::string& path, const std::string& bytes) {
     const DecodedText decoded = DecodeText(bytes, DeclaredEncoding(bytes));
     NoteLeftOut(document_, LeftOut::kBadByte, path, decoded.bad);
-    reader_.BeginPart(path);
     const std::string name = name_ + ": " + OneLine(path);
-    if (!ReadXmlMarkup(decoded.text, name, reader_)) {
-      if (CanReadHtml()) {
-        NoteLeftOut(document_, LeftOut::kBrokenPart, path);
-        const TamedHtml tamed = TameHtml(decoded.text, name, true);
-        NoteLeftOut(document_, LeftOut::kDeepElement, path, tamed.flattened);
-        ReadHtmlMarkup(tamed.html, reader_);
-      } else {
-        NoteLeftOut(document_, LeftOut::kUnreadablePart, path);
-      }
-    }
-    reader_.EndPart();
+    if (ReadXmlMarkup(decoded.text, name, reader_)) return;
+    if (!CanReadHtml()) return NoteLeftOut(document_, LeftOut::kUnreadablePart, path);
+    NoteLeftOut(document_, LeftOut::kBrokenPart, path);
+    const TamedHtml tamed = TameHtml(decoded.text, name, true);
+    NoteLeftOut(document_, LeftOut::kDeepElement, path, tamed.flattened);
+    ReadHtmlMarkup(tamed.html, reader_);
   }
 
   std::optional<EpubNavigation> NavigationOf(std::optional<std::size_t> index, bool ncx) {

@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <unordered_map>
 
+#include "lessons/documents/html_tree.h"
 #include "lessons/documents/markup_elements.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMostItems = 20'000;
 constexpr int kDeepest = 20;
+constexpr std::size_t kLongestName = 40;  // of a character [bytes]
+constexpr std::size_t kMostNames = 1000;  // that are told apart
 constexpr std::size_t kNone = std::string_view::npos;
 
 std::string_view LocalName(pugi::xml_node node) {
@@ -38,6 +41,16 @@ pugi::xml_node Child(pugi::xml_node node, std::string_view name) {
   return {};
 }
 
+/// What is said for a node in place of what it holds; empty: nothing is.
+std::string_view Alternative(pugi::xml_node node) {
+  const std::string_view name = LocalName(node);
+  if (name == "math") return Attribute(node, "alttext");
+  if (name == "svg") return Attribute(node, "aria-label");
+  if (name != "img") return {};
+  const std::string_view words = Attribute(node, "alt");
+  return words.empty() ? Attribute(node, "title") : words;
+}
+
 /// The text below a node, its blanks single spaces. Without recursion.
 std::string TextOf(pugi::xml_node root) {
   std::string text;
@@ -53,8 +66,9 @@ std::string TextOf(pugi::xml_node root) {
   };
   for (pugi::xml_node node = root; node;) {
     if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata) take(node.value());
-    if (LocalName(node) == "img") take(Attribute(node, "alt"));
-    if (const pugi::xml_node child = node.first_child()) {
+    const std::string_view words = Alternative(node);
+    take(words);
+    if (const pugi::xml_node child = node.first_child(); child && words.empty()) {
       node = child;
       continue;
     }
@@ -66,9 +80,40 @@ std::string TextOf(pugi::xml_node root) {
   return text;
 }
 
-std::optional<pugi::xml_node> Root(pugi::xml_document& document, const std::string& xml) {
-  const pugi::xml_parse_result parsed = document.load_buffer(
-      xml.data(), xml.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+/// HTML's named characters as themselves, since the parser knows the five of XML alone.
+std::string WithoutNames(std::string_view xml) {
+  std::unordered_map<std::string_view, std::optional<std::string>> known;
+  for (const std::string_view name : {"amp", "lt", "gt", "quot", "apos"}) known[name];
+  std::string plain;
+  plain.reserve(xml.size());
+  for (std::size_t at = 0; at < xml.size();) {
+    const std::size_t mark = std::min(xml.find('&', at), xml.size());
+    plain.append(xml.substr(at, mark - at));
+    at = mark;
+    if (mark == xml.size()) break;
+    const std::size_t end = xml.substr(0, mark + kLongestName).find(';', mark);
+    const std::string_view name =
+        end == kNone ? std::string_view() : xml.substr(mark + 1, end - mark - 1);
+    if (!name.empty() && name[0] != '#' && known.size() < kMostNames && known.count(name) == 0) {
+      known[name] = NamedCharacters(name);
+    }
+    const auto found = known.find(name);
+    if (found == known.end() || !found->second ||
+        found->second->find_first_of("<&") != std::string::npos) {
+      plain += xml[at++];
+    } else {
+      plain += *found->second;
+      at = end + 1;
+    }
+  }
+  return plain;
+}
+
+std::optional<pugi::xml_node> Root(pugi::xml_document& document, const std::string& encoded) {
+  const std::string xml = WithoutNames(encoded);
+  const pugi::xml_parse_result parsed =
+      document.load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_ws_pcdata,
+                           pugi::encoding_utf8);  // decoded already, whatever it declares
   if (!parsed || !document.document_element()) return std::nullopt;
   return document.document_element();
 }
@@ -204,18 +249,16 @@ std::optional<std::string> ResolvePath(std::string_view base, std::string_view a
       const std::size_t end = std::min(path.find('/', at), path.size());
       const std::string_view part = path.substr(at, end - at);
       if (part == "..") {
-        if (parts.empty()) return false;
-        parts.pop_back();
+        if (!parts.empty()) parts.pop_back();
       } else if (!part.empty() && part != ".") {
         parts.push_back(part);
       }
       at = end + 1;
     }
-    return true;
   };
   const std::size_t slash = base.rfind('/');
-  if (plain->front() != '/' && slash != kNone && !walk(base.substr(0, slash))) return std::nullopt;
-  if (!walk(*plain)) return std::nullopt;
+  if (plain->front() != '/' && slash != kNone) walk(base.substr(0, slash));
+  walk(*plain);
   std::string path;
   for (const std::string_view part : parts) {
     if (!path.empty()) path += '/';

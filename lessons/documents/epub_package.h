@@ -52,7 +52,8 @@ struct EpubNavigation {
 };
 
 /// `address` as a path within the archive, as seen from the file `base`: without its part behind
-/// "#", which goes to `id`, "%20" decoded. Nothing where it leaves the archive, or is on the web.
+/// "#", which goes to `id`, "%20" decoded. Above the archive's root there is the root again (EPUB
+/// reading systems 3.3, 4.1.1), so no address leaves it. Nothing where it is on the web.
 std::optional<std::string> ResolvePath(std::string_view base, std::string_view address,
                                        std::string* id = nullptr);
 

@@ -126,6 +126,8 @@ bool IsHiddenElement(std::string_view name, const MarkupAttributes& attributes) 
   if (attributes.Has("hidden") || attributes["aria-hidden"] == "true") return true;
   if (name == "dialog" && !attributes.Has("open")) return true;
   if (name == "input" && LowerCase(attributes["type"]) == "hidden") return true;
+  // Of a drawing: HTML knows no such attributes.
+  if (attributes["display"] == "none" || attributes["visibility"] == "hidden") return true;
   const std::string_view style = attributes["style"];
   if (style.empty() || style.size() > 4096) return false;
   const std::string packed = WithoutBlanks(style);

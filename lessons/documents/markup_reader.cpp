@@ -106,6 +106,12 @@ std::string NumberLabel(int number, char type) {
          ".";
 }
 
+/// Whether a part of a drawing's text begins a line of its own.
+bool BeginsLine(std::string_view name, const MarkupAttributes& attributes) {
+  return name == "tspan" && (attributes.Has("y") ||
+                             attributes["dy"].find_first_of("123456789") != std::string_view::npos);
+}
+
 /// "a/b/cover.jpg?x" is "cover.jpg".
 std::string_view FileName(std::string_view address) {
   if (address.substr(0, 5) == "data:") return "";
@@ -129,6 +135,11 @@ void MarkupReader::BeginPart(std::string_view path) {
 
 void MarkupReader::AlsoAt(std::string_view path) {
   anchors_.push_back({std::string(path) + "#", writer_.place()});
+}
+
+void MarkupReader::BeginEmbedded(std::string_view path) {
+  outer_path_ = std::exchange(path_, std::string(path));
+  anchors_.push_back({path_ + "#", writer_.place()});
 }
 
 void MarkupReader::EndPart() {
@@ -245,6 +256,7 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
       HasType(attributes, "rearnote")) {
     frame.state.note = true;
   }
+  if (name == "nav" && attributes.Has("epub:type")) frame.contents = true;
   if (IsVerse(attributes)) frame.state.kind = BlockKind::kVerse;
   OpenGroup(frame, name, attributes);
   OpenText(frame, name, attributes);
@@ -343,7 +355,7 @@ void MarkupReader::OpenText(Frame& frame, std::string_view name,
       OpenMath(frame, attributes);
       return;
     case Role::kMedia:
-      NoteLeftOut(writer_.document(), LeftOut::kMedia, name);
+      OpenMedia(frame, name, attributes);
       return;
     case Role::kInput:
       OpenInput(frame, attributes);
@@ -361,7 +373,7 @@ void MarkupReader::OpenText(Frame& frame, std::string_view name,
 void MarkupReader::BeginList(Frame& frame, const MarkupAttributes& attributes) {
   frame.state.level = 0;
   OpenList list;
-  list.ordered = frame.role == Role::kOrderedList;
+  list.ordered = frame.role == Role::kOrderedList && !frame.contents;
   list.step = attributes.Has("reversed") ? -1 : 1;
   list.next = WholeNumber(attributes["start"], 1);
   const std::string_view type = attributes["type"];
@@ -455,12 +467,24 @@ void MarkupReader::OpenDrawn(Frame& frame, std::string_view name,
                              const MarkupAttributes& attributes) {
   const std::string_view label = attributes["aria-label"];
   frame.labelled = !IsBlank(label);
-  frame.apart = frame.labelled || name == "title" || name == "desc" || name == "text";
+  frame.apart = frame.labelled || name == "title" || name == "desc" || name == "text" ||
+                BeginsLine(name, attributes);
   if (frame.apart) Say(" ", frame.state);
   if (!frame.labelled) return;
   if (drawing_title_.empty()) drawing_title_ = label;
   Say(label, frame.state);
   Say(" ", frame.state);
+}
+
+void MarkupReader::OpenMedia(Frame& frame, std::string_view name,
+                             const MarkupAttributes& attributes) {
+  std::string_view address = attributes["src"];
+  if (address.empty()) address = attributes["data"];  // of an `object`
+  if (read_embedded_ && outer_path_.empty() && !address.empty()) {
+    const std::optional<std::string> path = ResolvePath(path_, address);
+    frame.silent = path && *path != path_ && read_embedded_(*path);
+  }
+  if (!frame.silent) NoteLeftOut(writer_.document(), LeftOut::kMedia, name);
 }
 
 void MarkupReader::OpenMath(Frame& frame, const MarkupAttributes& attributes) {

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "lessons/documents/block_writer.h"
@@ -21,6 +23,14 @@ namespace moontrace {
 class MarkupReader : public MarkupSink {
  public:
   explicit MarkupReader(BlockWriter& writer) : writer_(writer) {}
+
+  /// Reads a page within the page in its place, by its path in the book, with BeginEmbedded and
+  /// EndEmbedded around it; false where the book has no such page, which is then left out.
+  void ReadEmbeddedBy(std::function<bool(const std::string& path)> read) {
+    read_embedded_ = std::move(read);
+  }
+  void BeginEmbedded(std::string_view path);
+  void EndEmbedded() { path_ = std::exchange(outer_path_, {}); }
 
   /// `path` of the part within the book, for places that are named in it.
   void BeginPart(std::string_view path);
@@ -52,6 +62,7 @@ class MarkupReader : public MarkupSink {
     bool taken = false;     // of a switch: one of its children is read
     bool labelled = false;  // of a drawing: its title would say the same again
     bool apart = false;     // words of their own in a drawing
+    bool contents = false;  // in a table of contents of EPUB: its lists have no numbers
 
     std::uint32_t label = 0;  // of a link, in labels_
     std::size_t written = 0;  // when it began
@@ -79,6 +90,7 @@ class MarkupReader : public MarkupSink {
   void OpenImage(const Frame& frame, const MarkupAttributes& attributes);
   void OpenDrawing(Frame& frame, const MarkupAttributes& attributes);
   void OpenDrawn(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
+  void OpenMedia(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   void OpenMath(Frame& frame, const MarkupAttributes& attributes);
   void OpenInput(const Frame& frame, const MarkupAttributes& attributes);
   void OpenLink(Frame& frame, const MarkupAttributes& attributes);
@@ -91,7 +103,9 @@ class MarkupReader : public MarkupSink {
   void Say(std::string_view text, const WritingState& state) { writer_.Append(text, state); }
 
   BlockWriter& writer_;
+  std::function<bool(const std::string& path)> read_embedded_;
   std::string path_;
+  std::string outer_path_;  // of the page around the one that is read; empty: there is none
   std::vector<Frame> frames_;
   std::size_t deeper_ = 0;  // elements below the deepest frame
   std::vector<OpenList> lists_;

@@ -103,8 +103,8 @@ std::string LeftOutOf(const LeftOutCount& left_out) {
       return Is(n, "element", "elements") + " nested too deep: the text is kept, the kind is not" +
              Begins(example);
     case LeftOut::kFaultyPart:
-      return Has(n, "chapter", "chapters") + " faulty names as XML and are read all the same" +
-             Begins(example);
+      return Has(n, "chapter", "chapters") +
+             " faulty names as XML; the words are read all the same" + Begins(example);
     case LeftOut::kBrokenPart:
       return Is(n, "chapter", "chapters") + " damaged, read as web pages are" + Begins(example);
     case LeftOut::kMissingPart:

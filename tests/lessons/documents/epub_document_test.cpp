@@ -95,9 +95,10 @@ TEST_F(EpubDocument, OddChaptersAreFoundOrToldOf) {
       "<item id='picture' href='p.jpg' media-type='image/jpeg'/>"
       "<item id='gone' href='gone.xhtml' media-type='application/xhtml+xml'/>"
       "<item id='out' href='../../etc/passwd' media-type='application/xhtml+xml'/>"
+      "<item id='file' href='file:///etc/passwd' media-type='application/xhtml+xml'/>"
       "<item id='web' href='http://example.org/x' media-type='application/xhtml+xml'/>";
   std::string spine;
-  for (const char* id : {"typed", "data", "picture", "gone", "out", "web", "unknown"}) {
+  for (const char* id : {"typed", "data", "picture", "gone", "out", "file", "web", "unknown"}) {
     spine += "<itemref idref='" + std::string(id) + "'/>";
   }
   ZipEntries book = Book({Chapter("<p>wrong type</p>"), Chapter("<p>stands in</p>")});
@@ -108,7 +109,7 @@ TEST_F(EpubDocument, OddChaptersAreFoundOrToldOf) {
   const Document read = Read(book);
   EXPECT_EQ(Transcribe(read).text, "wrong type\n\nstands in\n");
   EXPECT_EQ(CountOf(read, LeftOut::kUnreadablePart), 1U);
-  EXPECT_EQ(CountOf(read, LeftOut::kMissingPart), 2U);
+  EXPECT_EQ(CountOf(read, LeftOut::kMissingPart), 3U) << "gone, out, unknown";
   EXPECT_EQ(CountOf(read, LeftOut::kOutsidePart), 2U);
 }
 
@@ -165,6 +166,22 @@ TEST_F(EpubDocument, PathsMayStartAtTheRootAndAreDecodedOnce) {
   EXPECT_TRUE(read.left_out.empty());
 }
 
+// EPUB reading systems 3.3, 4.1.1: ".." of the archive's root is the root.
+TEST_F(EpubDocument, NoPathClimbsAboveTheRoot) {
+  ZipEntries book = Book({Chapter("<p>first <a href='../../../up/last.xhtml'>on</a></p>")});
+  const std::string type = "media-type='application/xhtml+xml'";
+  book = Replaced(book, "OPS/book.opf",
+                  Package("<item id='a' href='../../OPS/c0.xhtml' " + type +
+                              "/><item id='b' href='/../up/last.xhtml' " + type + "/>",
+                          "<itemref idref='a'/><itemref idref='b'/>"));
+  book.emplace_back("up/last.xhtml", Chapter("<p>last</p>"));
+  const Document read = Read(book);
+  EXPECT_EQ(read.blocks.at(0).text, "first on");
+  EXPECT_EQ(read.blocks[0].marks.at(0).target, 1U);
+  EXPECT_EQ(read.blocks.at(1).text, "last");
+  EXPECT_TRUE(read.left_out.empty());
+}
+
 TEST_F(EpubDocument, ALinkToAPlaceThatIsNotMarkedLeadsToItsChapter) {
   const Document read =
       Read(Book({Chapter("<p><a href='c1.xhtml#nosuch'>on</a></p>"), Chapter("<p>next</p>")}));
@@ -202,6 +219,37 @@ TEST_F(EpubDocument, WhatStandsInForAScriptIsRead) {
   EXPECT_EQ(CountOf(read, LeftOut::kStandIn), 1U);
 }
 
+TEST_F(EpubDocument, APageWithinAPageIsReadInItsPlace) {
+  const auto of = [](const std::string& body) {
+    ZipEntries book = Book({Chapter("<p>before</p>" + body + "<p>after</p>")});
+    const std::string type = "media-type='application/xhtml+xml'/>";
+    book = Replaced(
+        book, "OPS/book.opf",
+        Package("<item id='a' href='c0.xhtml' " + type + "<item id='b' href='in/page.xhtml' " +
+                    type + "<item id='c' href='sound.mp3' media-type='audio/mpeg'/>",
+                "<itemref idref='a'/>"));
+    book.emplace_back("OPS/in/page.xhtml",
+                      Chapter("<h2 id='h'>within</h2><iframe src='page.xhtml'/><object "
+                              "data='../c0.xhtml'/>"));
+    book.emplace_back("OPS/unlisted.xhtml", Chapter("<p>unlisted</p>"));
+    book.emplace_back("OPS/sound.mp3", "sound");
+    return Read(book);
+  };
+  const Document framed =
+      of("<iframe src='in/page.xhtml'>instead</iframe><p><a "
+         "href='in/page.xhtml#h'>up</a></p>");
+  EXPECT_EQ(Transcribe(framed).text, "before\n\n## within\n\n[up](in/page.xhtml#h)\n\nafter\n");
+  EXPECT_EQ(framed.blocks.at(2).marks.at(0).target, 1U);
+  EXPECT_EQ(CountOf(framed, LeftOut::kMedia), 2U) << "what the page within would hold";
+  EXPECT_EQ(Transcribe(of("<object data='in/page.xhtml'>instead</object>")).text,
+            "before\n\n## within\n\nafter\n");
+  for (const char* address : {"sound.mp3", "unlisted.xhtml", "https://w3.org/", "file:///x", ""}) {
+    const Document other = of("<object data='" + std::string(address) + "'>instead</object>");
+    EXPECT_EQ(Transcribe(other).text, "before\n\ninstead\n\nafter\n") << address;
+    EXPECT_EQ(CountOf(other, LeftOut::kMedia), 1U) << address;
+  }
+}
+
 // EPUB content documents 3.0.1, 2.1.3.4: the first case that is known, else the default.
 TEST_F(EpubDocument, OfASwitchOneChildIsRead) {
   const auto read = [](const std::string& cases) {
@@ -234,6 +282,15 @@ TEST_F(EpubDocument, DrawingsAreReadByTheirWordsAndToldNotToBeLaidOut) {
   EXPECT_EQ(read.left_out[1].example, "A lamp");
 }
 
+TEST_F(EpubDocument, WordsOfADrawingAreReadByLineAndOnlyWhereTheyShow) {
+  const Document read = Read(Book(
+      {Chapter("<svg><text><tspan x='0'>The r</tspan><tspan x='9'>ed</tspan><tspan x='0' "
+               "dy='1.2em'>lamp</tspan><tspan x='0' y='30'>shines</tspan></text><text "
+               "display='none'>dark</text><g visibility='hidden'><text>night</text></g></svg>")}));
+  EXPECT_EQ(read.blocks.at(0).text, "The red lamp shines");
+  EXPECT_EQ(CountOf(read, LeftOut::kHiddenPart), 2U);
+}
+
 TEST_F(EpubDocument, FaultyNamesAreToldAndReadAllTheSame) {
   const auto fault = [](const std::string& body) -> std::string {
     const Document read = Read(Book({Chapter("<p>x</p>" + body + "<p>y</p>")}));
@@ -246,6 +303,42 @@ TEST_F(EpubDocument, FaultyNamesAreToldAndReadAllTheSame) {
   EXPECT_EQ(fault("<p ops:type='z'>k</p>"), "undeclared prefix ops");
   EXPECT_EQ(fault("<p id='a' id='b'>k</p>"), "attribute id twice");
   EXPECT_EQ(fault("<epub::p>k</epub::p>"), "name epub::p");
+}
+
+TEST_F(EpubDocument, LinesOfTheContentsAreReadAsTheChaptersAre) {
+  const auto title = [](const std::string& words) -> std::string {
+    ZipEntries book = Book({Chapter("<p>one</p>")});
+    const std::string type = "media-type='application/xhtml+xml'/>";
+    book = Replaced(book, "OPS/book.opf",
+                    Package("<item id='a' href='c0.xhtml' " + type +
+                                "<item id='n' properties='nav' href='nav.xhtml' " + type,
+                            "<itemref idref='a'/>"));
+    book.emplace_back("OPS/nav.xhtml", Chapter("<nav epub:type='toc'><ol><li><a href='c0.xhtml'>" +
+                                               words + "</a></li></ol></nav>"));
+    const Document read = Read(book);
+    return read.contents.empty() ? "" : read.contents[0].title;
+  };
+  EXPECT_EQ(title("\n a <img alt='b' title='no'/> <img title='c'/>"), "a b c");
+  EXPECT_EQ(title("<b>1</b> <i>The</i>\n<i>lamp</i>"), "1 The lamp");
+  EXPECT_EQ(title("<math alttext='x squared'><msup><mi>x</mi><mn>2</mn></msup></math>"),
+            "x squared");
+  EXPECT_EQ(title("<svg aria-label='The lamp'><title>no</title></svg>"), "The lamp");
+  EXPECT_EQ(title("<svg><title>Its title</title></svg>"), "Its title");
+  EXPECT_EQ(title("&lt;b&gt; &amp;mdash; &#233; &nosuch;"), "<b> &mdash; \xC3\xA9 &nosuch;");
+  if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
+  EXPECT_EQ(title("a&mdash;b &LT; &AMP;"),
+            "a\xE2\x80\x94"
+            "b &LT; &AMP;");
+}
+
+// EPUB 3.3 of navigation documents: items of their lists have no numbers of themselves.
+TEST_F(EpubDocument, ContentsThatAreReadAsAChapterHaveNoNumbers) {
+  EXPECT_EQ(TextOf(Book({Chapter("<nav epub:type='toc'><ol><li><a href='c0.xhtml'>One</a><ol><li>"
+                                 "<span>Half</span></li></ol></li></ol></nav><ol><li>x</li></ol>"
+                                 "<nav><ol><li>y</li></ol></nav>")})),
+            "list of 1 item\n- [One](c0.xhtml)\nlist of 1 item, level 2\n-- Half\n\nlist of 1 "
+            "item\n1. x\n\n"
+            "list of 1 item\n1. y\n");
 }
 
 TEST_F(EpubDocument, AGroupOfTheContentsLeadsWhereItsFirstLineDoes) {
@@ -268,6 +361,24 @@ TEST_F(EpubDocument, AGroupOfTheContentsLeadsWhereItsFirstLineDoes) {
   EXPECT_TRUE(read.contents[0].group && read.contents[1].group && read.contents[3].group);
   EXPECT_EQ(read.contents[3].block, kNoBlock);
   EXPECT_FALSE(read.contents[4].group);
+}
+
+TEST_F(EpubDocument, PackageAndContentsAreDecodedOnceByTheirOwnEncoding) {
+  const std::string declared = "<?xml version='1.0' encoding='ISO-8859-1'?>";
+  ZipEntries book = Book({Chapter("<p>x</p>")});
+  std::string package = Package(
+      "<item id='c' href='c0.xhtml' media-type='application/xhtml+xml'/>"
+      "<item id='n' href='toc.ncx' media-type='application/x-dtbncx+xml'/>",
+      "<itemref idref='c'/>", " toc='n'");
+  package.replace(package.find("Sea &amp;"), 9, "Caf\xE9 &amp;");
+  book = Replaced(book, "OPS/book.opf", declared + package.substr(package.find("<package")));
+  book.emplace_back("OPS/toc.ncx", declared +
+                                       "<ncx><navMap><navPoint><navLabel><text>\xC9t\xE9</text>"
+                                       "</navLabel><content src='c0.xhtml'/></navPoint></navMap>"
+                                       "</ncx>");
+  const Document read = Read(book);
+  EXPECT_EQ(read.title, "Caf\xC3\xA9 & Land");
+  EXPECT_EQ(read.contents.at(0).title, "\xC3\x89t\xC3\xA9");
 }
 
 TEST_F(EpubDocument, DamagedChaptersAreReadAsWebPages) {
@@ -317,6 +428,31 @@ TEST_F(EpubDocument, DamagedBooksAreRefusedInOneLine) {
     EXPECT_NE(RefusalOf([&] { ReadDocument(zip.substr(0, size), "b", {}); }).find("damaged zip"),
               std::string::npos);
   }
+}
+
+TEST_F(EpubDocument, ABookWithoutTextIsRefusedWithItsCause) {
+  const auto refused = [](const std::string& manifest, const std::string& chapter) {
+    ZipEntries book = Replaced(Book({Chapter(chapter)}), "OPS/book.opf",
+                               Package(manifest, "<itemref idref='a'/>"));
+    book.emplace_back("OPS/disk.dmg", "no text");
+    book.emplace_back("OPS/map.psd", "nor this");
+    return Refused(book);
+  };
+  EXPECT_EQ(refused("<item id='a' href='disk.dmg' media-type='application/octet-stream' "
+                    "fallback='b'/><item id='b' href='map.psd' media-type='image/psd'/>",
+                    ""),
+            "book.epub: holds no text that can be read (OPS/disk.dmg in it is no text, and no text "
+            "stands in for it); get another edition");
+  const std::string type = "media-type='application/xhtml+xml'/>";
+  EXPECT_NE(refused("<item id='a' href='gone.xhtml' " + type, "")
+                .find("OPS/gone.xhtml in it is missing); get it again"),
+            std::string::npos);
+  EXPECT_NE(refused("<item id='a' href='https://w3.org/x' " + type, "").find("is elsewhere"),
+            std::string::npos);
+  const std::string chapter = "<item id='a' href='c0.xhtml' " + type;
+  EXPECT_NE(refused(chapter, "<video src='a.mp4'/>").find("sound, video"), std::string::npos);
+  EXPECT_NE(refused(chapter, "<p hidden=''>x</p>").find("text is hidden"), std::string::npos);
+  EXPECT_NE(refused(chapter, "<p/>").find("be read; get it again"), std::string::npos);
 }
 
 TEST_F(EpubDocument, WhatUnpacksToTooMuchIsRefused) {
