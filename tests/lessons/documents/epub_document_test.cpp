@@ -200,6 +200,9 @@ TEST_F(EpubDocument, UnusualPackingIsRefusedInWords) {
   parts[parts.rfind("PK\x05\x06") + 4] = 1;
   EXPECT_NE(RefusalOf([&] { ReadDocument(parts, "b", {}); }).find("damaged zip"),
             std::string::npos);
+  EXPECT_EQ(RefusalOf([&] { ReadDocument("PK\x07\x08" + zip.substr(0, 400), "b", {}); }),
+            "b: is a piece of a split zip archive; save it as EPUB, HTML or plain text")
+      << "the first disk of two";
 }
 
 // EPUB reading systems 3.3, 5.2: where scripts are not run, the fallback is read.
