@@ -253,6 +253,14 @@ TEST_F(EpubDocument, APageWithinAPageIsReadInItsPlace) {
   }
 }
 
+TEST_F(EpubDocument, PagesWithinPagesAreCountedAndBounded) {
+  std::string frames;
+  for (int i = 0; i < 1500; ++i) frames += "<iframe src='c1.xhtml'/>";
+  const Document read = Read(Book({Chapter(frames), Chapter("<p>again</p>")}));
+  EXPECT_EQ(read.blocks.size(), 1001U) << "and the chapter itself";
+  EXPECT_EQ(CountOf(read, LeftOut::kMedia), 500U);
+}
+
 // EPUB content documents 3.0.1, 2.1.3.4: the first case that is known, else the default.
 TEST_F(EpubDocument, OfASwitchOneChildIsRead) {
   const auto read = [](const std::string& cases) {
