@@ -19,6 +19,7 @@ namespace moontrace {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kMostEmbedded = 1000;  // pages within pages; more are left out
 
 bool IsChapterType(const std::string& type) {
   return type == "application/xhtml+xml" || type == "text/html" || type == "image/svg+xml" ||
@@ -201,6 +202,7 @@ class EpubReader {
 
   /// Whether it is a page of the book, which has then been read.
   bool ReadEmbedded(const std::string& path) {
+    if (++embedded_ > kMostEmbedded) return false;
     std::size_t item = 0;
     while (item < package_.items.size() && package_.items[item].path != path) ++item;
     if (item == package_.items.size()) return false;
@@ -302,6 +304,7 @@ class EpubReader {
   Document document_;
   EpubPackage package_;
   std::vector<std::string> encrypted_;
+  std::size_t embedded_ = 0;  // pages within pages so far
   BlockWriter writer_;
   MarkupReader reader_;
 };

@@ -50,6 +50,7 @@ void RefuseKnown(std::string_view bytes, const std::string& name) {
                      : BeginsWith(bytes, "{\\rtf")           ? "a document in RTF"
                      : BeginsWith(bytes, "\xD0\xCF\x11\xE0") ? "a document of an older Word"
                      : BeginsWith(bytes, "ITSF")             ? "a CHM help file"
+                     : BeginsWith(bytes, "PK\x07\x08")       ? "a piece of a split zip archive"
                      : bytes.size() > 68 && bytes.substr(60, 8) == "BOOKMOBI" ? "a Kindle book"
                      : IsBinary(bytes)                                        ? "no text"
                                                                               : nullptr;

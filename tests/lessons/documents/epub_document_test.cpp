@@ -200,6 +200,9 @@ TEST_F(EpubDocument, UnusualPackingIsRefusedInWords) {
   parts[parts.rfind("PK\x05\x06") + 4] = 1;
   EXPECT_NE(RefusalOf([&] { ReadDocument(parts, "b", {}); }).find("damaged zip"),
             std::string::npos);
+  EXPECT_EQ(RefusalOf([&] { ReadDocument("PK\x07\x08" + zip.substr(0, 400), "b", {}); }),
+            "b: is a piece of a split zip archive; save it as EPUB, HTML or plain text")
+      << "the first disk of two";
 }
 
 // EPUB reading systems 3.3, 5.2: where scripts are not run, the fallback is read.
@@ -248,6 +251,14 @@ TEST_F(EpubDocument, APageWithinAPageIsReadInItsPlace) {
     EXPECT_EQ(Transcribe(other).text, "before\n\ninstead\n\nafter\n") << address;
     EXPECT_EQ(CountOf(other, LeftOut::kMedia), 1U) << address;
   }
+}
+
+TEST_F(EpubDocument, PagesWithinPagesAreCountedAndBounded) {
+  std::string frames;
+  for (int i = 0; i < 1500; ++i) frames += "<iframe src='c1.xhtml'/>";
+  const Document read = Read(Book({Chapter(frames), Chapter("<p>again</p>")}));
+  EXPECT_EQ(read.blocks.size(), 1001U) << "and the chapter itself";
+  EXPECT_EQ(CountOf(read, LeftOut::kMedia), 500U);
 }
 
 // EPUB content documents 3.0.1, 2.1.3.4: the first case that is known, else the default.
