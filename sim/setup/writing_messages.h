@@ -37,7 +37,8 @@ inline constexpr const char* kLines =
     "the next to the left). Default left-to-right.";
 inline constexpr const char* kHyphenate =
     "break words at a line's end, by the patterns of a language: en_US. Every broken word then "
-    "shows it by a hyphen. Default: only a word longer than a line is broken, without a mark.";
+    "shows it by a hyphen, on lines that hold two letters beside it. Default: only a word longer "
+    "than a line is broken, without a mark.";
 inline constexpr const char* kRunningHead = "stands on the first line of each page.";
 inline constexpr const char* kPageNumbers = "at the end of each page's first line.";
 inline constexpr const char* kParagraphGap =
