@@ -42,7 +42,7 @@ std::string Spaces(std::string_view text) {
     marked += space && ends[i].keep_next ? "_" : ToUtf8(line[i].code);
     const bool kept = !space && i + 1 < line.size() && ends[i + 1].keep_next &&
                       line[i + 1].kind == FoldedChar::Kind::kSpace;
-    if (kept) EXPECT_TRUE(ends[i].keep_next) << marked;
+    EXPECT_TRUE(!kept || ends[i].keep_next) << marked;
     if (ends[i].may_end && !ends[i].keep_next && i + 1 < line.size()) marked += '|';
   }
   return marked;
