@@ -166,6 +166,7 @@ std::string Introduction() {
          Line("moontrace demo: a word is traced at four sizes; a minute, no device needed.") +
          Line("moontrace learn: lessons; without a force device it says what works instead.") +
          Line("moontrace page \"good morning\": your own words in Moon, sign by sign.") +
+         Line("moontrace read book.epub: a book, a web page or a text, to read by touch.") +
          Line("moontrace help: all commands. moontrace help learn: one of them.");
 }
 

@@ -312,6 +312,7 @@ bool BookWalk::OnTurnMark(const LoopSnapshot& now) {
 std::vector<std::string> BookWalk::TurnPage(const LoopSnapshot& now) {
   if (now.page != session_.felt().number || (!BehindEnd(now) && !OnTurnMark(now))) return {};
   beside_mark_.reset();
+  coming_ = false;  // the reader goes on from here, wherever reading was to go on
   const std::size_t pages = session_.text().set.pages.size();
   turned_ = session_.Turn(true);
   if (turned_) return {say::NowPage(session_.felt().index, pages)};

@@ -159,11 +159,30 @@ bool BeginsWithStop(std::string_view given) {
          given.substr(0, given.find_first_of(" \t")) == "1";
 }
 
+/// The word that a line means as a whole, though it is put otherwise: "go on", "pause please",
+/// "what?"; null: none.
+const TypedWord* PutOtherwise(std::string_view given, WordPlace place) {
+  constexpr std::pair<std::string_view, const char*> kOthers[] = {
+      {"go on", "go"},    {"carry on", "go"},  {"continue", "go"},         {"what", "again"},
+      {"what?", "again"}, {"pardon", "again"}, {"say that again", "again"}};
+  constexpr std::string_view kPlease = " please";
+  if (given.ends_with(kPlease)) {
+    given = Trimmed(given.substr(0, given.size() - kPlease.size()));
+    while (given.ends_with(',')) given.remove_suffix(1);
+    const TypedWord* word = WordNamed(given);
+    if (word != nullptr && word->HoldsIn(place)) return word;
+  }
+  for (const auto& [other, word] : kOthers) {
+    if (given == other && WordNamed(word)->HoldsIn(place)) return WordNamed(word);
+  }
+  return nullptr;
+}
+
 /// The word for what other programs, and people, call otherwise; empty: none.
 std::string CalledElsewhere(std::string_view given) {
   constexpr std::pair<std::string_view, const char*> kOthers[] = {
-      {"exit", "quit"},    {"bye", "quit"},   {"end", "quit"},    {"goodbye", "quit"},
-      {"repeat", "again"}, {"wait", "pause"}, {"continue", "go"}, {"previous", "back"}};
+      {"exit", "quit"},    {"bye", "quit"},   {"end", "quit"},     {"goodbye", "quit"},
+      {"repeat", "again"}, {"wait", "pause"}, {"previous", "back"}};
   for (const auto& [other, word] : kOthers) {
     if (given == other) return word;
   }
@@ -242,6 +261,7 @@ SaidLine ReadLine(std::string_view line, WordPlace place) {
   if (typed.empty()) return {};
   const std::string given = LowerCase(typed);
   if (BeginsWithStop(given)) return {WordNamed("stop"), {}, {}};
+  if (const TypedWord* word = PutOtherwise(given, place)) return {word, {}, {}};
   const WordFound alone = FindWord(given, place);
   // "find n" looks for an n: only the whole of "find next" is that word
   const TypedWord* before = WholeBefore(given, place);

@@ -53,13 +53,20 @@ std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std
   }
 }
 
-/// Enter alone is no, and so is the word stop; none: neither was said.
+/// Enter alone is no, and so are the words stop and quit; none: neither was said. More may stand
+/// behind it: "Yes, please!"
 std::optional<bool> YesOrNo(const std::string& line) {
   const std::string answer = LowerCase(line);
-  const TypedWord* word = FindWord(answer, WordPlace::kLesson).word;
-  if (word != nullptr && word->word == "stop") return false;
-  if (answer == "yes" || answer == "y") return true;
-  if (answer == "no" || answer == "n" || answer.empty()) return false;
+  const TypedWord* word = ReadLine(answer, WordPlace::kLesson).word;
+  if (word != nullptr && (word->word == "stop" || word->word == "quit")) return false;
+  const std::string first = answer.substr(0, answer.find_first_of(" .,;:!"));
+  for (const char* yes : {"yes", "y", "yess", "ok", "okay", "sure"}) {
+    if (first == yes) return true;
+  }
+  for (const char* no : {"no", "n", "noo", "nope"}) {
+    if (first == no) return false;
+  }
+  if (answer.empty()) return false;
   return std::nullopt;
 }
 

@@ -305,6 +305,25 @@ TEST_F(BookWalkTest, TheTurnMarkTurnsThePageOnceItIsReachedFromBesideIt) {
   EXPECT_FALSE(walk_->ended());  // who reads may go back
 }
 
+TEST_F(BookWalkTest, APageThatWasTurnedAtItsMarkIsWhereReadingGoesOn) {
+  options_.turns = true;
+  Open(kTides);
+  ASSERT_GT(session_->text().set.pages.size(), 1U);
+  walk_->Look(At(Byte("High")));
+  walk_->End();
+  Again();  // the hand has not come to where reading goes on
+  const Box mark_P = TurnMark(session_->text().set.page).box_P;
+  LoopSnapshot now = At(Byte("High"));
+  now.tip_P = glm::dvec3(mark_P.max + glm::dvec2(0, 0.001), 0);
+  walk_->Look(now);
+  now.tip_P = glm::dvec3(0.5 * (mark_P.min + mark_P.max), 0);
+  EXPECT_TRUE(Begins(walk_->Look(now), "Page 2 of "));
+  now.page = session_->felt().number;
+  walk_->Look(now);
+  const auto kept = static_cast<std::size_t>(memory_.reading().place.letter);
+  EXPECT_EQ(Find(session_->text(), {kept, {0.5, 0.5}})->page, 1U);
+}
+
 TEST_F(BookWalkTest, TheTurnMarkIsFeltBelowTheTextAndClearOfIt) {
   options_.turns = true;
   Open(kTides);

@@ -31,6 +31,24 @@ std::string Text(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+TEST(Vocabulary, AWordMayBePutAsPeopleDo) {
+  const auto word = [](const char* line, WordPlace place) {
+    const SaidLine said = ReadLine(line, place);
+    return said.word == nullptr ? std::string("none") : std::string(said.word->word);
+  };
+  for (const WordPlace place : {WordPlace::kLesson, WordPlace::kLoop, WordPlace::kDemonstration,
+                                WordPlace::kBook, WordPlace::kTutor}) {
+    EXPECT_EQ(word("go on", place), "go");
+    EXPECT_EQ(word("Carry on", place), "go");
+    EXPECT_EQ(word("quit, please", place), "quit");
+    EXPECT_EQ(word("next please", place), "next");
+  }
+  EXPECT_EQ(word("what?", WordPlace::kLesson), "again");
+  EXPECT_EQ(word("what?", WordPlace::kBook), "none");  // which has no again
+  const SaidLine say = ReadLine("say go on please", WordPlace::kTutor);
+  EXPECT_EQ(say.behind, "go on please");  // a sentence stays as it is
+}
+
 TEST(Vocabulary, HasOneNumberForEachWord) {
   std::set<int> numbers;
   std::set<std::string_view> words;
