@@ -70,7 +70,7 @@ TEST_F(WritingOptions, ReadBackSaysWhetherTheSignsAreTheText) {
 TEST_F(WritingOptions, OnlyKeepsToTheSignsTaught) {
   const Outcome outcome = RunLine({"page", "the hat sits", "--only", "thea"});
   EXPECT_NE(outcome.out.find("Line 1: t h e, h a t, t"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("Not taught, left out: \"s\", line 1, character 9."),
+  EXPECT_NE(outcome.out.find("Not taught, left out: \"s\", 2 times, first in line 1, character 9."),
             std::string::npos);
   EXPECT_EQ(PageJson({"--only", "thea"}, "the hat sits")["counts"]["untaught"], 3);
   EXPECT_EQ(RunLine({"page", "a", "--only", "a+tk"}).code, 3);
