@@ -163,7 +163,7 @@ std::string SureAt(const std::vector<std::string>& names, double size) {
   return fmt::format("Sure at {} mm: {}.", Short(kMillimetres * size, 1), Joined(names, ", "));
 }
 std::string LessonWhich() { return "Say which lesson: lesson 5. The word lessons tells them."; }
-std::string PractiseWhich() { return "Say which sign: practise b."; }
+std::string PractiseWhich() { return "Which sign? Type it now: b."; }
 std::string BriefNow() { return "Brief: outcomes only. full says all again."; }
 std::string FullNow() { return "Full: all is said again."; }
 std::string AskOwnText(std::string_view last) {

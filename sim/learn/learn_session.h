@@ -116,6 +116,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool in_full_ = false;       ///< asked for in this turn: said in full, brief or not
   bool helped_ = false;        ///< the last line was ?
   bool asks_text_ = false;     ///< the next line is a text of the learner's own
+  bool asks_sign_ = false;     ///< the next line is a sign to practise, if it names one
   bool stopped_ = false, stopped_by_tutor_ = false;
   bool paused_ = false;  ///< stopped by "pause", not by "stop"
   bool over_ = false;

@@ -14,6 +14,7 @@
 #include "lessons/progress/answer.h"
 #include "lessons/progress/lesson_path.h"
 #include "lessons/progress/mastery.h"
+#include "sim/console/vocabulary.h"
 #include "sim/console/word_messages.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_session.h"
@@ -71,8 +72,12 @@ void LearnSession::Obey(const std::string& line) {
   teller_.Interrupt();
   // while all rests, "go" is no answer, whatever the course teaches
   const bool was_stopped = stopped_;
-  const bool goes = stopped_ && (line == "go" || line == "go ");
-  const LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
+  const bool goes =
+      stopped_ && line.size() > 1 && ReadLine(line, WordPlace::kLesson).word == WordNamed("go");
+  LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
+  const auto sign = asks_sign_ ? ItemSaid(course_, line, {}) : std::nullopt;
+  if (sign) read = {LearnLine::Kind::kPractise, LearnWord::kHelp, *sign, {}};
+  asks_sign_ = false;
   asks_text_ = false;
   if (read.kind != LearnLine::Kind::kWord || read.word != LearnWord::kHelp) helped_ = false;
   if (WaitsWith(read)) {
@@ -96,6 +101,7 @@ void LearnSession::Obey(const std::string& line) {
       break;
     case LearnLine::Kind::kPractise: {
       if (read.answer.empty()) {
+        asks_sign_ = true;
         teller_.Say(Priority::kText, say::PractiseWhich());
         break;
       }
@@ -142,6 +148,8 @@ bool LearnSession::WaitsWith(const LearnLine& read) const {
     case LearnWord::kDone:
     case LearnWord::kMyText:
       return true;
+    case LearnWord::kGo:
+      return !stopped_;
     default:
       return false;
   }

@@ -97,8 +97,14 @@ TEST_F(LearnSessionTest, TellsTheLessonsAndHowItGoesAndPractisesWhatIsKnown) {
   EXPECT_TRUE(Holds(outcome.out, "i: not named yet at 16 mm.\n")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "l: not named yet at 16 mm.\n")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "The program's hand traces l.\n")) << outcome.out;
-  EXPECT_TRUE(Holds(outcome.out, "Say which sign: practise b.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Which sign? Type it now: b.\n")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Skipped, not sure yet: l.\n")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, PractiseAloneTakesTheSignOnTheNextLine) {
+  const Outcome outcome = RunLine(Learn(), "next\nnext\nnext\npractise\nl\n");
+  EXPECT_TRUE(Holds(outcome.out, "The program's hand traces l.\n")) << outcome.out;
+  EXPECT_FALSE(Holds(outcome.out, "Wrong")) << outcome.out;
 }
 
 // Asked for the word, how t and i stand was not told.
@@ -353,7 +359,7 @@ TEST_F(LearnSessionTest, WaitsForADeviceThatIsLost) {
     ASSERT_TRUE(session.WaitFor("Device lost: ")) << session.all();
     ASSERT_TRUE(session.WaitFor(mend)) << session.all();
     ASSERT_TRUE(session.WaitFor("Still lost: ")) << session.all();  // not by a stall: it is gone
-    for (const char* word : {"next", "lesson 2", "my text it", "again", "done"}) {
+    for (const char* word : {"next", "lesson 2", "my text it", "again", "done", "go"}) {
       session.Send(std::string(word) + "\n");
       EXPECT_TRUE(session.WaitFor("The lesson waits for the device: nothing counts now."))
           << word << session.all();
