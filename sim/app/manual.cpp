@@ -77,7 +77,8 @@ std::string Manual(const std::vector<CommandCard>& cards, const std::vector<Comm
   }
   text += Section("SHARED OPTIONS");
   for (const SharedGroups::Group& group : shared.groups()) {
-    text += fmt::format(".SS {}\nOf {}.\n", Roff(group.heading), Roff(say::Joined(group.users, ", ")));
+    text +=
+        fmt::format(".SS {}\nOf {}.\n", Roff(group.heading), Roff(say::Joined(group.users, ", ")));
     text += Options(group.options);
   }
   text += Section("EXIT STATUS") + Roff(ExitCodes()) + "\n";

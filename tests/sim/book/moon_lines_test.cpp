@@ -76,7 +76,7 @@ TEST_F(MoonLinesTest, ATypedAnswerIsTakenInAnyCaseAndQuitLeaves) {
   in_.str("who\nBOB\nrest\n");
   LineReader typed(in_);
   EXPECT_EQ(ChooseByTouch(Request(""), "who reads?", {"ann", "bob"}, typed, console_), "bob");
-  EXPECT_EQ(typed.Next(0), "rest");  // left for the book
+  EXPECT_EQ(typed.Next(0), "rest");                                       // left for the book
   EXPECT_EQ(out_.str(), "who reads?\nann\nbob\nwho reads?\nann\nbob\n");  // "who" is no answer
   std::istringstream leaves("quit\n");
   LineReader quits(leaves);
