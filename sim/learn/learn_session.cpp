@@ -53,6 +53,7 @@ std::int64_t LearnSession::Now() const { return static_cast<std::int64_t>(std::t
 
 Asked LearnSession::asked() const {
   if (asks_text_) return Asked::kText;
+  if (asks_sign_) return Asked::kName;  // so that 1 is still the word stop
   if (await_ != Await::kAnswer) return Asked::kNothing;
   if (state_.question == Question::kSame) return Asked::kSame;
   return AsksNumbers() ? Asked::kNumber : Asked::kName;

@@ -75,9 +75,10 @@ void LearnSession::Obey(const std::string& line) {
   const bool goes =
       stopped_ && line.size() > 1 && ReadLine(line, WordPlace::kLesson).word == WordNamed("go");
   LearnLine read = ReadLearnLine(line, goes ? Asked::kNothing : asked(), course_);
-  const auto sign = asks_sign_ ? ItemSaid(course_, line, {}) : std::nullopt;
-  if (sign) read = {LearnLine::Kind::kPractise, LearnWord::kHelp, *sign, {}};
-  asks_sign_ = false;
+  if (std::exchange(asks_sign_, false) && read.kind == LearnLine::Kind::kAnswer) {
+    read.kind = LearnLine::Kind::kPractise;
+    read.answer = ItemSaid(course_, line, {}).value_or(read.answer);
+  }
   asks_text_ = false;
   if (read.kind != LearnLine::Kind::kWord || read.word != LearnWord::kHelp) helped_ = false;
   if (WaitsWith(read)) {

@@ -105,6 +105,11 @@ TEST_F(LearnSessionTest, PractiseAloneTakesTheSignOnTheNextLine) {
   const Outcome outcome = RunLine(Learn(), "next\nnext\nnext\npractise\nl\n");
   EXPECT_TRUE(Holds(outcome.out, "The program's hand traces l.\n")) << outcome.out;
   EXPECT_FALSE(Holds(outcome.out, "Wrong")) << outcome.out;
+  for (const char* stop : {"1", "stop", "stop please"}) {
+    const Outcome stopped =
+        RunLine(Learn(), std::string("next\nnext\nnext\npractise\n") + stop + "\n");
+    EXPECT_TRUE(Holds(stopped.out, "Stopped")) << stop << stopped.out;
+  }
 }
 
 // Asked for the word, how t and i stand was not told.
