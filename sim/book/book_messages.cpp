@@ -125,16 +125,21 @@ std::string NoMarkNamed(std::string_view name) {
   return fmt::format("No bookmark {}: bookmarks lists them.", OneLine(name, 16));
 }
 
-std::string MoonMenu() {
-  std::string menu;
+std::string ShortTitle(std::string_view title) { return OneLine(title, 30); }
+std::vector<std::string> PressesInMoon() {
+  return {"press: where", "twice: words", "hold: stop, then press: go"};
+}
+std::vector<std::string> MoonMenu() {
+  std::vector<std::string> menu;
   for (const TypedWord& word : Vocabulary()) {
-    // what wants a text cannot be said by a stylus alone
+    // what wants a text cannot be said by a stylus alone; where no force is, no menu can be felt
     constexpr std::array<std::string_view, 2> kAlone{"contents", "bookmark"};
-    const bool alone =
-        word.behind.empty() || std::find(kAlone.begin(), kAlone.end(), word.word) != kAlone.end();
-    if (!word.HoldsIn(WordPlace::kBook) || !alone || word.word == "stop") continue;
-    if (!menu.empty()) menu += '\n';
-    menu += word.word;
+    constexpr std::array<std::string_view, 2> kByButton{"stop", "go"};
+    const auto among = [&word](const auto& words) {
+      return std::find(words.begin(), words.end(), word.word) != words.end();
+    };
+    if (!word.HoldsIn(WordPlace::kBook) || among(kByButton)) continue;
+    if (word.behind.empty() || among(kAlone)) menu.emplace_back(word.word);
   }
   return menu;
 }

@@ -66,8 +66,12 @@ std::string MarkIs(std::string_view name);
 std::string NoMarks();
 std::string NoMarkNamed(std::string_view name);
 
-/// The words that a stylus alone can say, a line each.
-std::string MoonMenu();
+/// Of a line that is felt, or chosen among others.
+std::string ShortTitle(std::string_view title);
+/// What the button does, a line each.
+std::vector<std::string> PressesInMoon();
+/// The words that a stylus alone can say.
+std::vector<std::string> MoonMenu();
 /// It is for lessons.
 std::string PassageTaken(std::string_view text);
 std::string TheEnd();

@@ -1,11 +1,12 @@
 #include "sim/book/book_walk.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
 
 #include "sim/book/book_messages.h"
-#include "sim/book/moon_lines.h"
 #include "sim/book/unset_words.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/place_messages.h"
@@ -37,16 +38,16 @@ std::size_t LineStart(const TextSetup& text, std::size_t letter) {
 
 BookWalk::BookWalk(LoopSession& session, const Book& book, BookMemory& memory,
                    const BookOptions& options)
-    : session_(session), book_(book), memory_(memory), options_(options) {
+    : session_(session), book_(book), memory_(memory), options_(options), laid_(session) {
   const auto letter = static_cast<std::size_t>(memory.reading().place.letter);
   letter_ = std::min(letter, book.text.text.size());
   coming_ = memory.known_by() != KnownBy::kNothing;
 }
 
 std::string BookWalk::PlaceInWords(std::size_t letter) const {
-  const std::optional<FoundPlace> found = Find(Text(), {letter, kInLetter});
+  const std::optional<FoundPlace> found = Find(laid_.text(), {letter, kInLetter});
   if (!found) return {};
-  return say::BookPlace(found->page, Text().set.pages.size(), found->line, found->letter);
+  return say::BookPlace(found->page, laid_.text().set.pages.size(), found->line, found->letter);
 }
 
 /// Where a word about a place means: the place that was told last, as long as the hand has not gone
@@ -61,6 +62,7 @@ std::optional<std::size_t> BookWalk::Here(const LoopSnapshot& now) {
 std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
   walk_ = &walk;
   kept_page_ = session_.felt().index;
+  if (options_.moon) BeginInMoon();
   if (!coming_) return {};
   Lines lines{say::BackInBook(book_.title, PlaceInWords(letter_))};
   if (memory_.known_by() == KnownBy::kMoved) lines.push_back(say::BookMoved());
@@ -74,9 +76,25 @@ std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
   if (book_.document.blocks[here].kind != BlockKind::kHeading) {
     lines.push_back(say::LastRead(SentenceAt(book_.text.text, letter_)));
   }
-  lines.push_back(walk.Begin(LineStart(session_.text(), letter_), say::GoesOnHere()));
+  if (!laid_.lies()) {
+    lines.push_back(walk.Begin(LineStart(session_.text(), letter_), say::GoesOnHere()));
+  }
   kept_page_ = session_.felt().index;
   return lines;
+}
+
+/// What is read, where, and what the button does; a press brings the line's start under the tip.
+void BookWalk::BeginInMoon() {
+  const std::size_t start = coming_ ? LineStart(session_.text(), letter_) : 0;
+  const std::optional<std::size_t> letter = LetterFrom(session_.text(), start);
+  const std::optional<FoundPlace> found =
+      letter ? Find(session_.text(), {*letter, kInLetter}) : std::nullopt;
+  if (!found) return;
+  if (found->page != session_.felt().index) session_.TurnTo(found->page);
+  std::vector<LaidLines::Line> lines{{say::ShortTitle(book_.title), ""}};
+  if (coming_) lines.push_back({PlaceInWords(letter_), ""});
+  for (const std::string& line : say::PressesInMoon()) lines.push_back({line, ""});
+  turned_lines_ = laid_.Lay(std::move(lines), found->p_P);
 }
 
 std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
@@ -106,9 +124,11 @@ std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
 }
 
 std::vector<std::string> BookWalk::Where(const LoopSnapshot& now) const {
-  Lines lines{moontrace::Where(session_.felt(), session_.device().pushes(), now)};
   const std::optional<LetterPlace> here = LetterPlaceOf(session_.felt(), now.tip_P);
   const std::size_t letter = here ? here->source : letter_;
+  // a line to be felt is short
+  Lines lines{options_.moon ? PlaceInWords(letter)
+                            : moontrace::Where(session_.felt(), session_.device().pushes(), now)};
   if (const TranscribedPage* page = PrintPageAt(book_.text, letter)) {
     lines.push_back(say::PrintedPage(page->name));
   }
@@ -144,6 +164,11 @@ std::vector<std::string> BookWalk::Contents(const std::string& number, const Loo
     if (entry.block == kNoBlock) return {say::LeadsNowhere(entry.title)};
     return {ToBlock(entry.block, say::Followed(entry.title), now, false)};
   }
+  return ListContents();
+}
+
+std::vector<std::string> BookWalk::ListContents() {
+  const std::vector<ContentsEntry> contents = ContentsOf(book_.document);
   Lines lines;
   for (std::size_t i = 0; i < std::min(contents.size(), kMostContents); ++i) {
     const ContentsEntry& entry = contents[i];
@@ -153,6 +178,7 @@ std::vector<std::string> BookWalk::Contents(const std::string& number, const Loo
       if (letter) found = Find(session_.text(), {*letter, kInLetter});
     }
     lines.push_back(say::NumberedContents(i + 1, entry, found ? found->page : 0));
+    if (found) offer_.push_back({say::ShortTitle(entry.title), fmt::format("contents {}", i + 1)});
   }
   if (contents.size() > kMostContents) {
     lines.push_back(say::ContentsRest(contents.size() - kMostContents, contents.size()));
@@ -218,9 +244,10 @@ std::string BookWalk::TakePassage(const std::string& given, const LoopSnapshot& 
 
 std::string BookWalk::Marked(const LetterPlace& place) { return SetMark(place.source, ""); }
 
-std::vector<std::string> BookWalk::Bookmarks() const {
+std::vector<std::string> BookWalk::Bookmarks() {
   Lines lines;
   for (const ReadMark& mark : memory_.reading().marks) {
+    offer_.push_back({say::ShortTitle(mark.name), "go to " + mark.name});
     lines.push_back(
         say::MarkLine(mark.name, PlaceInWords(static_cast<std::size_t>(mark.place.letter))));
   }
@@ -272,7 +299,7 @@ std::string BookWalk::Unset(const LoopSnapshot& now) {
 
 std::string BookWalk::LineHere(const LoopSnapshot& now) const {
   const FeltPage& felt = session_.felt();
-  if (message_ || now.page != felt.number || now.depth <= 0) return {};
+  if (laid_.lies() || now.page != felt.number || now.depth <= 0) return {};
   const std::optional<LetterPlace> here = LetterPlaceOf(felt, now.tip_P);
   if (!here) return {};
   const std::optional<FoundPlace> found = Find(session_.text(), *here);
@@ -314,8 +341,8 @@ std::vector<std::string> BookWalk::TurnPage(const LoopSnapshot& now) {
   beside_mark_.reset();
   coming_ = false;  // the reader goes on from here, wherever reading was to go on
   const std::size_t pages = session_.text().set.pages.size();
-  turned_ = session_.Turn(true);
-  if (turned_) return {say::NowPage(session_.felt().index, pages)};
+  trembles_ = session_.Turn(true);
+  if (trembles_) return {say::NowPage(session_.felt().index, pages)};
   ended_ = options_.alone;
   return {say::TheEnd()};
 }
@@ -329,63 +356,46 @@ std::string BookWalk::Keep() {
   return std::exchange(told_failure_, true) ? std::string() : say::PlaceNotKept(why);
 }
 
-bool BookWalk::Lay(const std::string& text, bool menu, glm::dvec2 tip_P) {
-  TextRequest request = session_.request();
-  request.text.text = text;
-  request.style.structure = false;
-  request.book = request.turn_mark = false;
-  Message message = message_ ? *message_ : Message{session_.Lies(), tip_P, false};
-  message.menu = menu;
-  try {
-    session_.LayLine(std::move(request));
-  } catch (const InputError&) {
-    return false;  // the script cannot write it; it was said
-  }
-  message_ = std::move(message);
-  return true;
-}
-
 bool BookWalk::Answered(const std::vector<std::string>& lines, const LoopSnapshot& now) {
-  if (!options_.moon) return false;
-  std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : " ") + line;
-  return Lay(text, false, now.tip_P);
+  std::vector<LaidLines::Line> laid = std::exchange(offer_, {});
+  // without force nothing could be felt: a stop is no answer
+  if (!options_.moon || now.stopped) return false;
+  if (laid.empty()) {
+    for (const std::string& line : lines) laid.push_back({line, ""});
+  }
+  return laid_.Lay(std::move(laid), now.tip_P);
 }
 
-bool BookWalk::ClearPage() {
-  if (!message_) return false;
-  Message message = *std::exchange(message_, std::nullopt);
-  session_.LayAgain(std::move(message.book), message.tip_P);
-  return true;
-}
+bool BookWalk::ClearPage() { return laid_.Clear(); }
 
+/// Without force a press brings it back: who reads by touch alone could find no word for it.
 Companion::Press BookWalk::Pressed(bool twice, const LoopEvent& event) {
   if (!options_.moon) return {};
-  if (message_ && message_->menu && !twice) return PressedInMenu(event);
-  if (ClearPage()) return {true, ""};
-  if (!twice) return {};  // where one is, which is answered
-  Lay(say::MoonMenu(), true, event.tip_P);
+  if (was_stopped_) {
+    session_.GoOn();
+    return {true, ""};
+  }
+  if (laid_.lies()) {
+    LaidLines::Press press = laid_.Pressed(twice, event.tip_P);
+    turned_lines_ = turned_lines_ || press.turned;
+    return {true, std::move(press.word)};
+  }
+  if (!twice) return {true, "where"};
+  std::vector<LaidLines::Line> menu;
+  for (const std::string& word : say::MoonMenu()) menu.push_back({word, word});
+  turned_lines_ = laid_.Lay(std::move(menu), event.tip_P);
   return {true, ""};
 }
 
-/// On a word: that word. Beside the words: the menu's next page, behind its last one the book.
-Companion::Press BookWalk::PressedInMenu(const LoopEvent& event) {
-  std::string word = LineAt(session_.felt(), event.tip_P);
-  if (word.empty() && session_.Turn(true)) {
-    return {true, ""};
-  }
-  ClearPage();
-  return {true, std::move(word)};
-}
-
 std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
-  urgent_ = turned_ = false;
-  if (message_) return {};
+  urgent_ = false;
+  trembles_ = std::exchange(turned_lines_, false);
+  const bool stopped = now.stopped && !was_stopped_;
+  was_stopped_ = now.stopped;
+  if (laid_.lies()) return {};
   See(now);
   Lines lines = TurnPage(now);
   if (std::string unset = Unset(now); !unset.empty()) lines.push_back(std::move(unset));
-  const bool stopped = now.stopped && !was_stopped_;
-  was_stopped_ = now.stopped;
   const bool page = session_.felt().index != kept_page_ && now.page == session_.felt().number;
   const bool moved = kept_ != letter_;
   const bool due = std::chrono::steady_clock::now() - kept_at_ >= kKeptEvery;

@@ -10,6 +10,7 @@
 
 #include "lessons/documents/document_places.h"
 #include "sim/book/book_memory.h"
+#include "sim/book/laid_lines.h"
 #include "sim/session/loop_drive.h"
 
 namespace moontrace {
@@ -48,7 +49,7 @@ class BookWalk : public Companion {
   bool ClearPage() override;
   std::vector<std::string> Look(const LoopSnapshot& now) override;
   bool urgent() const override { return urgent_; }
-  bool turned() const override { return turned_; }
+  bool trembles() const override { return trembles_; }
   bool ended() const override { return ended_; }
 
   /// The line at the tip with its page and number, for who follows from elsewhere; empty: the page
@@ -59,7 +60,7 @@ class BookWalk : public Companion {
   /// Lays a passage that somebody sent under the hand, until a press or a word takes it away.
   /// False: the script cannot write it.
   bool LayPassage(const std::string& text, const LoopSnapshot& now) {
-    return Lay(text, false, now.tip_P);
+    return laid_.Lay({{text, ""}}, now.tip_P);
   }
 
   /// Behind the session: keeps the place, and says where it is.
@@ -67,22 +68,15 @@ class BookWalk : public Companion {
 
  private:
   using Lines = std::vector<std::string>;
-  /// What lies under the hand in place of the book.
-  struct Message {
-    LoopSession::Laid book;
-    glm::dvec2 tip_P{0, 0};  ///< where the hand was in it [m]
-    bool menu = false;
-  };
-  const TextSetup& Text() const { return message_ ? *message_->book.page.text : session_.text(); }
-  bool Lay(const std::string& text, bool menu, glm::dvec2 tip_P);
-  Press PressedInMenu(const LoopEvent& event);
+  void BeginInMoon();
   std::string PlaceInWords(std::size_t letter) const;
   std::optional<std::size_t> Here(const LoopSnapshot& now);
   Lines Where(const LoopSnapshot& now) const;
   Lines Contents(const std::string& number, const LoopSnapshot& now);
+  Lines ListContents();
   Lines GoTo(const std::string& where, const LoopSnapshot& now);
   Lines Follow(const LoopSnapshot& now);
-  Lines Bookmarks() const;
+  Lines Bookmarks();
   std::string ToMark(const std::string& name, const LoopSnapshot& now);
   std::string SetMark(std::size_t letter, const std::string& name);
   std::string ToBlock(std::size_t block, std::string what, const LoopSnapshot& now, bool note);
@@ -109,10 +103,12 @@ class BookWalk : public Companion {
   std::optional<std::pair<std::size_t, std::size_t>> word_;  ///< touched last: page and number
   std::optional<std::size_t> kept_;
   std::size_t kept_page_ = 0;
-  std::optional<Message> message_;
+  LaidLines laid_;                      ///< in place of the book
+  std::vector<LaidLines::Line> offer_;  ///< what can be chosen of what was answered last
   bool was_stopped_ = false, ended_ = false, told_failure_ = false;
-  bool urgent_ = false;  ///< what Look said last: not kept, or the end
-  bool turned_ = false;  ///< by the last Look
+  bool urgent_ = false;        ///< what Look said last: not kept, or the end
+  bool trembles_ = false;      ///< since the last Look
+  bool turned_lines_ = false;  ///< since then, of what lies in place of the book
   std::chrono::steady_clock::time_point kept_at_{};
 };
 

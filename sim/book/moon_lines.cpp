@@ -1,8 +1,10 @@
 #include "sim/book/moon_lines.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "sim/book/laid_lines.h"
 #include "textures/base/utf8.h"
 
 namespace moontrace {
@@ -33,7 +35,10 @@ std::optional<std::string> Lay(const SessionRequest& like, const std::string& qu
 
 std::optional<Lines> MoonLines::Obey(std::string_view line, const LoopSnapshot& /*now*/) {
   const SaidLine said = ReadLine(line, WordPlace::kBook);
-  if (said.word != nullptr && said.word->word == "quit") return std::nullopt;
+  constexpr std::array<std::string_view, 4> kDriven{"quit", "stop", "pause", "go"};
+  const bool driven = said.word != nullptr &&
+                      std::find(kDriven.begin(), kDriven.end(), said.word->word) != kDriven.end();
+  if (driven) return std::nullopt;
   return Take(std::string(line)) ? Lines{} : Asked();
 }
 
@@ -44,12 +49,20 @@ Lines MoonLines::Asked() const {
 }
 
 Companion::Press MoonLines::Pressed(bool /*twice*/, const LoopEvent& event) {
-  const std::string line = LineAt(session_.felt(), event.tip_P);
-  if (!Take(line) && line.empty() && !session_.Turn(true)) session_.TurnTo(0);
+  if (stopped_) {  // no answer is taken that is not felt
+    session_.GoOn();
+    return {true, ""};
+  }
+  const std::optional<TouchedLine> line = LineAt(session_.felt(), event.tip_P);
+  if (!Take(line ? line->text : "") && !line) {
+    const std::size_t next = session_.felt().index + 1;
+    session_.TurnToStartOf(next < session_.text().set.pages.size() ? next : 0);
+  }
   return {true, ""};
 }
 
-Lines MoonLines::Look(const LoopSnapshot& /*now*/) {
+Lines MoonLines::Look(const LoopSnapshot& now) {
+  stopped_ = now.stopped;
   urgent_ = !std::exchange(told_, true);
   return urgent_ ? Asked() : Lines{};
 }
@@ -63,17 +76,6 @@ bool MoonLines::Take(const std::string& line) {
   if (found != answers_.end()) taken_ = *found;
   ended_ = taken_.has_value() || answers_.empty();
   return ended_;
-}
-
-std::string LineAt(const FeltPage& felt, glm::dvec2 p_P) {
-  const std::optional<NearLetter> near = LetterNear(felt, p_P);
-  if (!near || !near->near) return {};
-  const std::size_t letter = LetterPlaceOf(felt, p_P)->source;
-  const std::string& text = felt.text->text;
-  const std::size_t end = std::min(text.find('\n', letter), text.size());
-  const std::size_t before = letter == 0 ? std::string::npos : text.rfind('\n', letter - 1);
-  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
-  return text.substr(begin, end - begin);
 }
 
 std::optional<std::string> ChooseByTouch(const SessionRequest& like, const std::string& question,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,17 +8,12 @@
 
 #include "sim/console/console.h"
 #include "sim/console/line_reader.h"
-#include "sim/session/felt_page.h"
 #include "sim/session/loop_drive.h"
 #include "sim/session/session_request.h"
 
 /// What lies under the hand before a book is open, or where none could be opened: for who can
 /// neither see nor hear.
 namespace moontrace {
-
-/// The line of the text, from line end to line end, whose letter is near a place; empty: none is.
-/// `p_P` [m].
-std::string LineAt(const FeltPage& felt, glm::dvec2 p_P);
 
 /// A question and its answers, a line each, that lie under the hand until one is taken; without
 /// answers any press or word will do.
@@ -42,7 +36,7 @@ class MoonLines : public Companion {
   bool ClearPage() override { return false; }
   std::vector<std::string> Look(const LoopSnapshot& now) override;
   bool urgent() const override { return urgent_; }
-  bool turned() const override { return false; }
+  bool trembles() const override { return false; }
   bool ended() const override { return ended_; }
 
   const std::optional<std::string>& taken() const { return taken_; }
@@ -55,7 +49,7 @@ class MoonLines : public Companion {
   std::string question_;
   std::vector<std::string> answers_;
   std::optional<std::string> taken_;
-  bool told_ = false, urgent_ = false, ended_ = false;
+  bool told_ = false, urgent_ = false, stopped_ = false, ended_ = false;
 };
 
 /// Lays a question and what may be answered on a device, a line each, with a tremble. A press on an

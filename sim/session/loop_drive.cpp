@@ -31,6 +31,11 @@ bool OnlyTells(LoopWord word) {
          word == LoopWord::kRefused;
 }
 
+/// Not of what lies under the hand, and never to wait for it.
+bool IsOfForce(LoopWord word) {
+  return word == LoopWord::kStop || word == LoopWord::kPause || word == LoopWord::kGo;
+}
+
 /// One session and what was last known of it.
 class Driver : private LoopListener {
  public:
@@ -141,7 +146,7 @@ class Driver : private LoopListener {
     if (options_.companion != nullptr) {
       answer_.clear();
       SayAll(options_.companion->Look(poll_.newest()));
-      if (options_.companion->turned()) Buzz();
+      if (options_.companion->trembles()) Buzz();
       if (options_.companion->urgent()) Answer();
       quit_ = quit_ || options_.companion->ended();
     }
@@ -299,7 +304,8 @@ class Driver : private LoopListener {
 
   /// What lies there besides the text goes first: words are about the text.
   void Obey(const std::string& line) {
-    if (options_.companion != nullptr && options_.companion->ClearPage()) {
+    if (options_.companion != nullptr && !IsOfForce(ReadLoopLine(line, words()).word) &&
+        options_.companion->ClearPage()) {
       pending_ = line;
       return;
     }

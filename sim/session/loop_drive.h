@@ -45,8 +45,9 @@ class Companion {
   virtual std::vector<std::string> Look(const LoopSnapshot& now) = 0;
   /// What Look said last must reach who cannot hear as well: a failure, the end.
   virtual bool urgent() const = 0;
-  /// Look turned the page: who cannot hear feels a tremble.
-  virtual bool turned() const = 0;
+  /// Something new lies under the hand since the Look before the last: who cannot hear feels a
+  /// tremble.
+  virtual bool trembles() const = 0;
   /// Nothing more is to come.
   virtual bool ended() const = 0;
 };

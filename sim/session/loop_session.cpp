@@ -25,6 +25,16 @@ void Centre(Typeset& set) {
   for (PlacedGlyph& glyph : glyphs) glyph.origin_P += shift;
 }
 
+/// Its first letter.
+PageAnchor StartOf(const FeltPage& page) {
+  constexpr glm::dvec2 kInLetter{0.25, 0.5};  // [em], where a hand finds it
+  PageAnchor anchor;
+  if (!page.set().glyphs.empty()) {
+    anchor.to_P = page.set().glyphs.front().origin_P + page.text->set.style.size * kInLetter;
+  }
+  return anchor;
+}
+
 }  // namespace
 
 LoopSession::LoopSession(const SessionRequest& request, Console& console)
@@ -178,16 +188,16 @@ std::uint32_t LoopSession::FirstFree() const {
   return static_cast<std::uint32_t>(felt_.number - felt_.index + text().set.pages.size());
 }
 
+void LoopSession::TurnToStartOf(std::size_t index) {
+  const FeltPage page = OtherPage(felt_, index);
+  Show(page, StartOf(page));
+}
+
 void LoopSession::LayLine(TextRequest request) {
-  constexpr glm::dvec2 kInLetter{0.25, 0.5};  // [em], where a hand finds it
   request.room = request_.room;
   const std::shared_ptr<const TextSetup> next = SetUp(request);
   const FeltPage page = FeltPageOf(next, 0, false, FirstFree());
-  PageAnchor anchor;
-  if (!page.set().glyphs.empty()) {
-    anchor.to_P = page.set().glyphs.front().origin_P + next->set.style.size * kInLetter;
-  }
-  Show(page, anchor);
+  Show(page, StartOf(page));
   request_ = std::move(request);
 }
 

@@ -43,6 +43,8 @@ class LoopSession {
   bool Turn(bool forward);
   /// Likewise, the page `index` of the text, which it has.
   void TurnTo(std::size_t index);
+  /// Likewise; its first letter comes to lie under the tip.
+  void TurnToStartOf(std::size_t index);
   /// The letters a quarter larger or a fifth smaller, as SetSize.
   void Resize(bool bigger, glm::dvec2 tip_P);
   /// Letters of another size [m], set anew; the place of the letter that is nearest to `tip_P`

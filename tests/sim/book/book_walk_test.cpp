@@ -171,12 +171,16 @@ LoopEvent PressAt(glm::dvec2 p_P, LoopEventKind kind) {
 TEST_F(BookWalkTest, LaysAnswersUnderTheHandAndThePlaceBackAgain) {
   options_.moon = true;
   Open(kTides);
+  walk_->ClearPage();
   const LoopSnapshot now = At(Byte("draws"));
   walk_->Look(now);
   const std::size_t page = session_->felt().index;
-  EXPECT_FALSE(walk_->Pressed(false, PressAt(now.tip_P, LoopEventKind::kSay)).taken);
-  EXPECT_TRUE(walk_->Answered({"At d, line 1.", "Heading Moon."}, now));
-  EXPECT_EQ(session_->text().text, "At d, line 1. Heading Moon.");
+  EXPECT_EQ(walk_->Pressed(false, PressAt(now.tip_P, LoopEventKind::kSay)).line, "where");
+  const auto where = walk_->Obey("where", now);
+  ASSERT_TRUE(where);
+  EXPECT_EQ(where->front().rfind("page ", 0), 0U) << where->front();  // short, as it is felt
+  EXPECT_TRUE(walk_->Answered({"at d", "in Moon"}, now));
+  EXPECT_EQ(session_->text().text, "at d\nin Moon");
   LoopSnapshot there = now;
   there.page = session_->felt().number;
   EXPECT_TRUE(walk_->Look(there).empty());  // it is no place of the book
@@ -189,9 +193,109 @@ TEST_F(BookWalkTest, LaysAnswersUnderTheHandAndThePlaceBackAgain) {
   EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("draws")));
 }
 
+const LoopEvent kBeside = PressAt({-0.5, -0.5}, LoopEventKind::kSay);
+
+TEST_F(BookWalkTest, InMoonWhatIsReadAndWhatTheButtonDoesLieThereFirst) {
+  options_.moon = true;
+  Open(kTides);
+  EXPECT_EQ(session_->text().text, "Tides\npress: where\ntwice: words\nhold: stop, then press: go");
+  LoopSnapshot now;
+  now.page = session_->felt().number;
+  walk_->Look(now);
+  EXPECT_TRUE(walk_->trembles());
+  walk_->Look(now);
+  EXPECT_FALSE(walk_->trembles());
+  walk_->ClearPage();
+  walk_->Look(At(Byte("helps") + 2));
+  walk_->End();
+  Again();
+  EXPECT_EQ(session_->text().text.rfind("Tides\npage ", 0), 0U) << session_->text().text;
+  walk_->ClearPage();
+  EXPECT_EQ(session_->felt().index, Find(session_->text(), {Byte("helps"), {0, 0}})->page);
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("helps") + 2));
+}
+
+TEST_F(BookWalkTest, EveryPageOfAnAnswerCanBeFelt) {
+  options_.moon = true;
+  Open(kTides);
+  walk_->ClearPage();
+  const LoopSnapshot now = At(Byte("draws"));
+  std::string long_answer;
+  for (int i = 0; i < 40; ++i) long_answer += "many words ";
+  for (const bool on_the_line : {true, false}) {
+    ASSERT_TRUE(walk_->Answered({long_answer}, now));
+    const std::size_t pages = session_->text().set.pages.size();
+    ASSERT_GT(pages, 2U);
+    for (std::size_t page = 0; page < pages; ++page) {
+      ASSERT_EQ(session_->felt().index, page);
+      const glm::dvec2 letter_P = session_->felt().set().glyphs[0].origin_P;
+      LoopEvent press = kBeside;
+      if (on_the_line) press = PressAt(letter_P + glm::dvec2(0.003, 0.006), LoopEventKind::kSay);
+      EXPECT_TRUE(walk_->Pressed(false, press).taken);
+      walk_->Look(now);
+      EXPECT_EQ(walk_->trembles(), page + 1 < pages);
+    }
+    EXPECT_EQ(session_->text().text, text_.text);
+  }
+  ASSERT_TRUE(walk_->Answered({long_answer}, now));
+  walk_->Pressed(true, kBeside);  // enough of it
+  EXPECT_EQ(session_->text().text, text_.text);
+}
+
+TEST_F(BookWalkTest, ContentsAndBookmarksAreChosenByAPress) {
+  options_.moon = true;
+  Open(kTides);
+  walk_->ClearPage();
+  const LoopSnapshot now = At(Byte("draws"));
+  Say("bookmark tea", now);
+  const std::vector<std::pair<std::string, std::pair<std::string, std::string>>> lists{
+      {"contents", {"Tides\nMoon\nSun", "contents 1"}}, {"bookmarks", {"tea", "go to tea"}}};
+  for (const auto& [word, list] : lists) {
+    const auto lines = walk_->Obey(word, now);
+    ASSERT_TRUE(lines);
+    ASSERT_TRUE(walk_->Answered(*lines, now));
+    EXPECT_EQ(session_->text().text, list.first);
+    const glm::dvec2 first_P = session_->felt().set().glyphs[0].origin_P + glm::dvec2(0.003, 0.006);
+    LoopEvent press = PressAt(first_P, LoopEventKind::kSay);
+    press.tip_P.z = 0.02;
+    EXPECT_EQ(walk_->Pressed(false, press).line, "");  // in the air nothing is chosen
+    ASSERT_TRUE(walk_->Obey(word, now));
+    ASSERT_TRUE(walk_->Answered(*lines, now));
+    press.tip_P.z = 0;
+    EXPECT_EQ(walk_->Pressed(false, press).line, list.second);
+    EXPECT_EQ(session_->text().text, text_.text);
+  }
+  EXPECT_TRUE(walk_->Answered({"no list any more"}, now));
+  EXPECT_EQ(session_->text().text, "no list any more");
+}
+
+TEST_F(BookWalkTest, WithoutForceAPressBringsItBackAndChoosesNothing) {
+  options_.moon = true;
+  Open(kTides);
+  walk_->ClearPage();
+  LoopSnapshot now = At(Byte("draws"));
+  walk_->Pressed(true, PressAt(now.tip_P, LoopEventKind::kBookmark));  // the menu
+  const std::string menu = session_->text().text;
+  now.stopped = true;
+  walk_->Look(now);
+  EXPECT_FALSE(walk_->Answered({"No force: you stopped."}, now));  // nothing could be felt
+  const glm::dvec2 first_P = session_->felt().set().glyphs[0].origin_P + glm::dvec2(0.003, 0.006);
+  for (const bool twice : {false, true}) {
+    const Companion::Press press = walk_->Pressed(twice, PressAt(first_P, LoopEventKind::kSay));
+    EXPECT_TRUE(press.taken);
+    EXPECT_EQ(press.line, "");
+    EXPECT_EQ(session_->text().text, menu);
+  }
+  now.stopped = false;
+  walk_->Look(now);
+  EXPECT_EQ(walk_->Pressed(false, PressAt(first_P, LoopEventKind::kSay)).line, "next");
+}
+
 TEST_F(BookWalkTest, TheEndMustReachWhoCannotHear) {
   options_.moon = options_.alone = true;
   Open(kTides);
+  walk_->ClearPage();
   walk_->Look(At(Byte("draws")));
   EXPECT_FALSE(walk_->urgent());
   const std::size_t last = session_->text().set.pages.back().glyphs.back().source_begin;
@@ -206,6 +310,7 @@ TEST_F(BookWalkTest, TheEndMustReachWhoCannotHear) {
 TEST_F(BookWalkTest, HasAMenuForAStylusAlone) {
   options_.moon = true;
   Open(kTides);
+  walk_->ClearPage();
   const LoopSnapshot now = At(Byte("draws"));
   std::set<std::string> words;
   for (std::size_t row = 0; row < 100; ++row) {
@@ -224,7 +329,8 @@ TEST_F(BookWalkTest, HasAMenuForAStylusAlone) {
     }
     if (!at_P) break;
     const Companion::Press press = walk_->Pressed(false, PressAt(*at_P, LoopEventKind::kSay));
-    words.insert(press.line);  // a long word may have two rows
+    words.insert(press.line);     // a long word may have two rows
+    EXPECT_NE(press.line, "go");  // no menu can be felt where that does something
     EXPECT_EQ(session_->text().text, text_.text);
   }
   for (const char* word : {"next", "back", "where", "next line", "next heading", "next link",
@@ -290,10 +396,10 @@ TEST_F(BookWalkTest, TheTurnMarkTurnsThePageOnceItIsReachedFromBesideIt) {
   EXPECT_FALSE(Begins(walk_->Look(now), "Page ")) << "above the paper";
   now.depth = 1e-4;
   EXPECT_TRUE(Begins(walk_->Look(now), "Page 2 of "));
-  EXPECT_TRUE(walk_->turned());  // which trembles
+  EXPECT_TRUE(walk_->trembles());  // which trembles
   now.page = session_->felt().number;
   EXPECT_FALSE(Begins(walk_->Look(now), "Page ")) << "the tip still lies where it turned the page";
-  EXPECT_FALSE(walk_->turned());
+  EXPECT_FALSE(walk_->trembles());
   EXPECT_EQ(session_->felt().index, 1U);
   for (std::size_t page = 2; page <= pages; ++page) {
     now.tip_P = glm::dvec3(session_->felt().set().glyphs.front().origin_P, 0);

@@ -63,6 +63,21 @@ TEST_F(MoonLinesTest, APressBesideThemLeadsOnAndBehindTheLastPageToTheFirst) {
   EXPECT_FALSE(lines.ended());
 }
 
+TEST_F(MoonLinesTest, WithoutForceAPressBringsItBackAndTakesNoAnswer) {
+  LoopSession session(Request("who reads?\nann\nbob"), console_);
+  MoonLines lines(session, "who reads?", {"ann", "bob"});
+  LoopSnapshot now;
+  now.stopped = true;
+  lines.Look(now);
+  EXPECT_TRUE(lines.Pressed(false, PressOn(session, 16)).taken);
+  EXPECT_FALSE(lines.ended());
+  EXPECT_FALSE(lines.Obey("go", now));  // the loop's own word
+  now.stopped = false;
+  lines.Look(now);
+  lines.Pressed(false, PressOn(session, 16));
+  EXPECT_EQ(lines.taken(), "bob");
+}
+
 TEST_F(MoonLinesTest, AnyPressTakesASentenceAway) {
   LoopSession session(Request("no such book"), console_);
   MoonLines lines(session, "no such book", {});

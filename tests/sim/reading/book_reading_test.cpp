@@ -114,7 +114,9 @@ TEST(SlowBookReading, TenPagesOfABookAreReadAsPlainOnesAre) {
 }
 
 TEST(SlowBookReading, TheLinesOfTheMenuAreRead) {
-  const Pages menu = ReadAll(say::MoonMenu(), false);
+  std::string words;
+  for (const std::string& word : say::MoonMenu()) words += word + "\n";
+  const Pages menu = ReadAll(words, false);
   Tell("menu", menu);
   EXPECT_LE(Errors(menu), 0.01);
 }
