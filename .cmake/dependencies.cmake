@@ -75,3 +75,8 @@ foreach(folder IN LISTS mujoco_includes)
 endforeach()
 set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing_includes}")
 message(STATUS "MuJoCo ${mujoco_VERSION}")
+
+find_program(CMARK cmark-gfm)
+if(NOT CMARK)
+  message(STATUS "cmark-gfm is missing: no manual in HTML is installed")
+endif()

@@ -21,3 +21,5 @@ install(FILES ${PROJECT_BINARY_DIR}/moontrace.pc DESTINATION ${pkgconfig_folder}
 # Where Debian's Python and Perl look below /usr.
 install(FILES sim/library/python/moontrace.py DESTINATION lib/python3/dist-packages COMPONENT python)
 install(FILES sim/library/perl/Moontrace.pm DESTINATION share/perl5 COMPONENT perl)
+install(DIRECTORY tests/library/consumers/ COMPONENT development
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libmoontrace-dev/examples)

@@ -41,12 +41,13 @@ said=$(LD_LIBRARY_PATH=$library "$folder/c") || fail "the consumer in C ended wi
 [ "$(sed 's/ at.*//' <<<"$said" | tr '\n' ' ')" = 'Installed Moon m o o n ' ] || fail "$said"
 # Python and Perl by the modules beside it
 if [ -x /usr/bin/python3 ]; then
-  said=$(PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 -c \
-    'import moontrace; print(moontrace.Script().title, len(moontrace.page("moon").letters))')
-  [ "$said" = 'Installed Moon 4' ] || fail "$said"
+  said=$(PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 \
+    "$consumers/python/consumer.py")
+  [ "$(sed -n '1,5{s/ at.*//;p}' <<<"$said" | tr '\n' ' ')" = 'Installed Moon m o o n ' ] || fail "$said"
 fi
 if perl -MFFI::Platypus -e 1 2>/dev/null; then
-  said=$(perl -I "$prefix/share/perl5" -MMoontrace -e 'print scalar(my @letters = Moontrace->page("moon")->letters)')
-  [ "$said" = 4 ] || fail "$said"
+  said=$(perl -I "$prefix/share/perl5" "$consumers/perl/consumer.pl")
+  # 0.5 mm deep in paper of 1000 N/m
+  [ "$(sed 's/ at.*//' <<<"$said" | tr '\n' ' ')" = 'm o o n 0.50 N on flat paper ' ] || fail "$said"
 fi
 echo 'consumers in C++ and C find, compile and run the library'
