@@ -203,6 +203,8 @@ void LearnSession::Do(const lesson_action::Push& push) {
 }
 
 void LearnSession::Do(Await await) {
+  // what is asked now is what yes answers
+  if (await == Await::kAnswer && await_ != await) proposal_.Make({});
   await_ = await;
   if (await == Await::kEnd) over_ = true;
 }
