@@ -96,6 +96,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool WaitsWith(const LearnLine& read) const;
   void LookAtTrace();
   void SayPath();
+  void SayAskedPath();
   bool GoesOnUnsaid(const lesson_action::Say& sentence);
   Trial Flags(Trial measured) const;
   bool told() const { return stage_.shown().told || stage_.simulated(); }
