@@ -63,7 +63,7 @@ for command in 'loop moon --seconds 60' 'loop moon' 'learn --device simulated' '
   timeout 30 "$program" $command >&4 2>"$work/said" <&5
   code=$?
   expect "nobody reads: $command" code_is 141
-  sed -i '/^Type a word/d; /^The force may/d' "$work/said"  # before it could know
+  sed -i '/^To say a word/d; /^The force may/d' "$work/said"  # before it could know
   expect "nobody reads, nothing is said: $command" silent
 done
 exec 4>&- 5>&-

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "lessons/course/lesson_items.h"
@@ -21,6 +22,15 @@ constexpr std::array<std::string_view, 14> kFillers = {
 /// What may stand before all that, of who is not sure.
 constexpr std::array<std::string_view, 6> kBegins = {"i think that ", "i think ", "i guess ",
                                                      "maybe ",        "perhaps ", "probably "};
+
+/// English names of letters as they are written down, without those that are words themselves.
+constexpr std::pair<std::string_view, std::string_view> kSpoken[] = {
+    {"ay", "a"},       {"bee", "b"}, {"cee", "c"}, {"dee", "d"},   {"ee", "e"},
+    {"ef", "f"},       {"eff", "f"}, {"gee", "g"}, {"aitch", "h"}, {"haitch", "h"},
+    {"jay", "j"},      {"kay", "k"}, {"el", "l"},  {"ell", "l"},   {"em", "m"},
+    {"en", "n"},       {"oh", "o"},  {"pee", "p"}, {"cue", "q"},   {"queue", "q"},
+    {"ar", "r"},       {"ess", "s"}, {"tee", "t"}, {"vee", "v"},   {"double u", "w"},
+    {"double-u", "w"}, {"ex", "x"},  {"wye", "y"}, {"zed", "z"},   {"zee", "z"}};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -59,14 +69,16 @@ std::vector<std::string> ReadingsOf(std::string_view said) {
     readings.push_back(rest);
     break;
   }
-  while (true) {
-    const auto blank = rest.find(' ');
-    if (blank == std::string::npos) return readings;
+  for (auto blank = rest.find(' '); blank != std::string::npos; blank = rest.find(' ')) {
     const std::string_view word = std::string_view(rest).substr(0, blank);
-    if (std::find(kFillers.begin(), kFillers.end(), word) == kFillers.end()) return readings;
+    if (std::find(kFillers.begin(), kFillers.end(), word) == kFillers.end()) break;
     rest = rest.substr(blank + 1);
     readings.push_back(rest);
   }
+  for (const auto& [spoken, letter] : kSpoken) {
+    if (rest == spoken) readings.emplace_back(letter);
+  }
+  return readings;
 }
 
 bool DoesNotKnow(std::string_view said) {
@@ -105,9 +117,7 @@ bool KnowsWithoutName(std::string_view said) {
 }
 
 bool Names(const Course& course, std::string_view item, std::string_view said) {
-  const std::vector<std::string> readings = ReadingsOf(said);
-  return std::any_of(readings.begin(), readings.end(),
-                     [&](const std::string& reading) { return IsCalled(course, item, reading); });
+  return ItemSaid(course, said, item) == item;
 }
 
 std::optional<std::string> ItemSaid(const Course& course, std::string_view said,

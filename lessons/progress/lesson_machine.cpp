@@ -20,10 +20,11 @@ void Begin(Turn& turn) {
   state.session_begin = state.break_announced = turn.time;
   state.lesson_announced.clear();
   state.offered = false;
+  state.back = LessonNow(turn) != nullptr;
   ForgetStep(turn);
   const Lesson* lesson = LessonNow(turn);
   if (lesson != nullptr) {
-    Say(turn, Sentence::kWelcomeBack, lesson->title);
+    SayLesson(turn, Sentence::kWelcomeBack, *lesson);
   } else {
     Say(turn, Sentence::kWelcome, turn.course.title);
   }

@@ -75,13 +75,14 @@ struct Event {
 namespace lesson_action {
 enum class Sentence {
   kWelcome,      ///< text: course title
-  kWelcomeBack,  ///< text: lesson's title
+  kWelcomeBack,  ///< as kLesson, which does not follow
   kLesson,       ///< text: lesson's title; number, of; of 0: beside the course
   kCourseText,   ///< text: as it stands in the lesson's file
   kExploreIt,    ///< a page to be felt, until "next"
   kReadIt,       ///< a text to be read, until "next"; text: the text
   kNotLearnt,    ///< text: signs of it that the learner has not met, with commas
   kNewItem,      ///< text: item
+  kOnWith,       ///< text: item; to who comes back, before what a step says of it
   kHint,         ///< text: memory aid
   kLedAlong,     ///< text: item; the hand is led along it now
   kAnother,      ///< what is asked now is not what was asked before; number: signs, 1 or 2
@@ -171,6 +172,7 @@ struct LessonState {
   std::int64_t session_begin = 0, break_announced = 0;  ///< Unix time [s]
   std::uint64_t random = 1;                             ///< seed; each choice advances it
   bool announced = false;                               ///< the present step has been begun aloud
+  bool back = false;                                    ///< has come back, and heard of no sign yet
   bool practising = false;                              ///< for a test that was not passed
   bool offered = false;  ///< a lesson beside the course, in this session
   bool another = false;  ///< the next question would sound like the last one asked once more

@@ -32,18 +32,11 @@ void End(Turn& turn) {
   AwaitNow(turn, Await::kEnd);
 }
 
-/// The beginning of a step, aloud: the lesson's title if it is another, what the course says, what
-/// is coming.
-void Announce(Turn& turn, const Lesson& lesson, const Step& step) {
+/// The beginning of a step, aloud: what the course says, what is coming.
+void Announce(Turn& turn, const Step& step) {
   LessonState& state = turn.state;
-  state.announced = true;
+  if (std::exchange(state.announced, true)) return;
   state.another = false;
-  if (state.lesson_announced != lesson.id) {
-    state.lesson_announced = lesson.id;
-    const auto index = LessonIndex(turn.course, lesson.id);
-    SayCount(turn, Sentence::kLesson, lesson.title, static_cast<int>(index.value_or(0)) + 1,
-             lesson.optional ? 0 : static_cast<int>(LessonsInOrder(turn.course)));
-  }
   if (state.practising) return Say(turn, Sentence::kTestAgain);
   const std::string& said = state.held && !step.say_held.empty() ? step.say_held : step.say;
   if (!said.empty()) Say(turn, Sentence::kCourseText, said);
@@ -58,8 +51,9 @@ bool IsDone(const Turn& turn, const Lesson& lesson) {
   return std::find(done.begin(), done.end(), lesson.id) != done.end();
 }
 
-/// Shows the next item of the step, if there is one.
-bool PresentNext(Turn& turn) {
+/// Shows the next item of the step, if there is one. One that is new comes before what the course
+/// says of a step that asks for it: who comes back has only heard it named.
+bool PresentNext(Turn& turn, const Step& step) {
   LessonState& state = turn.state;
   ItemChooser chooser;
   chooser.random = state.random;
@@ -71,11 +65,25 @@ bool PresentNext(Turn& turn) {
   const auto next = ChooseItem(turn.course, state.progress, chooser);
   state.random = chooser.random;
   state.queue = std::move(chooser.queue);
+  const bool is_new =
+      next && next->task == StepKind::kDemonstrate && step.kind != StepKind::kDemonstrate;
+  const bool back = std::exchange(state.back, false) && !step.say.empty();
+  const bool traces =
+      next && next->task == StepKind::kTrace && step.kind == StepKind::kTrace;  // "Follow it."
+  if (back && traces) Say(turn, Sentence::kOnWith, next->item);
+  if (!is_new) Announce(turn, step);
   if (next) PresentItem(turn, next->item, next->task, false);
   return next.has_value();
 }
 
 }  // namespace
+
+void SayLesson(Turn& turn, Sentence sentence, const Lesson& lesson) {
+  turn.state.lesson_announced = lesson.id;
+  const auto index = LessonIndex(turn.course, lesson.id);
+  SayCount(turn, sentence, lesson.title, static_cast<int>(index.value_or(0)) + 1,
+           lesson.optional ? 0 : static_cast<int>(LessonsInOrder(turn.course)));
+}
 
 void ForgetStep(Turn& turn) {
   turn.state.announced = false;
@@ -127,11 +135,13 @@ void GoOn(Turn& turn) {
     const bool practising = !state.progress.practise.empty();
     if (practising != state.practising) state.announced = false;
     state.practising = practising;
-    if (!state.announced) Announce(turn, lesson, step);
+    if (state.lesson_announced != lesson.id) SayLesson(turn, Sentence::kLesson, lesson);
     if (step.kind == StepKind::kExplore || step.kind == StepKind::kRead) {
+      state.back = false;
+      Announce(turn, step);
       return PresentText(turn, step);
     }
-    if (PresentNext(turn)) return;
+    if (PresentNext(turn, step)) return;
     EndStepNow(turn, lesson, step);
   }
   End(turn);

@@ -83,6 +83,8 @@ void GoOn(Turn& turn);
 void GoToLesson(Turn& turn, const Lesson& lesson);
 /// To the lesson where the learner is; true: there is one with steps.
 bool FindPlace(Turn& turn);
+/// A lesson's title with its number.
+void SayLesson(Turn& turn, lesson_action::Sentence sentence, const Lesson& lesson);
 /// Clears what belongs to the present step alone.
 void ForgetStep(Turn& turn);
 

@@ -1,11 +1,13 @@
 #include "sim/app/commands.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <CLI/App.hpp>
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -126,19 +128,27 @@ std::optional<KeyMap> KeysFor(const LearnOptions& options, bool at_terminal) {
   return options.keys == "true" ? UsualKeys() : LoadKeys(options.keys);
 }
 
-bool WantsDemonstration(Console& console) {
-  LearnTeller teller(console, nullptr, nullptr);
-  LineReader lines(console.in());
-  return AskDemonstration(lines, teller, console);
+/// Who has no device has been told so: what is to begin, which is asked at a terminal. Throws
+/// LackError, behind what works without one: nothing.
+std::string WayWithoutDevice(Console& console) {
+  std::string way;
+  if (AtTerminal(console)) {
+    LearnTeller teller(console, nullptr, nullptr);
+    LineReader lines(console.in());
+    way = AskWithoutDevice(lines, teller, console);
+  }
+  if (!way.empty()) return way;
+  for (const std::string& line : say::LearningWithoutDevice(WindowMayOpen())) console.Result(line);
+  throw LackError(say::NoDeviceGiven());
 }
 
-/// Who has no device has been told; at a terminal the demonstration is offered.
-int LearnWithoutDevice(LearnOptions options, const std::optional<KeyMap>& keys,
-                       const Course& course, Console& console) {
-  const bool wanted = AtTerminal(console) && WantsDemonstration(console);
-  if (!wanted) throw LackError(say::NoDeviceGiven());
-  options.live.device = "simulated";
-  return Demonstrate(options, keys, course, console);
+/// "lesson.pdf", or a number more: nothing is written over.
+std::string NewPrint() {
+  std::string file = "lesson.pdf";
+  for (int number = 2; std::filesystem::exists(file); ++number) {
+    file = fmt::format("lesson-{}.pdf", number);
+  }
+  return file;
 }
 
 /// Where none can open that is not needed: told before anything is asked.
@@ -148,19 +158,19 @@ void DropWindow(LearnOptions& options, Console& console) {
   options.view = {};
 }
 
-int Learn(LearnOptions options, Course course, Console& console) {
+/// With the device that is named.
+int Learn(const LearnOptions& options, const std::optional<KeyMap>& keys, Course course,
+          Console& console) {
   const bool at_terminal = AtTerminal(console);
-  const std::optional<KeyMap> keys = KeysFor(options, at_terminal);
-  DropWindow(options, console);
-  if (IsDemonstration(options)) return Demonstrate(options, keys, course, console);
-  options.live.device = DeviceForLearning(options.live.device, console);
-  if (options.live.device.empty()) return LearnWithoutDevice(options, keys, course, console);
   const double smallest = SmallestFelt(options.live.device, options.press.value_or(1));
   const std::unique_ptr<Speech> speech = SpeechFor(options, course);
   const std::unique_ptr<Sound> sound = SoundFor(options);
   LearnTeller teller(console, speech.get(), sound.get());
   if (keys) teller.SetWording([&keys](std::string_view line) { return WithKeys(line, *keys); });
   LineReader lines(console.in());
+  // a display that does not answer is told of before anything is asked
+  const auto aims = AimsFor(options.live.device, options.view);
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, aims, console);
   std::optional<LearnMemory> opened = OpenMemory(options, course, lines, teller, console);
   if (!opened) return exit_code::kGood;
   LearnMemory& memory = *opened;
@@ -170,8 +180,6 @@ int Learn(LearnOptions options, Course course, Console& console) {
   }
   teller.EndTurn();
 
-  const auto aims = AimsFor(options.live.device, options.view);
-  const std::unique_ptr<ViewFeed> feed = ViewFeed::Open(options.view, aims, console);
   LearnStage stage({options.live, options.press, options.seed, aims, memory.keeps_tracks()},
                    console);
   const LearnParts parts{course, memory, stage, teller};
@@ -209,6 +217,36 @@ int Learn(LearnOptions options, Course course, Console& console) {
   RequireDevice(stage.session());
   if (feed) RequireView(*feed, options.live.device);
   return exit_code::kGood;
+}
+
+/// What was chosen without a device, or behind the demonstration; empty: nothing.
+int GoThatWay(const std::string& way, LearnOptions options, const std::optional<KeyMap>& keys,
+              const Course& course, Console& console) {
+  if (way == "device") return Run(DevicesOptions(), console);
+  if (way == "paper") {
+    options.print = NewPrint();
+    return PrintLesson(options, course, console);
+  }
+  if (way != "mouse") return exit_code::kGood;
+  options.view.window = options.sound = true;
+  options.live.device = DeviceForLearning(way, console);
+  return Learn(options, keys, course, console);
+}
+
+int LearnOrDemonstrate(LearnOptions options, const Course& course, Console& console) {
+  const std::optional<KeyMap> keys = KeysFor(options, AtTerminal(console));
+  DropWindow(options, console);
+  std::string way = "demonstration";
+  if (!IsDemonstration(options)) {
+    options.live.device = DeviceForLearning(options.live.device, console);
+    if (!options.live.device.empty()) return Learn(options, keys, course, console);
+    way = WayWithoutDevice(console);
+  }
+  if (way == "demonstration") {
+    options.live.device = "simulated";
+    way = Demonstrate(options, keys, course, console);
+  }
+  return GoThatWay(way, options, keys, course, console);
 }
 
 }  // namespace
@@ -258,7 +296,7 @@ int Run(const LearnOptions& options, Console& console) {
     return LearnSimulated(simulated, course, console);
   }
   if (!options.print.empty()) return PrintLesson(options, course, console);
-  return Learn(options, course, console);
+  return LearnOrDemonstrate(options, course, console);
 }
 
 }  // namespace moontrace

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "lessons/course/lesson_items.h"
 #include "lessons/course/spelling.h"
+#include "lessons/records/learner_names.h"
 #include "lessons/records/records.h"
 #include "lessons/records/report_facts.h"
 #include "lessons/records/trial_fields.h"
@@ -145,6 +147,15 @@ std::vector<std::string> Head(const LearnerEntry& learner, const Course& course,
   return lines;
 }
 
+/// Who was named, otherwise the only person in the records. Throws UsageError.
+LearnerEntry LearnerOf(const ReportOptions& options, const Records& records) {
+  const std::string& named = options.learner.empty() ? options.learner_too : options.learner;
+  if (!named.empty()) return KnownLearner(records, named);
+  const std::vector<std::string> people = PeopleAmong(records.Learners());
+  if (people.size() != 1) throw UsageError(say::NoReportLearner());
+  return KnownLearner(records, people.front());
+}
+
 }  // namespace
 
 void AddOptions(CLI::App& app, ReportOptions& options) {
@@ -161,10 +172,12 @@ void AddOptions(CLI::App& app, ReportOptions& options) {
 int Run(const ReportOptions& options, Console& console) {
   const bool named = !options.learner.empty(), too = !options.learner_too.empty();
   if (named && too) throw UsageError(say::TwoReportLearners());
-  if (!named && !too) throw UsageError(say::NoReportLearner());
+  const std::string path = RecordsPathOf(options.records);
+  const bool none = !named && !too && !std::filesystem::exists(path);
+  if (none) throw UsageError(say::NoReportLearner());
   if (!options.html.empty() && !options.csv.empty()) throw UsageError(say::TwoReportFiles());
-  const Records records = Records::OpenToRead(RecordsPathOf(options.records));
-  const LearnerEntry learner = KnownLearner(records, named ? options.learner : options.learner_too);
+  const Records records = Records::OpenToRead(path);
+  const LearnerEntry learner = LearnerOf(options, records);
   Course course = CourseOf(options, learner, records);
   const std::vector<Trial> trials = records.Trials(learner.pseudonym, course.id);
   if (trials.empty()) throw InputError(say::NoTrialsOf(learner.pseudonym, course.id));

@@ -94,8 +94,8 @@ std::string LineFollowed(std::size_t page, std::size_t pages, std::size_t line,
   return fmt::format("Page {} of {}, line {}: {}", page + 1, pages, line + 1, OneLine(words, 300));
 }
 std::string BookGreeting(std::string_view title, std::string_view learner) {
-  return fmt::format("{} reads {}. Type where for the place, ? for the words.",
-                     OneLine(learner, 60), Quoted(OneLine(title, 100)));
+  return fmt::format("{} reads {}. Say where for the place, ? for the words.", OneLine(learner, 60),
+                     Quoted(OneLine(title, 100)));
 }
 std::string PassageComes() {
   return "Tutor sends a text: it lies under your hand; a press or a word brings the book back.";

@@ -51,11 +51,13 @@ std::optional<Elsewhere::Line> BookDesk::Next(const LoopSnapshot& now) {
   return std::nullopt;
 }
 
-std::optional<Elsewhere::Line> BookDesk::Take(const TutorServer::Line& line,
-                                              const LoopSnapshot& now) {
+std::optional<Elsewhere::Line> BookDesk::Take(TutorServer::Line line, const LoopSnapshot& now) {
+  Proposal& proposal = proposals_[line.tutor];
+  line.text = proposal.Taken(line.text);
   const auto read = ReadTutorCommand(line.text);
   if (const auto* command = std::get_if<TutorCommand>(&read)) return Do(line, *command, now);
   if (ReadLine(line.text, WordPlace::kBook).word != nullptr) return TakeReadersWord(line, now);
+  proposal.Make(std::get<TutorRefusal>(read).meant);
   Answer(line, std::get<TutorRefusal>(read).line);
   return std::nullopt;
 }

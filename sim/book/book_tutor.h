@@ -1,11 +1,13 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/book/book_walk.h"
+#include "sim/console/vocabulary.h"
 #include "sim/session/loop_drive.h"
 #include "sim/tutor/tutor_command.h"
 #include "sim/tutor/tutor_server.h"
@@ -24,7 +26,7 @@ class BookDesk : public Elsewhere {
   void Typed(std::string_view line) override;
 
  private:
-  std::optional<Line> Take(const TutorServer::Line& line, const LoopSnapshot& now);
+  std::optional<Line> Take(TutorServer::Line line, const LoopSnapshot& now);
   std::optional<Line> Do(const TutorServer::Line& line, const TutorCommand& command,
                          const LoopSnapshot& now);
   std::optional<Line> TakeReadersWord(const TutorServer::Line& line, const LoopSnapshot& now);
@@ -35,10 +37,11 @@ class BookDesk : public Elsewhere {
   BookWalk& walk_;
   std::string learner_;
   TutorServer server_;
-  std::vector<std::string> comings_;  ///< not yet told, the newest first
-  std::string followed_;              ///< the line that tutors were told last
-  bool stopped_ = false;              ///< by a tutor, and by nobody else since
-  bool rested_ = false;               ///< all was stopped when it was looked at last
+  std::map<std::size_t, Proposal> proposals_;  ///< by tutor
+  std::vector<std::string> comings_;           ///< not yet told, the newest first
+  std::string followed_;                       ///< the line that tutors were told last
+  bool stopped_ = false;                       ///< by a tutor, and by nobody else since
+  bool rested_ = false;                        ///< all was stopped when it was looked at last
 };
 
 }  // namespace moontrace

@@ -150,7 +150,7 @@ const TypedWord* WholeBefore(std::string_view line, WordPlace place) {
   return longest;
 }
 
-SaidLine Refused(std::string refusal) { return {nullptr, {}, std::move(refusal)}; }
+SaidLine Refused(std::string refusal) { return {nullptr, {}, std::move(refusal), {}}; }
 
 /// Whole or by its number, and whatever stands behind it: who wants all force gone may say more
 /// than the word.
@@ -163,8 +163,10 @@ bool BeginsWithStop(std::string_view given) {
 /// "what?"; null: none.
 const TypedWord* PutOtherwise(std::string_view given, WordPlace place) {
   constexpr std::pair<std::string_view, const char*> kOthers[] = {
-      {"go on", "go"},    {"carry on", "go"},  {"continue", "go"},         {"what", "again"},
-      {"what?", "again"}, {"pardon", "again"}, {"say that again", "again"}};
+      {"go on", "go"},     {"carry on", "go"},  {"continue", "go"},   {"what", "again"},
+      {"what?", "again"},  {"pardon", "again"}, {"pardon?", "again"}, {"say that again", "again"},
+      {"repeat", "again"}, {"exit", "quit"},    {"bye", "quit"},      {"goodbye", "quit"},
+      {"wait", "pause"}};
   constexpr std::string_view kPlease = " please";
   if (given.ends_with(kPlease)) {
     given = Trimmed(given.substr(0, given.size() - kPlease.size()));
@@ -175,14 +177,17 @@ const TypedWord* PutOtherwise(std::string_view given, WordPlace place) {
   for (const auto& [other, word] : kOthers) {
     if (given == other && WordNamed(word)->HoldsIn(place)) return WordNamed(word);
   }
+  if (place == WordPlace::kDemonstration) {  // words of a lesson, which do the like there
+    if (given == "slower") return WordNamed("more time");
+    if (given == "hint") return WordNamed("again");
+  }
   return nullptr;
 }
 
 /// The word for what other programs, and people, call otherwise; empty: none.
 std::string CalledElsewhere(std::string_view given) {
-  constexpr std::pair<std::string_view, const char*> kOthers[] = {
-      {"exit", "quit"},    {"bye", "quit"},   {"end", "quit"},     {"goodbye", "quit"},
-      {"repeat", "again"}, {"wait", "pause"}, {"previous", "back"}};
+  constexpr std::pair<std::string_view, const char*> kOthers[] = {{"end", "quit"},
+                                                                  {"previous", "back"}};
   for (const auto& [other, word] : kOthers) {
     if (given == other) return word;
   }
@@ -211,7 +216,10 @@ SaidLine Said(const WordFound& found, std::string_view given, std::string_view b
   if (std::find(words.begin(), words.end(), meant) == words.end()) {
     meant = NearestWord(std::string(given), words);
   }
-  return Refused(say::WordUnknown(line, meant));
+  SaidLine refused = Refused(say::WordUnknown(line, meant));
+  const bool takes = !meant.empty() && !behind.empty() && !WordNamed(meant)->behind.empty();
+  refused.meant = takes ? meant + " " + std::string(behind) : std::move(meant);
+  return refused;
 }
 
 }  // namespace
@@ -225,6 +233,12 @@ const TypedWord* WordNamed(std::string_view word) {
   const auto found = std::find_if(kWords.begin(), kWords.end(),
                                   [word](const TypedWord& one) { return one.word == word; });
   return found == kWords.end() ? nullptr : found;
+}
+
+const TypedWord* WholeWord(std::string_view given, WordPlace place) {
+  if (const TypedWord* word = PutOtherwise(given, place)) return word;
+  const TypedWord* word = WordNamed(given);
+  return word != nullptr && word->HoldsIn(place) ? word : nullptr;
 }
 
 std::vector<std::string> WordsIn(WordPlace place) {
@@ -278,6 +292,25 @@ SaidLine ReadLine(std::string_view line, WordPlace place) {
   const bool alone_only = first.word != nullptr && first.word->behind.empty() && !behind.empty();
   if (alone_only) return Refused(say::WordStandsAlone(first.word->word, behind));
   return Said(first, given.substr(0, end), behind, typed, place);
+}
+
+bool SaysYes(std::string_view line) {
+  const std::string said = LowerCase(Trimmed(line));
+  const std::string first = said.substr(0, said.find_first_of(" .,;:!"));
+  for (const char* yes : {"yes", "y", "yess", "ok", "okay", "sure"}) {
+    if (first == yes) return true;
+  }
+  return false;
+}
+
+void Proposal::MakeHelp(std::string_view given, WordPlace place) {
+  const std::string meant = ReadLine(given, place).meant;
+  Make(meant.empty() ? std::string() : "help " + meant);
+}
+
+std::string Proposal::Taken(const std::string& line) {
+  std::string meant = std::exchange(line_, {});
+  return !meant.empty() && SaysYes(line) ? meant : line;
 }
 
 }  // namespace moontrace

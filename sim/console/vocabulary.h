@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace moontrace {
@@ -50,15 +51,37 @@ struct WordFound {
 /// meant. A beginning that is short for two words in two places belongs to the smaller number.
 WordFound FindWord(std::string_view given, WordPlace place);
 
+/// The word that a line means as a whole, though it may be put otherwise: "go", "go on", "pause
+/// please", "what?". In small letters; null: none that holds there.
+const TypedWord* WholeWord(std::string_view given, WordPlace place);
+
 /// A typed line.
 struct SaidLine {
   const TypedWord* word = nullptr;  ///< null: nothing was said, or see `refusal`
   std::string behind = {};          ///< as typed, without blanks at its ends
   std::string refusal = {};         ///< one line: what is wrong, and the cure
+  std::string meant = {};           ///< of `refusal`: the line that it asks for, "Did you mean ..."
 };
 
 /// Reads a line: a word as FindWord has it, and what stands behind it, where the word wants
 /// something. A "/" before, blanks and capitals do not count.
 SaidLine ReadLine(std::string_view line, WordPlace place);
+
+/// "yes", and more behind it.
+bool SaysYes(std::string_view line);
+
+/// "Did you mean quit?" can be answered by yes, in the very next line.
+class Proposal {
+ public:
+  /// What was answered to a line proposes this one; empty: nothing.
+  void Make(std::string line) { line_ = std::move(line); }
+  /// Likewise, where `given` stood behind "help".
+  void MakeHelp(std::string_view given, WordPlace place);
+  /// A line as it is meant: what was proposed, if it says yes. Nothing is proposed from now on.
+  std::string Taken(const std::string& line);
+
+ private:
+  std::string line_;
+};
 
 }  // namespace moontrace

@@ -31,7 +31,7 @@ std::string HelpWith(std::string_view given, WordPlace place) {
 }
 
 std::string WordNotHere(std::string_view word) {
-  return fmt::format("{} is no word here. Type ? for the words.", word);
+  return fmt::format("{} is no word here. Say ? for the words.", word);
 }
 
 std::string WordInstead(std::string_view word, std::string_view instead) {
@@ -44,7 +44,7 @@ std::string WordShortElsewhere(std::string_view given, std::string_view elsewher
 }
 
 std::string WordUnknown(std::string_view given, std::string_view nearest) {
-  return fmt::format("Unknown: {}. {}Type ? for the words.", Unstopped(OneLine(given, 40)),
+  return fmt::format("Unknown: {}. {}Say ? for the words.", Unstopped(OneLine(given, 40)),
                      nearest.empty() ? std::string() : fmt::format("Did you mean {}? ", nearest));
 }
 

@@ -69,8 +69,8 @@ bool IsDemonstration(const LearnOptions& options) {
          options.course == LearnOptions().course;
 }
 
-int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_keys,
-                const Course& course, Console& console) {
+std::string Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_keys,
+                        const Course& course, Console& console) {
   std::optional<KeyMap> keys;
   if (all_keys) keys = KeysHere(*all_keys);
   const std::vector<DemonstrationStep> steps = ShippedDemonstration();
@@ -98,7 +98,7 @@ int Demonstrate(const LearnOptions& options, const std::optional<KeyMap>& all_ke
     EndView(*feed, options.view, console);
     RequireView(*feed, options.live.device);
   }
-  return exit_code::kGood;
+  return demonstration.way();
 }
 
 }  // namespace moontrace

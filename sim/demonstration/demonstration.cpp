@@ -74,6 +74,10 @@ DemonstrationStep StepOf(const TomlTable& table) {
   step.size = InRange(table, "size_mm", size_mm, 1, 200) / kMillimetres;
   step.say = Sentences(table.String("say", ""));
   step.ask = table.String("ask", "");
+  if (table.Has("ways")) {
+    if (!step.ask.empty()) table.Fail("ways", "a question is asked; leave one of both out");
+    step.ways = table.Strings("ways");
+  }
   if (step.ask.empty()) {
     for (const char* key : {"answers", "right", "wrong"}) {
       if (table.Has(key)) table.Fail(key, "nothing is asked; give ask, or leave it out");
@@ -140,6 +144,11 @@ void Demonstration::GoOn() {
     Say(step().ask);
     heard_ = until_;
     asked_ = asking_ = true;
+    proposal_.Make({});  // this is what yes answers now
+    return WaitFor(kAnswering);
+  }
+  if (!step().ways.empty() && !asked_) {
+    asked_ = true;
     return WaitFor(kAnswering);
   }
   if (asking_) {
@@ -221,12 +230,31 @@ void Demonstration::StillAsk() {
   if (!paused_) until_ = std::max(until_, now_ + Seconds(pace_ * kAnswering));
 }
 
+/// With the line that tells the way, which is the best hint there is.
+void Demonstration::AskAgain() {
+  if (!step().say.empty()) Reply(step().say.back());
+  StillAsk();
+}
+
+/// Its word, or its number in their order.
+bool Demonstration::TakesWay(const std::string& given) {
+  const std::vector<std::string> readings = ReadingsOf(given);
+  if (readings.empty()) return false;
+  const std::vector<std::string>& ways = step().ways;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (readings.back() == ways[i] || readings.back() == std::to_string(i + 1)) way_ = ways[i];
+  }
+  over_ = over_ || !way_.empty();
+  return !way_.empty();
+}
+
 void Demonstration::Answer(const std::string& given) {
   const bool right = IsRight(step(), given), unknown = DoesNotKnow(given);
   asking_ = false;
   missed_ = nullptr;
   if (!unknown) teller_.Play(right ? Earcon::kRight : Earcon::kWrong);
-  if (!right && !unknown) teller_.Say(Priority::kText, say::WrongAnswer(given));
+  const std::string letter = AsksWord() ? given : ReadingsOf(given).back();
+  if (!right && !unknown) teller_.Say(Priority::kText, say::WrongAnswer(letter));
   Say(right ? step().right : step().wrong);
 }
 
@@ -260,7 +288,8 @@ bool Demonstration::Takes(const std::string& given) {
 
 void Demonstration::Obey(const std::string& line) {
   teller_.Interrupt();
-  const std::string given = Trimmed(line);
+  const std::string given = Trimmed(proposal_.Taken(line));
+  if (TakesWay(given)) return;
   const SaidLine said = ReadLine(given, WordPlace::kDemonstration);
   const bool sign = CountCharacters(given) == 1 && given.find_first_of("?0123456789") != 0;
   const bool word = said.word != nullptr && said.behind.empty() && !(asking_ && sign);
@@ -273,8 +302,10 @@ void Demonstration::Obey(const std::string& line) {
   } else if (word) {
     Do(said.word->word);
   } else if (said.word != nullptr) {  // only "help" takes something behind it here
+    proposal_.MakeHelp(said.behind, WordPlace::kDemonstration);
     Reply(say::HelpWith(said.behind, WordPlace::kDemonstration));
   } else if (!Takes(given)) {
+    proposal_.Make(said.meant);
     Reply(said.refusal);
     if (asking_) StillAsk();
   }
@@ -295,9 +326,11 @@ void Demonstration::Do(std::string_view word) {
     teller_.Say(Priority::kText, say::DemonstrationLeft());
   } else if (word == "help") {
     for (const std::string& line : help_) Reply(line);
+  } else if (word == "again" && asking_) {
+    AskAgain();
   } else if (word == "again") {
     teller_.Say(Priority::kText, last_);
-    WaitFor(asking_ ? kAnswering : SecondsFor(last_));
+    WaitFor(SecondsFor(last_));
   } else if (word == "pause" || word == "stop") {
     if (!paused_) left_ = std::max(until_ - now_, Clock::duration(0));
     paused_ = true;

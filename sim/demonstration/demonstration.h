@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/console/vocabulary.h"
 #include "sim/learn/learn_stage.h"
 #include "sim/learn/learn_teller.h"
 #include "sim/learn/running_lesson.h"
@@ -21,6 +22,7 @@ struct DemonstrationStep {
   std::string ask;                   ///< empty: nothing is asked
   std::vector<std::string> answers;  ///< right ones, in small letters
   std::string right, wrong;          ///< said to a right answer; to none, and after a wrong one
+  std::vector<std::string> ways;     ///< words, from its begin on: how it may go on behind all this
 };
 
 /// The demonstration that comes with the program, `lessons/demonstration.toml`. Throws InputError:
@@ -50,8 +52,10 @@ class Demonstration final : public RunningStage, private LoopListener {
   }
   /// Who was at the terminal has left it: it ends, and says so.
   void Leave();
-  /// An answer is awaited.
-  bool asks() const { return asking_; }
+  /// An answer is awaited, or the choice of a way on.
+  bool asks() const { return asking_ || (begun_ && !over_ && !step().ways.empty()); }
+  /// Of the ways of a step, which was chosen: it is over by that; empty: none.
+  const std::string& way() const { return way_; }
   /// What lies there is asked, or will be before another page does: nothing must show it in print.
   bool hides() const;
   bool over() const { return over_; }
@@ -73,6 +77,8 @@ class Demonstration final : public RunningStage, private LoopListener {
   bool CameLate(const std::string& given) const;
   void TellLate();
   void StillAsk();
+  void AskAgain();
+  bool TakesWay(const std::string& given);
   void Do(std::string_view word);
   void WaitFor(double seconds);
 
@@ -88,6 +94,8 @@ class Demonstration final : public RunningStage, private LoopListener {
   LoopPoll poll_;
   std::size_t at_ = 0, line_ = 0;  ///< step, and the line of it that comes next
   std::string last_;               ///< said last
+  std::string way_;
+  Proposal proposal_;
   /// What was asked last and not answered in its time; null: none, or something was answered since.
   const DemonstrationStep* missed_ = nullptr;
   std::string told_;  ///< signs that were shown so far

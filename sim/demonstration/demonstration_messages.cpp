@@ -10,7 +10,12 @@
 namespace moontrace::say {
 
 std::vector<std::string> DemonstrationHelp() {
-  return {NumberedWords(WordPlace::kDemonstration),
+  std::vector<std::string> words;
+  for (const TypedWord& word : Vocabulary()) {
+    const bool holds = word.HoldsIn(WordPlace::kDemonstration);
+    if (holds) words.push_back(fmt::format("{} {}", word.word, word.number));
+  }
+  return {fmt::format("Say a word, or its number: {}.", Joined(words, ", ")),
           "While I ask, a letter is an answer; I don't know tells it."};
 }
 std::vector<std::string> DemonstrationKeysHelp(const std::map<std::string, std::string>& keys) {

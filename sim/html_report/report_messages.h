@@ -68,7 +68,8 @@ namespace help {
 inline constexpr const char* kReport =
     "says what a learner is sure of, what to practise, how quickly and at what size";
 inline constexpr const char* kReportLearnerToo = "the same, as moontrace learn takes it.";
-inline constexpr const char* kReportLearner = "the learner, as moontrace records list names them.";
+inline constexpr const char* kReportLearner =
+    "the learner, as moontrace records list names them; without, the only one.";
 inline constexpr const char* kReportCourse =
     "name of a course or path of its folder. Default the one last learnt.";
 inline constexpr const char* kReportHtml = "write a page with headings and plots to this file.";

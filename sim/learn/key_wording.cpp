@@ -47,8 +47,8 @@ constexpr std::size_t kNamed = 5;   ///< those with a verb behind the word begin
 constexpr std::size_t kListed = 7;  ///< the list
 
 /// The Enter that goes with a typed word.
-constexpr std::array<std::string_view, 4> kEnters = {", and press Enter", " and press Enter",
-                                                     ", then Enter", " and Enter"};
+constexpr std::array<std::string_view, 5> kEnters = {
+    ", and press Enter", " and press Enter", ", then Enter", " and Enter", ", typed with Enter"};
 
 /// Behind a word that stands for itself.
 constexpr std::array<std::string_view, 4> kVerbs = {" leaves", " tells", " ends", " goes on"};
@@ -124,7 +124,7 @@ std::string WithKeys(std::string_view sentence, const Keys& keys) {
     std::string part = !within ? PartAt(sentence, at, keys) : std::string();
     told += part.empty() ? std::string(1, sentence[at++]) : part;
   }
-  constexpr std::string_view kWords = "Type ? for the words.";
+  constexpr std::string_view kWords = "Say ? for the words.";
   const auto words = told.find(kWords);
   if (words != std::string::npos) told.replace(words, kWords.size(), "? tells the keys.");
   return told;

@@ -11,6 +11,7 @@
 #include "sim/console/line_wrap.h"
 #include "sim/console/vocabulary.h"
 #include "sim/learn/learn_messages.h"
+#include "sim/learn/learn_stage.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 
@@ -42,9 +43,12 @@ std::optional<std::string> Ask(LineReader& lines, LearnTeller& teller, const std
     console.CheckStop();
     if (std::optional<std::string> line = lines.Next(kPoll)) {
       const std::string said = Trimmed(*line);
-      const std::string word = LowerCase(said);
-      if (word == "quit" || word == "/quit") throw LeftAtQuestion{};
-      if (word != "?" && word != "help") return said;
+      const std::string word = LowerCase(said.substr(said.find_first_not_of('/') == 1 ? 1 : 0));
+      const TypedWord* whole = WholeWord(word, WordPlace::kLesson);
+      if (whole == WordNamed("quit")) throw LeftAtQuestion{};
+      // "what?" and the like; who says again may be asked for a name
+      const bool again = whole == WordNamed("again") && word != "again";
+      if (word != "?" && word != "help" && !again) return said;
       teller.Say(Priority::kText, help);
       ask();
     } else if (lines.ended()) {
@@ -59,10 +63,8 @@ std::optional<bool> YesOrNo(const std::string& line) {
   const std::string answer = LowerCase(line);
   const TypedWord* word = ReadLine(answer, WordPlace::kLesson).word;
   if (word != nullptr && (word->word == "stop" || word->word == "quit")) return false;
+  if (SaysYes(answer)) return true;
   const std::string first = answer.substr(0, answer.find_first_of(" .,;:!"));
-  for (const char* yes : {"yes", "y", "yess", "ok", "okay", "sure"}) {
-    if (first == yes) return true;
-  }
   for (const char* no : {"no", "n", "noo", "nope"}) {
     if (first == no) return false;
   }
@@ -94,6 +96,9 @@ std::string WhoLearns(const LearnOptions& options, const std::vector<LearnerEntr
         Ask(lines, teller, std::exchange(question, asked), say::QuitLeaves(), console);
     if (!line) throw UsageError(say::NoLearner());
     if (std::find(names.begin(), names.end(), *line) != names.end()) return *line;
+    for (std::size_t i = 0; i < names.size() && names.size() > 1; ++i) {  // of the names just told
+      if (*line == std::to_string(i + 1)) return names[i];
+    }
     const std::string refusal = RefusedName(*line);
     if (!refusal.empty()) question = refusal;
     if (line->empty() || !refusal.empty()) continue;
@@ -137,17 +142,34 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
   return std::nullopt;
 }
 
-bool AskDemonstration(LineReader& lines, LearnTeller& teller, const Console& console) {
-  std::string question = say::AskDemonstration();
+namespace {
+
+/// By its word, its number, or a beginning; yes is the first. None: it was not said.
+std::optional<std::string> ChosenWithoutDevice(const std::string& line) {
+  const std::string said = LowerCase(line);
+  int number = 0;
+  for (const char* way : {"demonstration", "paper", "mouse"}) {
+    const bool begun = said.size() > 1 && std::string_view(way).starts_with(said);
+    if (begun || said == std::to_string(++number)) return way;
+  }
+  const std::optional<bool> yes = YesOrNo(line);
+  if (!yes) return std::nullopt;
+  return *yes ? "demonstration" : "";
+}
+
+}  // namespace
+
+std::string AskWithoutDevice(LineReader& lines, LearnTeller& teller, const Console& console) {
+  std::string question = say::AskWithoutDevice(WindowMayOpen());
   try {
     for (;;) {
       const auto line = Ask(lines, teller, question, say::DemonstrationIs(), console);
-      if (!line) return false;
-      if (const std::optional<bool> yes = YesOrNo(*line)) return *yes;
-      question = say::YesOrNo();
+      if (!line) return {};
+      if (const std::optional<std::string> way = ChosenWithoutDevice(*line)) return *way;
+      question = say::OneOfThree();
     }
   } catch (const LeftAtQuestion&) {
-    return false;
+    return {};
   }
 }
 

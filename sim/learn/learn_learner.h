@@ -22,8 +22,9 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
                                       LineReader& lines, LearnTeller& teller,
                                       const Console& console);
 
-/// Whether the demonstration is to begin, for who has no device. Throws Interrupted.
-bool AskDemonstration(LineReader& lines, LearnTeller& teller, const Console& console);
+/// What is to begin, for who has no device: "demonstration", "paper" or "mouse"; empty: nothing.
+/// Throws Interrupted.
+std::string AskWithoutDevice(LineReader& lines, LearnTeller& teller, const Console& console);
 
 /// At the end, once for each learner: whether the path of the hand may be kept. Not answered, it is
 /// asked again the next time. Throws as Records::SetConsent, and Interrupted.

@@ -163,7 +163,7 @@ std::string SureAt(const std::vector<std::string>& names, double size) {
   return fmt::format("Sure at {} mm: {}.", Short(kMillimetres * size, 1), Joined(names, ", "));
 }
 std::string LessonWhich() { return "Say which lesson: lesson 5. The word lessons tells them."; }
-std::string PractiseWhich() { return "Which sign? Type it now: b."; }
+std::string PractiseWhich() { return "Which sign? Say it now: b."; }
 std::string BriefNow() { return "Brief: outcomes only. full says all again."; }
 std::string FullNow() { return "Full: all is said again."; }
 std::string AskOwnText(std::string_view last) {
@@ -219,7 +219,7 @@ std::string NoLearner() {
 }
 std::string AskConsent() {
   return "One last question: may the path of your hand be kept too? It stays on this machine, and "
-         "shows where a letter is hard. Type yes, or Enter for no.";
+         "shows where a letter is hard. Say yes, or Enter for no.";
 }
 std::string ConsentHelp() {
   return "Yes or no. What was kept goes again with moontrace records consent NAME no.";
@@ -228,7 +228,7 @@ std::string ConsentGiven(bool yes) {
   return yes ? "The path of your hand will be kept." : "The path of your hand will not be kept.";
 }
 std::string SayTheName() { return "Say the name."; }
-std::string YesOrNo() { return "Type yes or no."; }
+std::string YesOrNo() { return "Say yes or no."; }
 std::string NotAName() { return "Not a name: take 1 to 60 letters, without a slash."; }
 std::string WordIsNoName(std::string_view word) {
   return fmt::format("{} is a word, not a name: who learns?", OneLine(word, 14));
@@ -287,7 +287,9 @@ std::string TipStaysDown() { return "The tip is always on the paper: you need no
 std::string LearnScaled() {
   return "Letters are not in true size: what you do here makes none sure.";
 }
-std::string LearnBegins() { return "Type a word and Enter; ? tells the words, quit ends."; }
+std::string LearnBegins() {
+  return "To say a word, type it and Enter; ? tells the words, quit ends.";
+}
 std::string LearnBeginsWithKeys() { return "One key a word, without Enter. ? tells the keys."; }
 std::string SessionEnded(std::size_t trials, std::size_t sure) {
   return fmt::format("Ended: {} this time, {} sure.", Counted(trials, "exercise", "exercises"),
@@ -356,12 +358,18 @@ std::string NoWindowForMouse() {
          "--print lesson.pdf";
 }
 std::string NoWindowHere() { return "No window can open here: it goes on without --view."; }
-std::string AskDemonstration() {
-  return "Shall the demonstration begin? Type yes, or Enter for no.";
+std::string AskWithoutDevice(bool window) {
+  return fmt::format(
+      "What shall begin? Type 1, 2 or 3, or its word, and Enter; Enter alone ends.\n"
+      "1 demonstration: told in words, nine minutes.\n"
+      "2 paper: the pages of a lesson for swell paper.\n"
+      "3 mouse: a window and sound{}; nothing is felt.",
+      window ? "" : ", from the desktop");
 }
 std::string DemonstrationIs() {
-  return "Nine minutes in words, with a few questions; the word quit ends it.";
+  return "The demonstration asks a few questions, and the word quit ends it.";
 }
+std::string OneOfThree() { return "Type 1, 2 or 3, or Enter for none."; }
 std::string NoDeviceGiven() {
   return "nothing was begun: take one of these, or plug in a device and start learn again";
 }
@@ -426,6 +434,11 @@ std::string KeyConflicts(const std::vector<std::string>& conflicts) {
 
 std::string WayInWords(std::string_view name) {
   return fmt::format("The way of {}, in words:", OneLine(name));
+}
+
+std::string AskedWayInWords(std::size_t number, std::size_t of) {
+  if (of == 1) return "Its way, in words:";
+  return fmt::format("Sign {} of {}, its way in words:", number, of);
 }
 
 namespace {

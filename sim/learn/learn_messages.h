@@ -181,8 +181,10 @@ std::string NoWindowForMouse();
 /// Of a window that is not needed.
 std::string NoWindowHere();
 /// At a terminal, where there is no device.
-std::string AskDemonstration();
+/// `window`: one may open here.
+std::string AskWithoutDevice(bool window);
 std::string DemonstrationIs();
+std::string OneOfThree();
 std::string NoDeviceGiven();
 
 // Printing.
@@ -213,6 +215,8 @@ std::string KeyConflicts(const std::vector<std::string>& conflicts);
 
 // Where nothing can lead the hand.
 std::string WayInWords(std::string_view name);
+/// Of what is asked, which is sign `number`, from 1.
+std::string AskedWayInWords(std::size_t number, std::size_t of);
 /// How each stroke runs, a line a stroke.
 std::vector<std::string> PathInWords(const std::vector<IntendedStroke>& strokes);
 

@@ -100,6 +100,8 @@ void LearnSession::Take(decltype(Event::what) what) {
     std::visit([this](const auto& one) { Do(one); }, action);
   }
   if (sized_) Tell(*std::exchange(sized_, std::nullopt));  // nothing was shown
+  const bool unfelt = !stage_.pushes() && !stage_.simulated();
+  if (shown_ && await_ == Await::kAnswer && unfelt) SayAskedPath();
 }
 
 void LearnSession::Do(const lesson_action::Keep& keep) {
@@ -203,6 +205,8 @@ void LearnSession::Do(const lesson_action::Push& push) {
 }
 
 void LearnSession::Do(Await await) {
+  // what is asked now is what yes answers
+  if (await == Await::kAnswer && await_ != await) proposal_.Make({});
   await_ = await;
   if (await == Await::kEnd) over_ = true;
 }
@@ -212,6 +216,21 @@ void LearnSession::SayPath() {
   teller_.Say(Priority::kText, say::WayInWords(say::Called(course_, state_.item)));
   for (const std::string& line : say::PathInWords(stage_.trace().strokes())) {
     teller_.Say(Priority::kText, line);
+  }
+}
+
+/// Likewise, of what is asked: without its name.
+void LearnSession::SayAskedPath() {
+  std::map<std::size_t, std::vector<IntendedStroke>> signs;
+  for (const IntendedStroke& stroke : stage_.trace().strokes()) {
+    signs[stroke.glyph].push_back(stroke);
+  }
+  std::size_t number = 0;
+  for (const auto& [glyph, strokes] : signs) {
+    teller_.Say(Priority::kText, say::AskedWayInWords(++number, signs.size()));
+    for (const std::string& line : say::PathInWords(strokes)) {
+      teller_.Say(Priority::kText, line);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "lessons/course/course.h"
 #include "lessons/progress/lesson_machine.h"
+#include "sim/console/vocabulary.h"
 #include "sim/learn/learn_memory.h"
 #include "sim/learn/learn_messages.h"
 #include "sim/learn/learn_stage.h"
@@ -45,7 +46,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool over() const override { return over_; }
   std::string Status() const override;
   std::vector<std::string> StatusForTutor() const override;
-  void Obey(const std::string& line) override;
+  void Obey(const std::string& typed) override;
   void TutorSays(lesson_event::Said said) override { Take(said); }
   void Overrule(const lesson_event::Overrule& overrule) override { Take(overrule); }
   void Pause(bool by_tutor) override;
@@ -95,6 +96,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   bool WaitsWith(const LearnLine& read) const;
   void LookAtTrace();
   void SayPath();
+  void SayAskedPath();
   bool GoesOnUnsaid(const lesson_action::Say& sentence);
   Trial Flags(Trial measured) const;
   bool told() const { return stage_.shown().told || stage_.simulated(); }
@@ -110,6 +112,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   LoopPoll poll_;
   PlaceWalk walk_;
   LessonVoice voice_;
+  Proposal proposal_;
   bool leading_ = false;       ///< the hand is led along, or would be
   bool led_by_tutor_ = false;  ///< the tutor leads the hand meanwhile
   bool shown_ = false;         ///< in this turn

@@ -67,7 +67,8 @@ std::optional<lesson_event::Word> SaidToMachine(LearnWord word) {
 
 }  // namespace
 
-void LearnSession::Obey(const std::string& line) {
+void LearnSession::Obey(const std::string& typed) {
+  const std::string line = proposal_.Taken(typed);
   const int before = teller_.told();
   teller_.Interrupt();
   // while all rests, "go" is no answer, whatever the course teaches
@@ -89,6 +90,7 @@ void LearnSession::Obey(const std::string& line) {
     case LearnLine::Kind::kWord:
       if (read.answer == "all") helped_ = true;
       if (!read.answer.empty() && read.answer != "all") {
+        proposal_.MakeHelp(read.answer, WordPlace::kLesson);
         teller_.Say(Priority::kText, say::HelpWith(read.answer, WordPlace::kLesson));
         break;
       }
@@ -120,6 +122,7 @@ void LearnSession::Obey(const std::string& line) {
     case LearnLine::Kind::kNothing:
       break;  // what is waited for
     case LearnLine::Kind::kRefused:
+      proposal_.Make(read.meant);
       teller_.Say(Priority::kText, read.answer);
       break;
   }
@@ -173,7 +176,7 @@ void LearnSession::GoToLesson(const std::string& given) {
   if (given.empty()) return teller_.Say(Priority::kText, say::LessonWhich());
   const auto index = LessonNamed(course_, given);
   if (!index) {
-    return teller_.Say(Priority::kText, say::LessonNotFound(given, course_.lessons.size(), false));
+    return teller_.Say(Priority::kText, say::LessonNotFound(course_, given, false));
   }
   lesson_event::Overrule overrule;
   overrule.lesson = course_.lessons[*index].id;

@@ -83,7 +83,6 @@ std::string DeviceForLearning(const std::string& named, Console& console) {
   if (first && first->problem.empty()) return first->name;
   console.Result(say::NoForceDevice());
   if (first) console.Result(say::DeviceProblem(first->name, first->problem));
-  for (const std::string& line : say::LearningWithoutDevice(WindowMayOpen())) console.Result(line);
   return {};
 }
 

@@ -19,8 +19,8 @@ namespace moontrace {
 bool WindowMayOpen();
 
 /// The device of a lesson: `named`, otherwise the first that is there, can be opened and has
-/// motors. Where there is none, says so first, then what works without; empty. Throws DeviceError
-/// where the named one is not there.
+/// motors. Where there is none, says so; empty. Throws DeviceError where the named one is not
+/// there, LackError: a mouse, and no window can open.
 std::string DeviceForLearning(const std::string& named, Console& console);
 /// The smallest letter that the device renders at that press [N], by its profile [m]; 0 where
 /// nothing is felt, or nothing is known of it. Opens a plug-in, and closes it.

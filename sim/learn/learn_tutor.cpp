@@ -93,9 +93,12 @@ void TutorDesk::Hear(const std::string& line, const Told& answer) {
   teller_.EndTurn();
 }
 
-void TutorDesk::Take(const TutorServer::Line& line) {
+void TutorDesk::Take(TutorServer::Line line) {
+  Proposal& proposal = proposals_[line.tutor];
+  line.text = proposal.Taken(line.text);
   const auto read = ReadTutorCommand(line.text);
   if (const auto* refusal = std::get_if<TutorRefusal>(&read)) {
+    proposal.Make(refusal->meant);
     Answer(line.tutor, refusal->line);
   } else {
     Do(line, std::get<TutorCommand>(read));
@@ -108,6 +111,12 @@ void TutorDesk::Answer(std::size_t tutor, std::string_view line) {
   } else if (answer_) {
     answer_(line);
   }
+}
+
+/// Who sits alone at the window's panel has no tutor.
+std::string TutorDesk::Does(const TutorCommand& command) const {
+  std::string sentence = say::TutorDoes(command);
+  return server_ ? sentence : say::WithoutTutor(std::move(sentence));
 }
 
 /// All of them, or what one does.
@@ -153,7 +162,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
       break;
     case TutorWord::kLesson:
       if (!LessonNamed(course_, command.text)) {
-        return Answer(line.tutor, say::LessonNotFound(command.text, course_.lessons.size(), true));
+        return Answer(line.tutor, say::LessonNotFound(course_, command.text, true));
       }
       break;
     case TutorWord::kNextLesson:
@@ -167,7 +176,7 @@ void TutorDesk::Do(const TutorServer::Line& line, const TutorCommand& command) {
   if (command.page && command.page->word != PageWord::kSize) return ChangeForm(line, command);
   const bool gives_back = command.word == TutorWord::kRecord && recorder_;
   if (!LessonTells(command)) {
-    teller_.Say(Priority::kMessage, gives_back ? say::TutorGaveBack() : say::TutorDoes(command));
+    teller_.Say(Priority::kMessage, gives_back ? say::TutorGaveBack() : Does(command));
     teller_.Flush();
   }
   memory_.Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
@@ -189,7 +198,7 @@ void TutorDesk::ChangeForm(const TutorServer::Line& line, const TutorCommand& co
   } catch (const InputError& error) {
     return Answer(line.tutor, say::PageStays(error.what()));
   }
-  teller_.Say(Priority::kMessage, say::TutorDoes(command));
+  teller_.Say(Priority::kMessage, Does(command));
   teller_.Flush();
   memory_.Note(static_cast<std::int64_t>(std::time(nullptr)), "tutor", line.text);
 }

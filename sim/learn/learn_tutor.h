@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "sim/console/vocabulary.h"
 #include "sim/learn/running_lesson.h"
 #include "sim/tutor/tutor_command.h"
 #include "sim/tutor/tutor_server.h"
@@ -32,8 +35,9 @@ class TutorDesk {
   void Hear(const std::string& line, const Told& answer);
 
  private:
-  void Take(const TutorServer::Line& line);
+  void Take(TutorServer::Line line);
   void Answer(std::size_t tutor, std::string_view line);
+  std::string Does(const TutorCommand& command) const;
   void TellWords(std::size_t tutor, const std::string& word);
   void Do(const TutorServer::Line& line, const TutorCommand& command);
   void ChangeForm(const TutorServer::Line& line, const TutorCommand& command);
@@ -49,6 +53,7 @@ class TutorDesk {
   RunningLesson& lesson_;
   std::optional<TutorServer> server_;
   Told window_, answer_;
+  std::map<std::size_t, Proposal> proposals_;  ///< by tutor
   std::optional<StrokeRecorder> recorder_;
   std::optional<RecordedStroke> stroke_;
 };

@@ -10,7 +10,7 @@
 namespace moontrace::say {
 
 std::string TutorGreeting(std::string_view learner) {
-  return fmt::format("Lesson of {}. Type where for what goes on, ? for the words.",
+  return fmt::format("Lesson of {}. Say where for what goes on, ? for the words.",
                      OneLine(learner));
 }
 
@@ -25,11 +25,13 @@ std::string TutorsInWindow() {
          "what else only tutors have.";
 }
 std::string NothingRests() { return "Nothing rests: the lesson goes on."; }
-std::string LessonNotFound(std::string_view given, std::size_t lessons, bool tutor) {
+std::string LessonNotFound(const Course& course, std::string_view given, bool tutor) {
   const bool number = given.find_first_not_of("0123456789") == std::string_view::npos;
-  return fmt::format("{}: {}. Say a number from 1 to {}.{}",
+  const std::size_t all = course.lessons.size(), in_order = LessonsInOrder(course);
+  return fmt::format("{}: {}. Say a number from 1 to {}{}.{}",
                      number ? "No such lesson" : "No such lesson, or several", OneLine(given, 20),
-                     lessons, tutor ? "" : " The word lessons tells them.");
+                     in_order, all > in_order ? fmt::format(", or {} beside the course", all) : "",
+                     tutor ? "" : " The word lessons tells them.");
 }
 namespace {
 

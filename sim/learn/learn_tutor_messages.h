@@ -18,7 +18,7 @@ std::string TutorWordsHelp();
 /// What in a window is not the learner's.
 std::string TutorsInWindow();
 std::string NothingRests();
-std::string LessonNotFound(std::string_view given, std::size_t lessons, bool tutor);
+std::string LessonNotFound(const Course& course, std::string_view given, bool tutor);
 /// The push at this moment, and whether learner or tutor set it or the size, not the course's
 /// rules.
 struct PushNow {

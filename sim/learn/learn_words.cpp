@@ -61,7 +61,9 @@ LearnLine Said(std::string_view word, std::string_view behind) {
 
 LearnLine Command(std::string_view typed) {
   SaidLine said = ReadLine(typed, WordPlace::kLesson);
-  if (said.word == nullptr) return {Kind::kRefused, LearnWord::kHelp, std::move(said.refusal), {}};
+  if (said.word == nullptr) {
+    return {Kind::kRefused, LearnWord::kHelp, std::move(said.refusal), {}, std::move(said.meant)};
+  }
   return Said(said.word->word, said.behind);
 }
 
@@ -133,8 +135,8 @@ bool SaysStop(const std::string& bare, Asked asked) {
 LearnLine WhereNameIsAsked(std::string_view typed, const std::string& given,
                            const std::string& bare, const Course& course) {
   if (given != "?" && ItemSaid(course, given, {})) return Answer(given);
-  const TypedWord* whole = given == "?" ? WordNamed("help") : WordNamed(bare);
-  if (whole != nullptr && whole->HoldsIn(WordPlace::kLesson)) return Said(whole->word, {});
+  const TypedWord* whole = given == "?" ? WordNamed("help") : WholeWord(bare, WordPlace::kLesson);
+  if (whole != nullptr) return Said(whole->word, {});
   if (IsSign(given) || !IsWord(bare)) return Answer(given);
   return Command(typed);
 }

@@ -72,6 +72,7 @@ struct LearnLine {
   /// cure.
   std::string answer;
   PlaceCommand place = {};  ///< of kPlace
+  std::string meant = {};   ///< of kRefused: SaidLine::meant
 };
 
 /// A word as ReadLine has it (sim/console/vocabulary.h); a question mark behind it does not count.

@@ -50,7 +50,9 @@ std::string OfCourse(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kWelcome:
       return fmt::format("Welcome to {}.", OneLine(sentence.text));
     case Sentence::kWelcomeBack:
-      return fmt::format("Welcome back, to: {}.", OneLine(sentence.text));
+      if (sentence.of == 0) return fmt::format("Welcome back, to: {}.", OneLine(sentence.text));
+      return fmt::format("Welcome back, to lesson {} of {}: {}.", sentence.number, sentence.of,
+                         OneLine(sentence.text));
     case Sentence::kLesson:
       if (sentence.of == 0) return fmt::format("Lesson: {}.", OneLine(sentence.text));
       return fmt::format("Lesson {} of {}: {}.", sentence.number, sentence.of,
@@ -99,6 +101,8 @@ std::string OfTask(const Course& course, const lesson_action::Say& sentence) {
   switch (sentence.sentence) {
     case Sentence::kNewItem:
       return fmt::format("New: {}.", text);
+    case Sentence::kOnWith:
+      return fmt::format("On with {}.", text);
     case Sentence::kHint:
       return fmt::format("Hint: {}", OneLine(sentence.text, 500));
     case Sentence::kNoHint:
@@ -106,7 +110,7 @@ std::string OfTask(const Course& course, const lesson_action::Say& sentence) {
     case Sentence::kAnother:
       return sentence.number == 2 ? "Two new ones." : "A new one.";
     case Sentence::kAskName:
-      return "What is it? Type its name and Enter.";
+      return "What is it? Say its name.";
     case Sentence::kAskPick:
       return fmt::format("Is it {} or {}?", text, other);
     case Sentence::kAskSame:

@@ -26,6 +26,11 @@ std::unique_ptr<Device> OpenHomed(const DeviceRequest& request, const std::strin
       },
       [&] { return !is_stopped() && std::chrono::steady_clock::now() < end; });
   if (is_stopped()) throw Interrupted();
+  const bool in_time = std::chrono::steady_clock::now() < end;
+  if (!is_homed && in_time) {
+    throw DeviceError(fmt::format(
+        "{}: was lost before it lay in its rest: look at its plug and its power", request.name));
+  }
   if (!is_homed) {
     throw DeviceError(
         fmt::format("{}: was not put in its rest within {} s: begin again, and move the arm a "

@@ -294,7 +294,10 @@ class Driver : private LoopListener {
   }
 
   void Help(const std::string& word) {
-    if (!word.empty()) return Say(say::HelpWith(word, words()));
+    if (!word.empty()) {
+      proposal_.MakeHelp(word, words());
+      return Say(say::HelpWith(word, words()));
+    }
     Say(say::NumberedWords(words()));
     Say(say::PageWordsHelp());
     if (options_.view == nullptr) return;
@@ -314,7 +317,8 @@ class Driver : private LoopListener {
     Answer();
   }
 
-  void ObeyWord(const std::string& line) {
+  void ObeyWord(const std::string& given) {
+    const std::string line = proposal_.Taken(given);
     if (options_.view != nullptr) {
       if (const std::optional<std::string> done = options_.view->Obey(line)) return Say(*done);
     }
@@ -353,6 +357,7 @@ class Driver : private LoopListener {
       case LoopWord::kNothing:
         return;
       case LoopWord::kRefused:
+        proposal_.Make(said.meant);
         return Say(said.refusal);
     }
   }
@@ -366,6 +371,7 @@ class Driver : private LoopListener {
   PlaceWalk walk_;
   bool led_ = false;
   Clock::time_point led_until_;
+  Proposal proposal_;
   std::optional<LetterPlace> mark_;
   std::vector<std::string> answer_;     ///< said since the last word
   std::optional<std::string> pending_;  ///< a word that waits for the page

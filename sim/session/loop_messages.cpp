@@ -45,7 +45,7 @@ std::string SofterThanUsual(double share) {
                      Short(100 * share, 0));
 }
 
-std::string HowToSpeak() { return "Type a word and Enter; ? tells the words."; }
+std::string HowToSpeak() { return "To say a word, type it and Enter; ? tells the words."; }
 
 std::string CannotSpeak() {
   return "No words can come: standard input gave the text. Ctrl-C ends this.";
@@ -169,7 +169,8 @@ std::string Repeated(const std::array<std::uint64_t, kSafetyEvents>& counts) {
   std::vector<std::string> repeated;
   for (std::size_t i = 0; i < kSafetyEvents; ++i) {
     const auto event = static_cast<SafetyEvent>(i);
-    if (!MayRepeat(event) || counts[i] < 2) continue;
+    const bool told_once = MayRepeat(event) || event == SafetyEvent::kNotReady;  // MotorsTold
+    if (!told_once || counts[i] < 2) continue;
     repeated.push_back(fmt::format("{} {}", Clause(event), Times(counts[i])));
   }
   return repeated.empty() ? "" : fmt::format("In all: {}.", Joined(repeated, ", "));
@@ -233,6 +234,8 @@ std::string_view EventName(SafetyEvent event) {
   }
   return "";
 }
+
+std::string ForceIsBack() { return "Force is back."; }
 
 std::string LoopSilent() { return "No force: the computer stands still for a while."; }
 

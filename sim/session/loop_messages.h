@@ -52,12 +52,13 @@ std::string Event(const LoopEvent& event, bool felt);
 std::string Event(SafetyEvent event, bool felt);
 /// May happen many times a minute, and asks for nothing: said once, then counted (Repeated).
 bool MayRepeat(SafetyEvent event);
-/// Behind it all: what was said once, and happened again. Empty: nothing did.
+/// Behind it all: what was said once, or with gaps, and happened again. Empty: nothing did.
 std::string Repeated(const std::array<std::uint64_t, kSafetyEvents>& counts);
 /// `why`: Loop::WhyGone.
 std::string DeviceLost(std::string_view why);
 /// "not_a_number", "jump", ...: the key in JSON.
 std::string_view EventName(SafetyEvent event);
+std::string ForceIsBack();  ///< behind motors that were off
 std::string LoopSilent();
 std::string StillLost(std::string_view why);
 

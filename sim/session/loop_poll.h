@@ -23,6 +23,22 @@ class LoopListener {
   virtual void Felt(const LoopSample& sample) = 0;
 };
 
+/// Motors that go off and on, as under load, are told of once until force is there again. Times of
+/// the loop [s].
+class MotorsTold {
+ public:
+  /// They went off: whether to say so.
+  bool WentOff(double time);
+  /// The newest commanded force [N]: whether to say that it is back.
+  bool IsBack(double time, double force);
+  /// What is said of a lost device stands for it.
+  void Lost() { off_ = false; }
+
+ private:
+  bool off_ = false;
+  double since_ = 0;  ///< they went off last
+};
+
 /// Looks at a loop at the rate of polling, off the tick: the one reader of what it leaves. One
 /// thread.
 class LoopPoll {
@@ -50,6 +66,7 @@ class LoopPoll {
   double lateness_us_ = 0;
   bool silent_ = false;                     ///< has stood still, and will not be told again
   std::array<bool, kSafetyEvents> said_{};  ///< will not be said again
+  MotorsTold motors_;
   std::string why_lost_;
 };
 

@@ -25,9 +25,10 @@ constexpr std::array kWords = {
     Entry{LoopWord::kHelp, "help"},       Entry{LoopWord::kBack, "back"},
     Entry{LoopWord::kMark, "mark"}};
 
-LoopLine Refused(std::string refusal) {
+LoopLine Refused(std::string refusal, std::string meant = {}) {
   LoopLine line{LoopWord::kRefused};
   line.refusal = std::move(refusal);
+  line.meant = std::move(meant);
   return line;
 }
 
@@ -35,7 +36,7 @@ LoopLine Refused(std::string refusal) {
 
 LoopLine ReadLoopLine(std::string_view line, WordPlace place) {
   SaidLine said = ReadLine(line, place);
-  if (!said.refusal.empty()) return Refused(std::move(said.refusal));
+  if (!said.refusal.empty()) return Refused(std::move(said.refusal), std::move(said.meant));
   if (said.word == nullptr) return {};
   const std::string_view name = said.word->word;
   if (const std::optional<PageWord> page = PageWordOf(name)) {

@@ -36,6 +36,7 @@ struct LoopLine {
   PlaceCommand place = {};   ///< of kPlace
   std::string text = {};     ///< what stands behind the word
   std::string refusal = {};  ///< of kRefused: one line: what is wrong, and the cure
+  std::string meant = {};    ///< of kRefused: SaidLine::meant
 };
 
 /// A word of a loop as ReadLine has it (sim/console/vocabulary.h); behind those that change the

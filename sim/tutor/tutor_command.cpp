@@ -127,7 +127,9 @@ std::variant<TutorCommand, TutorRefusal> ReadTutorCommand(std::string_view line)
   if (broken) return TutorRefusal{say::WordUnknown(clean, "")};
   if (clean == "?") return TutorCommand{};
   SaidLine said = ReadLine(clean, WordPlace::kTutor);
-  if (!said.refusal.empty()) return TutorRefusal{std::move(said.refusal)};
+  if (!said.refusal.empty()) {
+    return TutorRefusal{std::move(said.refusal), std::move(said.meant)};
+  }
   if (said.word == nullptr) return TutorRefusal{say::TutorSaidNothing()};
   const std::string_view name = said.word->word;
   if (const std::optional<PageWord> page = PageWordOf(name)) return ReadPage(*page, said.behind);

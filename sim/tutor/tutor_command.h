@@ -47,6 +47,7 @@ struct TutorCommand {
 /// A line that is no command: one line for the tutor: what is wrong, and the cure.
 struct TutorRefusal {
   std::string line;
+  std::string meant = {};  ///< SaidLine::meant
 };
 
 /// A word of a tutor as ReadLine has it (sim/console/vocabulary.h); behind it what the word wants:

@@ -10,7 +10,7 @@ namespace moontrace::say {
 
 std::string TutorMayJoin() { return "A tutor may join from a second terminal: moontrace tutor."; }
 
-std::string TutorSaidNothing() { return "Nothing was said. Type ? for the words."; }
+std::string TutorSaidNothing() { return "Nothing was said. Say ? for the words."; }
 
 std::string TutorCame(std::size_t tutor) {
   return fmt::format("Tutor {} is here, and sees what you are told.", tutor);
@@ -117,6 +117,16 @@ std::string TutorDoes(const TutorCommand& command) {
       break;  // between tutor and program
   }
   return {};
+}
+
+std::string WithoutTutor(std::string sentence) {
+  constexpr std::string_view kTutor = "Tutor: ";
+  if (!sentence.starts_with(kTutor)) return sentence;
+  sentence.erase(0, kTutor.size());
+  if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z') {
+    sentence[0] = static_cast<char>(sentence[0] - 'a' + 'A');
+  }
+  return sentence;
 }
 
 std::string LearnerStopped() { return "The learner has stopped: only the learner goes on."; }

@@ -33,6 +33,8 @@ std::string StrangerRefused();
 
 /// What the learner is told before a command is done; empty: it is told otherwise.
 std::string TutorDoes(const TutorCommand& command);
+/// The same where nobody but the learner is there: "Pause, no force."
+std::string WithoutTutor(std::string sentence);
 std::string LearnerStopped();
 std::string LearnerAt(std::string_view learner, std::string_view status);
 std::string WhoIsHere(std::string_view learner, std::size_t tutors);

@@ -37,6 +37,19 @@ TEST(Answer, NamesOfTheCourseAreAnswersBesideTheTexts) {
   EXPECT_FALSE(Names(course, ",", "full stop"));
 }
 
+TEST(Answer, ALetterMayBeWrittenAsItIsSpoken) {
+  const Course course = Answerable();
+  EXPECT_EQ(ItemSaid(course, "bee", {}), "b");
+  EXPECT_EQ(ItemSaid(course, "is it the letter Bee?", {}), "b");
+  EXPECT_TRUE(Names(course, "t", "tee"));
+  EXPECT_TRUE(Names(course, "w", "double u"));
+  EXPECT_FALSE(Names(course, "t", "tea")) << "a word";
+  Course words = course;
+  words.lessons[1].items.emplace_back("bee");
+  EXPECT_EQ(ItemSaid(words, "bee", "b"), "bee") << "the item that is called so itself";
+  EXPECT_FALSE(Names(words, "b", "bee"));
+}
+
 TEST(Answer, WhoIsNotSureIsUnderstoodToo) {
   const Course course = Answerable();
   EXPECT_TRUE(Names(course, "7", "I think it is number 7."));

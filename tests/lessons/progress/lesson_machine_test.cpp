@@ -326,6 +326,37 @@ TEST(LessonMachine, ABreakIsProposedAfterEach25Minutes) {
   EXPECT_EQ(minutes, (std::vector<int>{25, 50, 75}));
 }
 
+// The title was said twice, and what a step says of its sign before the sign.
+TEST(LessonMachine, WhoComesBackHearsTheTitleOnceAndANewSignBeforeItsStep) {
+  Course course = SmallCourse();
+  course.lessons[0].steps[1].say = "Now follow it.";
+  LessonRun run(course);
+  run.Begin();
+  EXPECT_TRUE(run.Said(Sentence::kLesson));
+  run.Next();  // to the traces
+  LessonRun again(course, LearnAll(run.course, run.kept));
+  again.Begin();
+  ASSERT_TRUE(again.Said(Sentence::kWelcomeBack));
+  EXPECT_EQ(again.Find(Sentence::kWelcomeBack)->number, 1);
+  EXPECT_EQ(again.Find(Sentence::kWelcomeBack)->of, 2);
+  EXPECT_FALSE(again.Said(Sentence::kLesson));
+  EXPECT_TRUE(again.Said(Sentence::kNewItem));
+  EXPECT_FALSE(again.Said(Sentence::kCourseText)) << "it is of the traces";
+  while (!again.Said(Sentence::kTraceIt)) again.Work();
+  ASSERT_TRUE(again.Said(Sentence::kCourseText));
+  EXPECT_EQ(again.Find(Sentence::kCourseText)->text, "Now follow it.");
+  EXPECT_FALSE(again.Said(Sentence::kOnWith)) << "it has just been named";
+  again.Work();
+  LessonRun third(course, LearnAll(again.course, again.kept));
+  third.Begin();
+  std::vector<Sentence> order;
+  for (const Action& action : third.actions) {
+    if (const auto* say = std::get_if<lesson_action::Say>(&action)) order.push_back(say->sentence);
+  }
+  EXPECT_EQ(order, (std::vector<Sentence>{Sentence::kWelcomeBack, Sentence::kOnWith,
+                                          Sentence::kCourseText, Sentence::kTraceIt}));
+}
+
 TEST(LessonMachine, WhatIsDueIsAskedFirstOnAnotherDay) {
   LessonRun run(SmallCourse());
   run.Begin();

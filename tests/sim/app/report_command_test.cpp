@@ -280,6 +280,12 @@ TEST_F(ReportCommand, TakesItsLearnerAsLearnDoes) {
   EXPECT_EQ(named.out, usual.out);
 }
 
+TEST_F(ReportCommand, NeedsNoNameWhereThereIsOneLearner) {
+  const Outcome alone = Report({});
+  EXPECT_EQ(alone.code, 0) << alone.err;
+  EXPECT_EQ(alone.out, Report({"bat"}).out);
+}
+
 TEST_F(ReportCommand, RefusesWhatIsNoUse) {
   const auto refused = [](const Outcome& outcome, int code, const std::string& words) {
     EXPECT_EQ(outcome.code, code) << outcome.err;
@@ -287,7 +293,7 @@ TEST_F(ReportCommand, RefusesWhatIsNoUse) {
     EXPECT_EQ(Lines(outcome.err).size(), 1U) << outcome.err;
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
-  refused(Report({}), 2, "report lacks a learner");
+  refused(RunLine({"report", "--records", In("none")}), 2, "report lacks a learner");
   refused(Report({"bat", "--learner", "owl"}), 2, "two learners");
   refused(Report({"bat", "--html", "a", "--csv", "b"}), 2, "ask for one at a time");
   refused(Report({"bit"}), 3, "did you mean bat?");

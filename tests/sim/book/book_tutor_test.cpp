@@ -16,7 +16,7 @@ class BookDeskTest : public BookWalkTest, protected TutorRuntime {
     if (IsSkipped()) return;
     desk_.emplace("owl", "Tides", *walk_);
     tutor_.emplace(folder() + "/tutor-owl.sock");
-    EXPECT_EQ(tutor_->Line(), "owl reads \"Tides\". Type where for the place, ? for the words.");
+    EXPECT_EQ(tutor_->Line(), "owl reads \"Tides\". Say where for the place, ? for the words.");
     now_ = At(Byte("draws"));
     EXPECT_EQ(Next()->said, say::TutorCame(1));
   }

@@ -42,7 +42,15 @@ TEST(Vocabulary, AWordMayBePutAsPeopleDo) {
     EXPECT_EQ(word("Carry on", place), "go");
     EXPECT_EQ(word("quit, please", place), "quit");
     EXPECT_EQ(word("next please", place), "next");
+    EXPECT_EQ(word("exit", place), "quit");
+    EXPECT_EQ(word("Bye", place), "quit");
+    EXPECT_EQ(word("wait", place), "pause");
   }
+  EXPECT_EQ(word("repeat", WordPlace::kLesson), "again");
+  EXPECT_EQ(word("slower", WordPlace::kDemonstration), "more time");
+  EXPECT_EQ(word("hint", WordPlace::kDemonstration), "again");
+  EXPECT_EQ(word("slower", WordPlace::kLesson), "slower");
+  EXPECT_EQ(word("hint", WordPlace::kTutor), "none");
   EXPECT_EQ(word("what?", WordPlace::kLesson), "again");
   EXPECT_EQ(word("what?", WordPlace::kBook), "none");  // which has no again
   const SaidLine say = ReadLine("say go on please", WordPlace::kTutor);
@@ -175,16 +183,15 @@ TEST(Vocabulary, SaysWhyALineIsNone) {
   const auto refused = [](std::string_view line) {
     return ReadLine(line, WordPlace::kLoop).refusal;
   };
-  EXPECT_EQ(refused("stopp"), "Unknown: stopp. Did you mean stop? Type ? for the words.");
-  EXPECT_EQ(refused("I know nothing"), "Unknown: I know nothing. Type ? for the words.")
+  EXPECT_EQ(refused("stopp"), "Unknown: stopp. Did you mean stop? Say ? for the words.");
+  EXPECT_EQ(refused("I know nothing"), "Unknown: I know nothing. Say ? for the words.")
       << "all of it, not its first word";
   EXPECT_EQ(refused("s"), "s could be stop, smaller, size or spacing.");
-  EXPECT_EQ(refused("spell"), "spell is no word here. Type ? for the words.");
-  EXPECT_EQ(refused("5"), "5 is no word here. Type ? for the words.");
+  EXPECT_EQ(refused("spell"), "spell is no word here. Say ? for the words.");
+  EXPECT_EQ(refused("5"), "5 is no word here. Say ? for the words.");
   EXPECT_EQ(refused("m"), "m is short for more help elsewhere: say mark.");
-  EXPECT_EQ(refused("99"), "Unknown: 99. Type ? for the words.");
-  EXPECT_EQ(refused("exit"), "Unknown: exit. Did you mean quit? Type ? for the words.");
-  EXPECT_EQ(refused("wait"), "Unknown: wait. Did you mean pause? Type ? for the words.");
+  EXPECT_EQ(refused("99"), "Unknown: 99. Say ? for the words.");
+  EXPECT_EQ(refused("end"), "Unknown: end. Did you mean quit? Say ? for the words.");
   const auto in_lesson = [](std::string_view line) {
     return ReadLine(line, WordPlace::kLesson).refusal;
   };
@@ -192,6 +199,29 @@ TEST(Vocabulary, SaysWhyALineIsNone) {
     EXPECT_EQ(in_lesson(line), "size is no word here: say bigger or smaller.") << line;
   }
   EXPECT_EQ(in_lesson("letter t."), "Say letter alone, without t.");
+}
+
+// "yes" behind "Did you mean quit?" was unknown.
+TEST(Vocabulary, WhatIsProposedIsTakenByYesInTheVeryNextLine) {
+  const auto meant = [](std::string_view line) { return ReadLine(line, WordPlace::kLoop).meant; };
+  EXPECT_EQ(meant("qiut"), "quit");
+  EXPECT_EQ(meant("fnid the cat"), "find the cat");
+  EXPECT_EQ(meant("xyzzy"), "");
+  EXPECT_EQ(meant("quit"), "");
+  Proposal proposal;
+  EXPECT_EQ(proposal.Taken("yes"), "yes") << "nothing is proposed";
+  for (const char* yes : {"yes", "Yes, please!", " y ", "ok"}) {
+    proposal.Make("quit");
+    EXPECT_EQ(proposal.Taken(yes), "quit") << yes;
+    EXPECT_EQ(proposal.Taken(yes), yes) << "once";
+  }
+  proposal.Make("quit");
+  EXPECT_EQ(proposal.Taken("next"), "next");
+  EXPECT_EQ(proposal.Taken("yes"), "yes") << "the very next line only";
+  proposal.MakeHelp("qiut", WordPlace::kLoop);
+  EXPECT_EQ(proposal.Taken("yes"), "help quit");
+  proposal.MakeHelp("quit", WordPlace::kLoop);
+  EXPECT_EQ(proposal.Taken("yes"), "yes");
 }
 
 /// Every "7 `bigger`" of a document.

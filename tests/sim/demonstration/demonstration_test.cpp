@@ -113,7 +113,7 @@ TEST_F(DemonstrationTest, TellsItsWordsWithTheirNumbersAndNoOthers) {
   Pass(2);
   Forget();
   demonstration_.Obey("?");
-  EXPECT_EQ(Said("1 stop, 2 next, 14 again, 15 go, 16 pause, 18 quit, 19 help, 46 more time."), 1U)
+  EXPECT_EQ(Said("stop 1, next 2, again 14, go 15, pause 16, quit 18, help 19, more time 46."), 1U)
       << out_.str().substr(from_);
   Forget();
   demonstration_.Obey("7");
@@ -155,6 +155,65 @@ TEST_F(DemonstrationTest, TellsRightAnswersFromWrongOnes) {
   Until("what is the word?");
   demonstration_.Obey("toil");
   EXPECT_EQ(Said("Toil it is."), 1U);
+}
+
+TEST_F(DemonstrationTest, YesIsWhatItAskedWhetherItWasMeant) {
+  Pass(2);
+  demonstration_.Obey("qiut");
+  EXPECT_EQ(Said("Did you mean quit?"), 1U) << out_.str();
+  demonstration_.Obey("yes");
+  EXPECT_TRUE(demonstration_.over());
+}
+
+TEST_F(DemonstrationTest, AQuestionInBetweenIsWhatYesIsSaidTo) {
+  Pass(2);
+  demonstration_.Obey("qiut");
+  Until("which letter is it");
+  demonstration_.Obey("yes");
+  EXPECT_FALSE(demonstration_.over());
+}
+
+TEST_F(DemonstrationTest, ALetterMayBeCalledAsItIsSpoken) {
+  Until("which letter is it");
+  demonstration_.Obey("tee");
+  EXPECT_EQ(Said("Right, T."), 1U) << out_.str().substr(from_);
+  Until("which letter is that?");
+  demonstration_.Obey("oh");
+  EXPECT_EQ(Said("Wrong: you said o. It is L"), 1U) << out_.str().substr(from_);
+  Until("What is the first letter?");
+  demonstration_.Obey("is it i");
+  EXPECT_EQ(Said("Wrong: you said i."), 1U) << out_.str().substr(from_);
+}
+
+TEST_F(DemonstrationTest, AHintIsTheWayOnceMoreAndSlowerIsMoreTime) {
+  Until("What is the first letter?");
+  Forget();
+  demonstration_.Obey("hint");
+  EXPECT_EQ(Said("level, from left to right. What is the first letter?"), 1U)
+      << out_.str().substr(from_);
+  demonstration_.Obey("slower");
+  EXPECT_EQ(Said("More time from now on."), 1U) << out_.str().substr(from_);
+  EXPECT_TRUE(demonstration_.asks());
+}
+
+// A command line that is only heard cannot be typed.
+TEST_F(DemonstrationTest, TheWayOnIsAskedForBeforeItIsTold) {
+  for (const auto& [given, way] : {std::pair{"1", "mouse"},
+                                   {"paper", "paper"},
+                                   {"3.", "device"},
+                                   {"the mouse", "mouse"},
+                                   {"quit", ""}}) {
+    Demonstration one(steps_, stage_, teller_, say::DemonstrationHelp());
+    Forget();
+    for (int i = 0; i < 3600 && Said("Say 1, 2 or 3, or its word") == 0; ++i) {
+      one.Look(now_ += seconds(1));
+      if (one.asks() && Said("Say 1, 2 or 3, or its word") == 0) one.Obey("next");
+    }
+    EXPECT_FALSE(one.over());
+    one.Obey(given);
+    EXPECT_TRUE(one.over()) << given;
+    EXPECT_EQ(one.way(), way) << given;
+  }
 }
 
 TEST_F(DemonstrationTest, WhoKnowsAndForgetsTheNameIsAskedForIt) {
@@ -246,7 +305,7 @@ TEST_F(DemonstrationTest, AWholeWordIsAnsweredByAnyWordAndMayBeSpelled) {
     one.Obey("t");
     EXPECT_EQ(Said("The whole word is asked. And what is the word?"), 1U)
         << out_.str().substr(from_);
-    for (const char* slip : {"pasue", "exit", "wait"}) {
+    for (const char* slip : {"pasue", "nexxt"}) {
       one.Obey(slip);
       EXPECT_TRUE(one.asks()) << slip;
       EXPECT_EQ(Said(std::string("Unknown: ") + slip + ". Did you mean"), 1U) << slip;
@@ -372,25 +431,27 @@ TEST(LearnWithoutADevice, OffersTheDemonstrationAtATerminal) {
   SKIP_WITHOUT_TERMINALS();
   const FakeHid none("");
   PtySession yes({"learn"});
-  ASSERT_TRUE(yes.WaitFor("Shall the demonstration begin?")) << yes.all();
-  yes.Send("?\n");
-  ASSERT_TRUE(yes.WaitFor("Nine minutes in words")) << yes.all();
-  yes.Send("yes\n");
+  ASSERT_TRUE(yes.WaitFor("What shall begin?")) << yes.all();
+  EXPECT_EQ(yes.all().find("moontrace learn"), std::string::npos) << "asked first";
+  yes.Send("what?\n");
+  ASSERT_TRUE(yes.WaitFor("asks a few questions")) << yes.all();
+  yes.Send("1\n");
   ASSERT_TRUE(yes.WaitFor("This is a demonstration of Moontrace")) << yes.all();
   yes.Send("quit\n");
   EXPECT_EQ(yes.Wait(), 0);
   PtySession maybe({"learn"});
-  ASSERT_TRUE(maybe.WaitFor("Type yes, or Enter for no.")) << maybe.all();
+  ASSERT_TRUE(maybe.WaitFor("3 mouse: ")) << maybe.all();
   maybe.Send("maybe\n");
-  ASSERT_TRUE(maybe.WaitFor("Type yes or no.")) << maybe.all();
-  maybe.Send("yes\n");
+  ASSERT_TRUE(maybe.WaitFor("Type 1, 2 or 3, or Enter for none.")) << maybe.all();
+  maybe.Send("demo\n");
   ASSERT_TRUE(maybe.WaitFor("This is a demonstration of Moontrace")) << maybe.all();
   maybe.Send("quit\n");
   EXPECT_EQ(maybe.Wait(), 0);
   PtySession no({"learn"});
-  ASSERT_TRUE(no.WaitFor("Type yes, or Enter for no.")) << no.all();
+  ASSERT_TRUE(no.WaitFor("3 mouse: ")) << no.all();
   no.Send("\n");
   EXPECT_EQ(no.Wait(), 4);
+  EXPECT_NE(no.all().find("moontrace learn --device simulated"), std::string::npos) << no.all();
   EXPECT_NE(no.all().find("nothing was begun"), std::string::npos) << no.all();
 }
 

@@ -15,24 +15,23 @@ std::string With(std::string_view sentence) { return WithKeys(sentence, UsualKey
 
 TEST(KeyWording, TellsTheKeyOfAWordThatIsToBeSaid) {
   EXPECT_EQ(With("Feel the page; say next to go on."), "Feel the page; press n to go on.");
-  EXPECT_EQ(With("Type stop and Enter, and every push ends at once."),
+  EXPECT_EQ(With("Say stop, typed with Enter, and every push ends at once."),
             "Press Escape, and every push ends at once.");
-  EXPECT_EQ(With("When your hand knows it, type next, and press Enter."),
-            "When your hand knows it, press n.");
+  EXPECT_EQ(With("When your hand knows it, say next."), "When your hand knows it, press n.");
   EXPECT_EQ(With("The word go brings it back."), "The key g brings it back.");
   EXPECT_EQ(With("The word next leaves a sign for later."), "The key n leaves a sign for later.");
   EXPECT_EQ(With("Your turn: trace, then lift or say done; next leaves it."),
             "Your turn: trace, then lift or press d; n leaves it.");
   EXPECT_EQ(With("You talk to me with short words: again, where, more help."),
             "You talk to me with short words: again r, where w, more help right bracket.");
-  EXPECT_EQ(With("Unknown: x. Type ? for the words."), "Unknown: x. ? tells the keys.");
+  EXPECT_EQ(With("Unknown: x. Say ? for the words."), "Unknown: x. ? tells the keys.");
 }
 
 TEST(KeyWording, LeavesAnswersAndWordsWithoutAKey) {
   for (const char* line :
-       {"What is it? Type its name and Enter.", "Say which lesson: lesson 5.",
-        "Feel it, then type the letter, and press Enter.", "Tutor says: hello, next time",
-        "Wrong: it is the word it, you said t.", "Still asked: an answer, or the word next."}) {
+       {"What is it? Say its name.", "Say which lesson: lesson 5.", "Feel it, then say the letter.",
+        "Tutor says: hello, next time", "Wrong: it is the word it, you said t.",
+        "Still asked: an answer, or the word next."}) {
     EXPECT_EQ(With(line), line);
   }
 }

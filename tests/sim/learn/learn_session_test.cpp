@@ -73,8 +73,40 @@ TEST_F(LearnSessionTest, SaysFirstThatNothingIsFeltAndEndsWithItsInput) {
 TEST_F(LearnSessionTest, GoesOnWhereItWas) {
   ASSERT_EQ(RunLine(Learn(), "next\n").code, 0);
   const Outcome outcome = RunLine(Learn(), "where\n");
-  EXPECT_TRUE(Holds(outcome.out, "Welcome back, to: First lesson.")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Welcome back, to lesson 1 of 2: First lesson.")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Lesson 1 of 2, step 2 of 8: First lesson.")) << outcome.out;
+}
+
+TEST_F(LearnSessionTest, YesIsWhatItAskedWhetherItWasMeant) {
+  const Outcome outcome = RunLine(Learn(), "qiut\nyes\nwhere\n");
+  EXPECT_TRUE(Holds(outcome.out, "Did you mean quit?")) << outcome.out;
+  EXPECT_FALSE(Holds(outcome.out, "step 1 of 8")) << outcome.out;
+  const Outcome later = RunLine(Learn(), "qiut\nwhere\nyes\n");
+  EXPECT_TRUE(Holds(later.out, "Unknown: yes.")) << later.out;
+}
+
+TEST_F(LearnSessionTest, LessonsBesideTheCourseAreCountedApart) {
+  WriteAll(folder_ / "course" / "two.toml", R"(
+title = "Practice"
+optional = true
+new = ["t"]
+[[steps]]
+kind = "trace"
+)");
+  const Outcome outcome = RunLine(Learn(), "lesson 99\nquit\n");
+  EXPECT_TRUE(Holds(outcome.out, "No such lesson: 99. Say a number from 1 to 1, or 2 beside the"))
+      << outcome.out;
+}
+
+// With nothing that is felt, a question could only be guessed.
+TEST_F(LearnSessionTest, WhatIsAskedIsToldInWordsWhereNothingIsFelt) {
+  const FakeHid fake("spacemouse");
+  const std::string name = RunLine({"devices", "--json"}).Json()["devices"][0]["name"];
+  const std::string begin = "next\nnext\nnext\nnext\nnext\n";  // to a question
+  const Outcome outcome = RunLine(Learn({"--device", name}), begin + "quit\n");
+  EXPECT_TRUE(
+      Holds(outcome.out, "What is it? Say its name.\nIts way, in words:\nOne stroke: from "))
+      << outcome.out;
 }
 
 TEST_F(LearnSessionTest, GoesToALessonThatIsNamed) {
@@ -97,7 +129,7 @@ TEST_F(LearnSessionTest, TellsTheLessonsAndHowItGoesAndPractisesWhatIsKnown) {
   EXPECT_TRUE(Holds(outcome.out, "i: not named yet at 16 mm.\n")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "l: not named yet at 16 mm.\n")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "The program's hand traces l.\n")) << outcome.out;
-  EXPECT_TRUE(Holds(outcome.out, "Which sign? Type it now: b.\n")) << outcome.out;
+  EXPECT_TRUE(Holds(outcome.out, "Which sign? Say it now: b.\n")) << outcome.out;
   EXPECT_TRUE(Holds(outcome.out, "Skipped, not sure yet: l.\n")) << outcome.out;
 }
 
@@ -463,7 +495,7 @@ TEST_F(LearnSessionTest, TakesStopForNoWhereYesOrNoIsAsked) {
   const FakeHid none("");
   for (const char* word : {"1", "stop"}) {
     PtySession session({"learn"});
-    ASSERT_TRUE(session.WaitFor("Type yes, or Enter for no.")) << session.all();
+    ASSERT_TRUE(session.WaitFor("Say yes, or Enter for no.")) << session.all();
     session.Send(std::string(word) + "\n");
     EXPECT_EQ(session.Wait(), 4) << session.all();
     EXPECT_TRUE(Holds(session.all(), "nothing was begun")) << session.all();
@@ -498,7 +530,7 @@ TEST_F(LearnSessionTest, AsksLastAndOnceWhetherTheHandsPathMayBeKept) {
     EXPECT_EQ(consent(), "");
     session.Send(std::string(answer) + "\n");
     if (std::string(answer) == "?") {
-      EXPECT_TRUE(session.WaitFor("Type yes, or Enter for no.")) << session.all();
+      EXPECT_TRUE(session.WaitFor("Say yes, or Enter for no.")) << session.all();
       session.Send("quit\n");
     }
     EXPECT_EQ(session.Wait(), 0);

@@ -133,12 +133,26 @@ TEST(LearnWords, ThatAreNoneOrSeveralAreToldApart) {
     const LearnLine read = Read(line);
     return read.kind == Kind::kRefused ? read.answer : std::string();
   };
-  EXPECT_EQ(refused("fly"), "Unknown: fly. Type ? for the words.");
-  EXPECT_EQ(refused("0"), "Unknown: 0. Type ? for the words.");
-  EXPECT_EQ(refused("28"), "28 is no word here. Type ? for the words.");
+  EXPECT_EQ(refused("fly"), "Unknown: fly. Say ? for the words.");
+  EXPECT_EQ(refused("0"), "Unknown: 0. Say ? for the words.");
+  EXPECT_EQ(refused("28"), "28 is no word here. Say ? for the words.");
   EXPECT_EQ(refused("le"), "le could be letter or less help.");
   EXPECT_EQ(refused("/w"), "w could be where or word.");
   EXPECT_EQ(refused("pause now"), "Say pause alone, without now.");
+}
+
+// "what?" was taken for an answer while a sign is asked.
+TEST(LearnWords, PutAsPeopleDoAreNoAnswers) {
+  for (const Asked asked : {Asked::kName, Asked::kNumber, Asked::kSame}) {
+    ExpectWord(Read("what?", asked), LearnWord::kAgain);
+    ExpectWord(Read("pardon?", asked), LearnWord::kAgain);
+    ExpectWord(Read("again please", asked), LearnWord::kAgain);
+    ExpectWord(Read("slower", asked), LearnWord::kSlower);
+    ExpectWord(Read("hint", asked), LearnWord::kHint);
+    ExpectWord(Read("exit", asked), LearnWord::kQuit);
+    ExpectWord(Read("wait", asked), LearnWord::kPause);
+  }
+  EXPECT_EQ(Read("exit", Asked::kText).kind, Kind::kMyText);
 }
 
 // Who answers too early is told what to do, not that a letter is no word.

@@ -88,7 +88,7 @@ TEST(LessonOne, OfATipThatCannotBeLiftedSaysDone) {
 
 TEST(LessonOne, SaysHowToAnswerOnce) {
   std::string told = Transcript().Told();
-  for (const char* once : {"Type its name and Enter.", "lift when done."}) {
+  for (const char* once : {"Say its name.", "lift when done."}) {
     const std::size_t first = told.find(once);
     ASSERT_NE(first, std::string::npos) << once;
     EXPECT_EQ(told.find(once, first + 1), std::string::npos) << once;

@@ -64,7 +64,7 @@ TEST(LoopWords, ChangeThePage) {
 TEST(LoopWords, ThatAreNoneOrSeveralAreToldApart) {
   EXPECT_EQ(Read(""), LoopWord::kNothing);
   EXPECT_EQ(Read(" \t"), LoopWord::kNothing);
-  EXPECT_EQ(Refused("99"), "Unknown: 99. Type ? for the words.");
+  EXPECT_EQ(Refused("99"), "Unknown: 99. Say ? for the words.");
   EXPECT_EQ(Refused("pause now"), "Say pause alone, without now.");
   EXPECT_EQ(Read("stop now"), LoopWord::kStop);
 }

@@ -191,18 +191,18 @@ TEST_F(SlowViewByHand, ThePanelIsTheTutorsInALesson) {
   ASSERT_TRUE(Keys({"Tab", "Tab", "Tab", "Return"}));
   EXPECT_TRUE(session_->WaitFor("Stopped. Say go")) << session_->all();
   ASSERT_TRUE(Keys({"Tab", "Tab", "Return"}));
-  EXPECT_TRUE(session_->WaitFor("Tutor: going on.")) << session_->all();
+  EXPECT_TRUE(session_->WaitFor("Going on.")) << session_->all();
   ASSERT_TRUE(Keys({"Tab", "Tab", "Tab", "Tab", "Tab", "Right"}));
   EXPECT_TRUE(session_->WaitFor("17 mm")) << session_->all();
   ASSERT_TRUE(Keys({"Tab", "Right"}));
-  EXPECT_TRUE(session_->WaitFor("Tutor: depth 110 percent")) << session_->all();
+  EXPECT_TRUE(session_->WaitFor("Depth 110 percent")) << session_->all();
   // the word that lessons tell the learner to say is the learner's here too
   ASSERT_TRUE(display_->Do({"type", "next"}));
   ASSERT_TRUE(Keys({"Return"}));
   if (!CloseWindow("Moontrace")) GTEST_SKIP() << "without Xlib";
   EXPECT_EQ(session_->Wait(), 0);
   EXPECT_NE(session_->all().find("Ended: "), std::string::npos);
-  EXPECT_EQ(session_->all().find("Tutor: the next lesson"), std::string::npos);
+  EXPECT_EQ(session_->all().find("The next lesson"), std::string::npos);
   ExpectStream(session_->all());
   std::vector<std::string> kept;
   for (const RecordedEvent& event : Records::OpenToRead(In("records.sqlite")).Events("ann")) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "sim/console/vocabulary.h"
+#include "sim/tutor/tutor_messages.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 
@@ -79,10 +80,10 @@ TEST(TutorCommand, IsReadWholeBegunOrByNumber) {
 TEST(TutorCommand, ThatIsNoneOrSeveralIsToldApart) {
   EXPECT_EQ(Refused("spa 2 x"), "No spacing 2 x: it wants 100 to 300 %.");
   EXPECT_EQ(Refused("s 2"), "s could be stop, size, spacing, show or say.");
-  EXPECT_EQ(Refused("whare"), "Unknown: whare. Did you mean where? Type ? for the words.");
-  EXPECT_EQ(Refused("99"), "Unknown: 99. Type ? for the words.");
-  EXPECT_EQ(Refused("0"), "Unknown: 0. Type ? for the words.");
-  EXPECT_EQ(Refused(""), "Nothing was said. Type ? for the words.");
+  EXPECT_EQ(Refused("whare"), "Unknown: whare. Did you mean where? Say ? for the words.");
+  EXPECT_EQ(Refused("99"), "Unknown: 99. Say ? for the words.");
+  EXPECT_EQ(Refused("0"), "Unknown: 0. Say ? for the words.");
+  EXPECT_EQ(Refused(""), "Nothing was said. Say ? for the words.");
   EXPECT_EQ(Refused("pause now"), "Say pause alone, without now.");
   EXPECT_EQ(Refused("next page"), "Say next alone, without page.");
   EXPECT_EQ(Refused("mode magic"),
@@ -126,6 +127,13 @@ TEST(TutorCommand, TakesAnyBytes) {
     EXPECT_FALSE(FirstBadUtf8(text)) << text;
     for (const char c : text) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != '\x7f');
   }
+}
+
+// "Tutor: pause, no force." was told to who sat alone at the window.
+TEST(TutorDoes, NamesNoTutorWhereThereIsNone) {
+  EXPECT_EQ(say::WithoutTutor(say::TutorDoes({TutorWord::kPause})), "Pause, no force.");
+  EXPECT_EQ(say::WithoutTutor(say::TutorDoes({TutorWord::kStop})), "Stop.");
+  EXPECT_EQ(say::WithoutTutor(""), "");
 }
 
 }  // namespace
