@@ -1,12 +1,15 @@
 #include "sim/book/read_book.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "lessons/documents/document_places.h"
 #include "lessons/documents/transcribe.h"
 #include "lessons/records/learner_names.h"
 #include "sim/book/book_memory.h"
@@ -15,6 +18,7 @@
 #include "sim/book/book_walk.h"
 #include "sim/book/document_messages.h"
 #include "sim/book/moon_lines.h"
+#include "sim/book/unset_words.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_session.h"
 #include "sim/setup/typeset_report.h"
@@ -88,6 +92,30 @@ std::optional<BookMemory> MemoryOf(const ReadBookOptions& options, const Book& b
   return BookMemory();
 }
 
+/// What must be known before reading: of what was kept, and of what is felt.
+std::vector<std::string> NewsOf(const BookMemory& memory, const LoopSession& session, bool known) {
+  std::vector<std::string> news;
+  if (memory.replaced()) news.push_back(say::BookReplaced());
+  for (const ReadMark& mark : memory.lost_marks()) {
+    news.push_back(say::MarkLost(mark.name, WordsOf(mark.place.before + mark.place.behind)));
+  }
+  if (known) news.push_back(say::LeftOutWordsAre(CountLeftOut(session.text())));
+  return news;
+}
+
+/// What was left out of a document that is not known yet, and replaced in it.
+void SayLeftOut(const Document& document, const LoopSession& session, Console& console) {
+  constexpr std::size_t kMostReplacements = 3;
+  for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
+  SayReplacements(
+      session.text().set, [&console](const std::string& line) { console.Remark(line); },
+      kMostReplacements);
+}
+
+void SayEnd(BookWalk& walk, Console& console) {
+  for (const std::string& line : walk.End()) console.Result(line);
+}
+
 }  // namespace
 
 void ReadBook(const Document& document, const std::string& file, const ReadBookOptions& options,
@@ -101,15 +129,14 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   LoopSession session(RequestOf(options, file, text.text), console);
   const std::size_t pages = session.text().set.pages.size();
   console.Result(say::DocumentSummary(document, file, &pages));
-  if (memory.known_by() != KnownBy::kContent) {  // else it was told before
-    for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
-    SayReplacements(session.text().set,
-                    [&console](const std::string& line) { console.Remark(line); });
-  }
+  const std::vector<std::string> news = NewsOf(memory, session, options.known);
+  for (const std::string& line : news) console.Result(line);
+  if (memory.known_by() != KnownBy::kContent) SayLeftOut(document, session, console);
   const std::string why_not = session.loop().not_realtime();
   if (session.device().felt() && !why_not.empty()) console.Remark(say::NotRealtime(why_not));
   SayBeginning(session, console);
-  BookWalk walk(session, book, memory, {options.turns, options.alone, options.moon, options.known});
+  BookWalk walk(session, book, memory,
+                {options.turns, options.alone, options.moon, options.known, news});
   std::optional<BookDesk> tutors;
   if (options.tutor)
     tutors.emplace(memory.remembers() ? memory.learner() : "reader", book.title, walk);
@@ -117,14 +144,18 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   drive.seconds = options.live.seconds;
   drive.companion = &walk;
   drive.typed = &typed;
+  drive.input_ends = !options.alone;
   if (tutors) drive.elsewhere = &*tutors;
   try {
     Drive(session, drive, console);
-  } catch (const Interrupted&) {
+  } catch (const OutputLost&) {
     walk.End();
     throw;
+  } catch (const Interrupted&) {
+    SayEnd(walk, console);
+    throw;
   }
-  for (const std::string& line : walk.End()) console.Result(line);
+  SayEnd(walk, console);
   RequireDevice(session);
 }
 
@@ -138,37 +169,81 @@ void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& optio
   }
 }
 
-void ListReadings(const std::string& learner, const std::string& records, bool json,
-                  Console& console) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::vector<std::pair<ReadDocument, std::string>> all;
+std::vector<KnownReading> KnownReadings(const std::string& learner, const std::string& records) {
+  std::vector<KnownReading> all;
   std::error_code ignored;
-  if (Records::Available() && std::filesystem::exists(records, ignored)) {
-    const Records file = Records::OpenToRead(records);
-    const std::vector<LearnerEntry> known = file.Learners();
-    const std::string wanted = learner.empty() ? std::string() : KeptName(learner, known);
-    for (const LearnerEntry& one : known) {
-      if (!learner.empty() && one.pseudonym != wanted) continue;
-      for (ReadDocument& reading : file.Readings(one.pseudonym)) {
-        all.emplace_back(std::move(reading), one.pseudonym);
+  if (!Records::Available() || !std::filesystem::exists(records, ignored)) return all;
+  const Records file = Records::OpenToRead(records);
+  const std::vector<LearnerEntry> known = file.Learners();
+  const std::string wanted = learner.empty() ? std::string() : KeptName(learner, known);
+  for (const LearnerEntry& one : known) {
+    if (!learner.empty() && one.pseudonym != wanted) continue;
+    std::set<std::string> paths;  // newest first: whoever comes later was replaced
+    for (ReadDocument& reading : file.Readings(one.pseudonym)) {
+      auto state = KnownReading::File::kThere;
+      if (reading.path.empty()) {
+        state = KnownReading::File::kWasInput;
+      } else if (!std::filesystem::exists(reading.path, ignored)) {
+        state = KnownReading::File::kGone;
+      } else if (!paths.insert(reading.path).second) {
+        state = KnownReading::File::kHoldsAnother;
       }
+      all.push_back({std::move(reading), one.pseudonym, state});
     }
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.first.time > b.first.time; });
-  console.Result(all.empty() ? say::NothingRead() : say::ReadOutcome(all.size()));
-  for (const auto& [reading, who] : all) {
-    console.Result(say::ReadLineOf(reading, learner.empty() ? who : ""));
+  std::stable_sort(all.begin(), all.end(), [](const KnownReading& a, const KnownReading& b) {
+    return a.reading.time > b.reading.time;
+  });
+  return all;
+}
+
+KnownReading ReadingMeant(const std::string& given, const std::string& learner,
+                          const std::string& records) {
+  std::vector<KnownReading> all = KnownReadings(learner, records);
+  std::error_code ignored;
+  const bool is_file = std::filesystem::exists(given, ignored);
+  std::size_t number = 0;
+  const auto read = std::from_chars(given.data(), given.data() + given.size(), number);
+  const bool whole = read.ec == std::errc() && read.ptr == given.data() + given.size();
+  if (!is_file && whole) {
+    if (number < 1 || number > all.size()) {
+      throw InputError(say::NoReadingNumbered(given, all.size()));
+    }
+    return std::move(all[number - 1]);
+  }
+  const std::string path = KeptReadText(PathOf(given));
+  for (KnownReading& one : all) {
+    if (one.reading.path == path) return std::move(one);
+  }
+  throw InputError(say::NeverRead(given));
+}
+
+void ListReadings(const std::vector<KnownReading>& readings, bool names, bool json,
+                  Console& console) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  console.Result(readings.empty() ? say::NothingRead() : say::ReadOutcome(readings.size()));
+  for (const KnownReading& one : readings) {
+    const ReadDocument& reading = one.reading;
+    console.Result(say::ReadLineOf(list.size() + 1, reading, names ? one.learner : ""));
+    if (one.file == KnownReading::File::kGone) console.Result(say::FileIsGone());
+    if (one.file == KnownReading::File::kHoldsAnother) console.Result(say::FileHoldsAnother());
     if (!reading.path.empty()) console.Path(reading.path);
-    list.push_back({{"learner", who},
+    list.push_back({{"learner", one.learner},
                     {"title", reading.title},
                     {"path", reading.path},
+                    {"file_there", one.file == KnownReading::File::kThere},
                     {"time_unix_s", reading.time},
                     {"letter", reading.place.letter},
                     {"where", reading.where},
                     {"bookmarks", reading.marks.size()}});
   }
+  if (!readings.empty()) console.Result(say::HowToReadNumbered());
   if (json) console.Json(Dump({{"readings", std::move(list)}}));
+}
+
+void ForgetReading(const KnownReading& reading, const std::string& records, Console& console) {
+  Records::Open(records).Forget(reading.learner, reading.reading.id);
+  console.Result(say::ReadingForgotten(reading.reading, reading.learner));
 }
 
 }  // namespace moontrace

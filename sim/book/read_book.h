@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lessons/documents/document.h"
+#include "lessons/records/readings.h"
 #include "sim/console/console.h"
 #include "sim/session/device_choice.h"
 #include "sim/setup/options.h"
@@ -37,8 +39,26 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
 void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& options,
                        Console& console);
 
-/// Says what was read last, with its places; of one learner, if one is named.
-void ListReadings(const std::string& learner, const std::string& records, bool json,
+/// What was read, and by whom.
+struct KnownReading {
+  ReadDocument reading;
+  std::string learner;
+  /// Whether its file still holds it, as far as is known without opening it.
+  enum class File : std::uint8_t { kThere, kGone, kHoldsAnother, kWasInput };
+  File file = File::kThere;
+};
+/// The newest first: their numbers, from 1, are those that `read` alone says; of one learner, if
+/// one is named. `records`: path; empty where there is none. Throws as Records.
+std::vector<KnownReading> KnownReadings(const std::string& learner, const std::string& records);
+/// The one that `given` means: its number, or its file, of which it is what was read there last.
+/// Throws InputError: there is none.
+KnownReading ReadingMeant(const std::string& given, const std::string& learner,
+                          const std::string& records);
+
+/// Says what was read last, with its places.
+void ListReadings(const std::vector<KnownReading>& readings, bool names, bool json,
                   Console& console);
+/// Forgets place and bookmarks of one, which cannot be undone. Throws as Records.
+void ForgetReading(const KnownReading& reading, const std::string& records, Console& console);
 
 }  // namespace moontrace
