@@ -14,10 +14,10 @@
 #include "lessons/documents/transcribe.h"
 #include "sim/app/commands.h"
 #include "sim/app/device_mending.h"
-#include "sim/book/book_messages.h"
 #include "sim/book/document_messages.h"
 #include "sim/book/known_signs.h"
 #include "sim/book/read_book.h"
+#include "sim/book/read_list.h"
 #include "sim/picture/page_picture.h"
 #include "sim/picture/picture_file.h"
 #include "sim/picture/picture_messages.h"
@@ -200,7 +200,9 @@ int Describe(const ReadOptions& options, const Document& document, const std::st
   console.Result(say::DocumentSummary(document, options.file, &reading.counts.pages));
   for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
   if (options.known) console.Result(say::LeftOutWordsAre(reading.words));
-  SayReplacements(reading.set, [&console](const std::string& line) { console.Result(line); });
+  SayReplacements(
+      reading.set, [&console](const std::string& line) { console.Result(line); },
+      kReplacementsSaid);
   if (reading.set.structure.links + reading.set.structure.quotations > 0) {
     console.Result(say::Structure(reading.set));
   }
@@ -285,12 +287,11 @@ int Read(const ReadOptions& options, Console& console) {
 int TellReadings(const ReadOptions& options, Console& console) {
   const std::string records = RecordsPathOf(options.records);
   if (options.forget) {
-    ForgetReading(ReadingMeant(options.file, options.learner, records), records, console);
+    ForgetReading(options.file, options.learner, records, console);
     return exit_code::kGood;
   }
   if (options.text || !options.print.empty()) throw UsageError(say::NoDocument());
-  ListReadings(KnownReadings(options.learner, records), options.learner.empty(),
-               options.output.json, console);
+  ListReadings(options.learner, records, options.output.json, console);
   return exit_code::kGood;
 }
 
@@ -299,20 +300,9 @@ ReadOptions WithFile(const ReadOptions& options) {
   const bool number = options.file.find_first_not_of("0123456789") == std::string::npos;
   std::error_code ignored;
   if (!number || std::filesystem::exists(options.file, ignored)) return options;
-  KnownReading meant = ReadingMeant(options.file, options.learner, RecordsPathOf(options.records));
-  const std::string& path = meant.reading.path;
-  switch (meant.file) {
-    case KnownReading::File::kGone:
-      throw InputError(say::NumberIsGone(options.file, path));
-    case KnownReading::File::kHoldsAnother:
-      throw InputError(say::NumberHoldsAnother(options.file, path));
-    case KnownReading::File::kWasInput:
-      throw InputError(say::NotInFile(options.file));
-    case KnownReading::File::kThere:
-      break;
-  }
+  ListedFile meant = FileNumbered(options.file, options.learner, RecordsPathOf(options.records));
   ReadOptions read = options;
-  read.file = path;
+  read.file = std::move(meant.path);
   read.learner = std::move(meant.learner);
   return read;
 }

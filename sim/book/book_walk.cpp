@@ -220,7 +220,8 @@ std::string BookWalk::SetMark(std::size_t letter, const std::string& name) {
   const std::string given = memory_.Mark(book_.text.text, letter, name);
   const std::string place = PlaceInWords(letter);
   if (!KeepNow().empty() || !memory_.remembers()) return say::MarkForNow(given, place);
-  return from.empty() ? say::MarkSet(given, place) : say::MarkMoved(given, from, place);
+  return from.empty() || from == place ? say::MarkSet(given, place)
+                                       : say::MarkMoved(given, from, place);
 }
 
 std::string BookWalk::ForgetMark(const std::string& name) {

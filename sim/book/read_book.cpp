@@ -1,11 +1,5 @@
 #include "sim/book/read_book.h"
 
-#include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,6 +12,7 @@
 #include "sim/book/book_walk.h"
 #include "sim/book/document_messages.h"
 #include "sim/book/moon_lines.h"
+#include "sim/book/read_list.h"
 #include "sim/book/unset_words.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_session.h"
@@ -26,14 +21,6 @@
 
 namespace moontrace {
 namespace {
-
-/// Absolute, links followed; empty for standard input.
-std::string PathOf(const std::string& file) {
-  if (file == "-") return {};
-  std::error_code ignored;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(file, ignored);
-  return ignored ? file : path.string();
-}
 
 SessionRequest RequestOf(const ReadBookOptions& options, const std::string& file,
                          std::string text) {
@@ -82,7 +69,7 @@ std::optional<BookMemory> MemoryOf(const ReadBookOptions& options, const Book& b
       console.Remark(say::ReadsWithoutName());
       return BookMemory();
     }
-    return BookMemory(std::move(records), std::move(*learner), PathOf(file), book.title,
+    return BookMemory(std::move(records), std::move(*learner), PathOfRead(file), book.title,
                       book.text.text);
   } catch (const InputError& error) {
     console.Remark(say::PlaceNotKept(error.what()));
@@ -105,11 +92,10 @@ std::vector<std::string> NewsOf(const BookMemory& memory, const LoopSession& ses
 
 /// What was left out of a document that is not known yet, and replaced in it.
 void SayLeftOut(const Document& document, const LoopSession& session, Console& console) {
-  constexpr std::size_t kMostReplacements = 3;
   for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
   SayReplacements(
       session.text().set, [&console](const std::string& line) { console.Remark(line); },
-      kMostReplacements);
+      kReplacementsSaid);
 }
 
 void SayEnd(BookWalk& walk, Console& console) {
@@ -167,83 +153,6 @@ void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& optio
   } catch (const InputError&) {  // the sentence stands in the text face as well
   } catch (const LackError&) {
   }
-}
-
-std::vector<KnownReading> KnownReadings(const std::string& learner, const std::string& records) {
-  std::vector<KnownReading> all;
-  std::error_code ignored;
-  if (!Records::Available() || !std::filesystem::exists(records, ignored)) return all;
-  const Records file = Records::OpenToRead(records);
-  const std::vector<LearnerEntry> known = file.Learners();
-  const std::string wanted = learner.empty() ? std::string() : KeptName(learner, known);
-  for (const LearnerEntry& one : known) {
-    if (!learner.empty() && one.pseudonym != wanted) continue;
-    std::set<std::string> paths;  // newest first: whoever comes later was replaced
-    for (ReadDocument& reading : file.Readings(one.pseudonym)) {
-      auto state = KnownReading::File::kThere;
-      if (reading.path.empty()) {
-        state = KnownReading::File::kWasInput;
-      } else if (!std::filesystem::exists(reading.path, ignored)) {
-        state = KnownReading::File::kGone;
-      } else if (!paths.insert(reading.path).second) {
-        state = KnownReading::File::kHoldsAnother;
-      }
-      all.push_back({std::move(reading), one.pseudonym, state});
-    }
-  }
-  std::stable_sort(all.begin(), all.end(), [](const KnownReading& a, const KnownReading& b) {
-    return a.reading.time > b.reading.time;
-  });
-  return all;
-}
-
-KnownReading ReadingMeant(const std::string& given, const std::string& learner,
-                          const std::string& records) {
-  std::vector<KnownReading> all = KnownReadings(learner, records);
-  std::error_code ignored;
-  const bool is_file = std::filesystem::exists(given, ignored);
-  std::size_t number = 0;
-  const auto read = std::from_chars(given.data(), given.data() + given.size(), number);
-  const bool whole = read.ec == std::errc() && read.ptr == given.data() + given.size();
-  if (!is_file && whole) {
-    if (number < 1 || number > all.size()) {
-      throw InputError(say::NoReadingNumbered(given, all.size()));
-    }
-    return std::move(all[number - 1]);
-  }
-  const std::string path = KeptReadText(PathOf(given));
-  for (KnownReading& one : all) {
-    if (one.reading.path == path) return std::move(one);
-  }
-  throw InputError(say::NeverRead(given));
-}
-
-void ListReadings(const std::vector<KnownReading>& readings, bool names, bool json,
-                  Console& console) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  console.Result(readings.empty() ? say::NothingRead() : say::ReadOutcome(readings.size()));
-  for (const KnownReading& one : readings) {
-    const ReadDocument& reading = one.reading;
-    console.Result(say::ReadLineOf(list.size() + 1, reading, names ? one.learner : ""));
-    if (one.file == KnownReading::File::kGone) console.Result(say::FileIsGone());
-    if (one.file == KnownReading::File::kHoldsAnother) console.Result(say::FileHoldsAnother());
-    if (!reading.path.empty()) console.Path(reading.path);
-    list.push_back({{"learner", one.learner},
-                    {"title", reading.title},
-                    {"path", reading.path},
-                    {"file_there", one.file == KnownReading::File::kThere},
-                    {"time_unix_s", reading.time},
-                    {"letter", reading.place.letter},
-                    {"where", reading.where},
-                    {"bookmarks", reading.marks.size()}});
-  }
-  if (!readings.empty()) console.Result(say::HowToReadNumbered());
-  if (json) console.Json(Dump({{"readings", std::move(list)}}));
-}
-
-void ForgetReading(const KnownReading& reading, const std::string& records, Console& console) {
-  Records::Open(records).Forget(reading.learner, reading.reading.id);
-  console.Result(say::ReadingForgotten(reading.reading, reading.learner));
 }
 
 }  // namespace moontrace

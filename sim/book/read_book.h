@@ -1,17 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "lessons/documents/document.h"
-#include "lessons/records/readings.h"
 #include "sim/console/console.h"
 #include "sim/session/device_choice.h"
 #include "sim/setup/options.h"
 
 namespace moontrace {
+
+/// Of characters that were replaced so many are said of each kind, then how many more there are:
+/// who opens a book wants to read.
+inline constexpr std::size_t kReplacementsSaid = 3;
 
 /// How a document is felt.
 struct ReadBookOptions {
@@ -38,27 +41,5 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
 /// Lays on the device why there is no book to read, until a press or a word. Throws Interrupted.
 void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& options,
                        Console& console);
-
-/// What was read, and by whom.
-struct KnownReading {
-  ReadDocument reading;
-  std::string learner;
-  /// Whether its file still holds it, as far as is known without opening it.
-  enum class File : std::uint8_t { kThere, kGone, kHoldsAnother, kWasInput };
-  File file = File::kThere;
-};
-/// The newest first: their numbers, from 1, are those that `read` alone says; of one learner, if
-/// one is named. `records`: path; empty where there is none. Throws as Records.
-std::vector<KnownReading> KnownReadings(const std::string& learner, const std::string& records);
-/// The one that `given` means: its number, or its file, of which it is what was read there last.
-/// Throws InputError: there is none.
-KnownReading ReadingMeant(const std::string& given, const std::string& learner,
-                          const std::string& records);
-
-/// Says what was read last, with its places.
-void ListReadings(const std::vector<KnownReading>& readings, bool names, bool json,
-                  Console& console);
-/// Forgets place and bookmarks of one, which cannot be undone. Throws as Records.
-void ForgetReading(const KnownReading& reading, const std::string& records, Console& console);
 
 }  // namespace moontrace
