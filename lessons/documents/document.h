@@ -119,6 +119,7 @@ enum class LeftOut : std::uint8_t {
   kDrawing,        ///< made of lines (SVG): its words are read, its lines are not felt
   kMedia,          ///< sound, video, programs, pages within the page
   kReading,        ///< small characters beside others that tell how they are spoken
+  kGuessedCoding,  ///< nothing says its encoding: the likeliest one was taken
   kBadByte,        ///< of no character in its encoding: U+FFFD stands there
   kUnknownEntity,  ///< "&name;" of an unknown name: left as it is
   kDeepElement,    ///< nested too deep: its text is kept, its kind is not
@@ -145,6 +146,8 @@ constexpr std::string_view NameOf(LeftOut what) {
       return "media";
     case LeftOut::kReading:
       return "reading";
+    case LeftOut::kGuessedCoding:
+      return "guessed encoding";
     case LeftOut::kBadByte:
       return "bad byte";
     case LeftOut::kUnknownEntity:

@@ -9,6 +9,10 @@ namespace moontrace {
 namespace {
 
 constexpr std::size_t kSentence = 200;  // [bytes] to either side
+constexpr std::size_t kDecent =
+    40;  // bytes that must be the same where a place is found again; ours
+constexpr std::size_t kLandmarks = 16, kLandmark = 32;  // number, and bytes of each; ours
+constexpr char kBetweenLandmarks = '\x1e';              // ASCII's record separator
 
 bool IsBlank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 
@@ -78,9 +82,28 @@ std::string SentenceAt(std::string_view text, std::size_t byte) {
   std::size_t begin = byte, end = std::min(byte + 1, text.size());
   while (begin > 0 && byte - begin < kSentence && !EndsBefore(text, begin)) --begin;
   while (end < text.size() && end - byte < kSentence && !EndsBefore(text, end)) ++end;
+  // a longer one is cut between words
+  while (begin < byte && begin > 0 && !IsBlank(text[begin - 1])) ++begin;
+  while (end < text.size() && end - byte < 2 * kSentence && !IsBlank(text[end - 1]) &&
+         !IsBlank(text[end])) {
+    ++end;
+  }
   while (!BeginsCharacter(text, begin)) ++begin;
   while (!BeginsCharacter(text, end)) ++end;
   return WordsOf(text.substr(begin, end - begin));
+}
+
+std::string ReadAt(const Document& document, const Transcription& text, std::size_t byte) {
+  const std::size_t block = BlockAt(text, byte);
+  const BlockKind kind =
+      block < document.blocks.size() ? document.blocks[block].kind : BlockKind::kParagraph;
+  const bool own = kind == BlockKind::kList || kind == BlockKind::kListItem ||
+                   kind == BlockKind::kTable || kind == BlockKind::kCell;
+  if (!own || block >= text.begins.size()) return SentenceAt(text.text, byte);
+  const std::size_t begin = std::min(text.begins[block], byte);
+  const std::size_t next =
+      block + 1 < text.begins.size() ? text.begins[block + 1] : text.text.size();
+  return SentenceAt(std::string_view(text.text).substr(begin, next - begin), byte - begin);
 }
 
 std::string WordsOf(std::string_view piece) {
@@ -122,28 +145,65 @@ Around AroundOf(std::string_view text, std::size_t byte) {
           std::string(text.substr(byte, end - byte))};
 }
 
-std::size_t FindAgain(std::string_view text, const Around& around, std::size_t byte,
-                      std::size_t length) {
+std::size_t SameShare(std::string_view text, std::size_t byte, std::size_t length) {
   if (text.empty()) return 0;
   const double share = length == 0 ? 0 : static_cast<double>(byte) / static_cast<double>(length);
-  const std::size_t expected =
+  std::size_t at =
       std::min(static_cast<std::size_t>(share * static_cast<double>(text.size())), text.size() - 1);
-  for (const std::size_t most : std::array<std::size_t, 4>{80, 40, 20, 10}) {
-    const std::size_t before = std::min(around.before.size(), most);
-    const std::string_view left =
-        std::string_view(around.before).substr(around.before.size() - before);
-    const std::string_view right = std::string_view(around.behind).substr(0, most);
-    // both sides, then the side that is still to be read, then the one that was read
-    const std::string both = std::string(left) + std::string(right);
-    const std::size_t begins = expected - std::min(expected, before);
-    std::size_t at = both.empty() ? std::string_view::npos : NearestPlace(text, both, begins);
-    if (at != std::string_view::npos) return std::min(at + before, text.size() - 1);
-    at = right.size() < most / 2 ? std::string_view::npos : NearestPlace(text, right, expected);
-    if (at != std::string_view::npos) return at;
-    at = left.size() < most / 2 ? std::string_view::npos : NearestPlace(text, left, begins);
-    if (at != std::string_view::npos) return std::min(at + before, text.size() - 1);
+  while (at > 0 && !BeginsCharacter(text, at)) --at;
+  return at;
+}
+
+std::optional<std::size_t> FindAgain(std::string_view text, const Around& around, std::size_t byte,
+                                     std::size_t length) {
+  const std::size_t all = around.before.size() + around.behind.size();
+  if (text.empty() || all == 0) return std::nullopt;
+  const std::size_t decent = std::min(kDecent, all);
+  const std::size_t expected = SameShare(text, byte, length);
+  const std::string_view before = around.before, behind = around.behind;
+  const auto place = [&text, decent](std::string_view piece, std::size_t near) {
+    return piece.size() < decent ? std::string_view::npos : NearestPlace(text, piece, near);
+  };
+  // less and less of both sides
+  for (const std::size_t most : std::array<std::size_t, 3>{80, 40, 20}) {
+    const std::size_t left = std::min(before.size(), most);
+    const std::string both =
+        std::string(before.substr(before.size() - left)).append(behind.substr(0, most));
+    const std::size_t at = place(both, expected - std::min(expected, left));
+    if (at != std::string_view::npos) return std::min(at + left, text.size() - 1);
   }
-  return expected;
+  // all of the side that is still to be read, then of the one that was read
+  const std::size_t right = place(behind, expected);
+  if (right != std::string_view::npos) return right;
+  const std::size_t left = place(before, expected - std::min(expected, before.size()));
+  if (left != std::string_view::npos) return std::min(left + before.size(), text.size() - 1);
+  return std::nullopt;
+}
+
+std::string LandmarksOf(std::string_view text) {
+  const std::size_t length = std::min(text.size(), kLandmark);
+  std::string landmarks;
+  for (std::size_t i = 0; i < kLandmarks; ++i) {
+    std::size_t begin = (text.size() - length) / (2 * kLandmarks) * (2 * i + 1);
+    std::size_t end = begin + length;
+    while (begin < end && !BeginsCharacter(text, begin)) ++begin;
+    while (end > begin && !BeginsCharacter(text, end)) --end;
+    const std::string_view piece = text.substr(begin, end - begin);
+    if (piece.empty() || piece.find(kBetweenLandmarks) != std::string_view::npos) continue;
+    landmarks.append(piece) += kBetweenLandmarks;
+  }
+  return landmarks;
+}
+
+double LandmarksIn(std::string_view text, std::string_view landmarks) {
+  std::size_t all = 0, found = 0;
+  while (!landmarks.empty()) {
+    const std::size_t end = std::min(landmarks.find(kBetweenLandmarks), landmarks.size());
+    ++all;
+    found += text.find(landmarks.substr(0, end)) != std::string_view::npos ? 1U : 0U;
+    landmarks.remove_prefix(std::min(end + 1, landmarks.size()));
+  }
+  return all == 0 ? 0 : static_cast<double>(found) / static_cast<double>(all);
 }
 
 }  // namespace moontrace

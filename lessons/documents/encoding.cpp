@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <optional>
 
+#include "lessons/documents/guessed_encoding.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 
@@ -143,19 +144,51 @@ std::optional<DecodedText> FromDeclared(std::string_view bytes, const std::strin
   return decoded;
 }
 
-/// Labels that mean Windows-1252 on the web, and those that add nothing to what is found here.
+constexpr std::string_view kLittle32("\xFF\xFE\0\0", 4), kBig32("\0\0\xFE\xFF", 4);
+
+DecodedText FromUtf32(std::string_view bytes, Order order) {
+  DecodedText decoded{{}, "UTF-32", bytes.size() % 4 == 0 ? 0U : 1U};
+  for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
+    char32_t c = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      c = c << 8U | ByteAt(bytes, order == Order::kBig ? i + k : i + 3 - k);
+    }
+    if (c > 0x10FFFF || (c >= 0xD800 && c < 0xE000)) {
+      c = kReplacementCode;
+      ++decoded.bad;
+    }
+    decoded.text += ToUtf8(c);
+  }
+  return decoded;
+}
+
+DecodedText Guessed(std::string_view bytes) {
+  const std::string label = GuessedEncoding(bytes);
+  std::optional<DecodedText> decoded;
+  if (label != "Windows-1252") decoded = FromDeclared(bytes, label);
+  if (!decoded) decoded = FromWindows1252(bytes);
+  decoded->guessed = true;
+  return *decoded;
+}
+
+/// Labels that mean Windows-1252 on the web.
+bool SaysLatin(const std::string& label) {
+  static constexpr std::array<std::string_view, 7> kLabels = {
+      "iso-8859-1", "latin1", "iso8859-1", "ascii", "us-ascii", "windows-1252", "cp1252"};
+  return std::find(kLabels.begin(), kLabels.end(), label) != kLabels.end();
+}
+
+/// These, and those that add nothing to what is found here.
 bool SaysNothing(const std::string& label) {
-  static constexpr std::array<std::string_view, 9> kLabels = {
-      "utf-8", "utf8",     "iso-8859-1",   "latin1", "iso8859-1",
-      "ascii", "us-ascii", "windows-1252", "cp1252"};
-  return label.rfind("utf-16", 0) == 0 ||
-         std::find(kLabels.begin(), kLabels.end(), label) != kLabels.end();
+  return label == "utf-8" || label == "utf8" || label.rfind("utf-16", 0) == 0 || SaysLatin(label);
 }
 
 }  // namespace
 
 DecodedText DecodeText(std::string_view bytes, std::string_view declared) {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  if (bytes.substr(0, 4) == kLittle32) return FromUtf32(bytes.substr(4), Order::kLittle);
+  if (bytes.substr(0, 4) == kBig32) return FromUtf32(bytes.substr(4), Order::kBig);
   if (bytes.substr(0, 2) == "\xFF\xFE") return FromUtf16(bytes.substr(2), Order::kLittle);
   if (bytes.substr(0, 2) == "\xFE\xFF") return FromUtf16(bytes.substr(2), Order::kBig);
   if (const std::optional<Order> order = WideOrder(bytes)) return FromUtf16(bytes, *order);
@@ -169,11 +202,14 @@ DecodedText DecodeText(std::string_view bytes, std::string_view declared) {
   std::size_t wide = 0;
   DecodedText decoded = FromUtf8(bytes, wide);
   // In Latin-1 hardly any two letters above ASCII follow each other as UTF-8 demands.
-  return wide > decoded.bad ? decoded : FromWindows1252(bytes);
+  if (wide > decoded.bad) return decoded;
+  if (SaysLatin(label)) return FromWindows1252(bytes);
+  return Guessed(bytes);
 }
 
 bool IsBinary(std::string_view bytes) {
-  if (bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF" || WideOrder(bytes)) {
+  if (bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF" ||
+      bytes.substr(0, 4) == kBig32 || WideOrder(bytes)) {
     return false;
   }
   if (bytes.find('\0') != std::string_view::npos) return true;

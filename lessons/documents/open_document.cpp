@@ -44,6 +44,20 @@ bool IsBrfName(const std::string& path) {
   return ending == ".brf" || ending == ".brl";
 }
 
+/// Packed files, by how they begin.
+void RefusePacked(std::string_view bytes, const std::string& name) {
+  const char* unpack = BeginsWith(bytes, "\x1F\x8B") ? "gunzip"
+                       : BeginsWith(bytes, "BZh")    ? "bunzip2"
+                       : BeginsWith(bytes,
+                                    "\xFD"
+                                    "7zXZ")
+                           ? "unxz"
+                           : nullptr;
+  if (unpack == nullptr) return;
+  throw InputError(name + ": is packed; unpack it first by " + unpack +
+                   ", and read what that gives");
+}
+
 /// Kinds that people try, by how they begin.
 void RefuseKnown(std::string_view bytes, const std::string& name) {
   const char* kind = BeginsWith(bytes, "%PDF-")              ? "a PDF"
@@ -64,6 +78,7 @@ void RefuseKnown(std::string_view bytes, const std::string& name) {
 }
 
 Document ReadText(std::string bytes, const std::string& name, const OpenOptions& options) {
+  RefusePacked(bytes, name);
   RefuseKnown(bytes, name);
   Document document;
   if (IsBrfName(name)) {
@@ -75,6 +90,7 @@ Document ReadText(std::string bytes, const std::string& name, const OpenOptions&
     document =
         html ? ReadHtml(decoded.text, name) : ReadPlainText(decoded.text, name, options.marks);
     document.encoding = decoded.encoding;
+    if (decoded.guessed) NoteLeftOut(document, LeftOut::kGuessedCoding, decoded.encoding);
     NoteLeftOut(document, LeftOut::kBadByte, "", decoded.bad);
   }
   if (document.blocks.empty()) {

@@ -194,6 +194,7 @@ Json JsonOf(const ReadDocument& reading) {
   Json json{{"content", reading.content},  {"path", reading.path},     {"title", reading.title},
             {"time_unix_s", reading.time}, {"length", reading.length}, {"where", reading.where}};
   json.update(JsonOf(reading.place));
+  if (!reading.landmarks.empty()) json["landmarks"] = reading.landmarks;
   for (const ReadMark& mark : reading.marks) {
     Json one{{"name", mark.name}};
     one.update(JsonOf(mark.place));
@@ -218,6 +219,7 @@ ReadDocument ReadReading(const ReadJson& json, const std::string& where) {
   reading.length = members.Whole("length");
   reading.where = members.Words("where");
   reading.place = ReadPlaceOf(members);
+  if (members.Has("landmarks")) reading.landmarks = members.Words("landmarks");
   if (members.Has("bookmarks")) {
     for (const ReadJson& row : members.List("bookmarks")) {
       Members mark(row, where + ": bookmark");

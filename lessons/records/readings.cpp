@@ -9,19 +9,18 @@
 
 namespace moontrace {
 
-namespace {
-
-/// Text as it can be exported: cut, and bytes that are no UTF-8 become "?".
-std::string Clean(const std::string& text) {
+std::string KeptReadText(const std::string& text) {
   std::string clean = text.substr(0, kLongestReadText);
   while (const std::optional<std::size_t> bad = FirstBadUtf8(clean)) clean[*bad] = '?';
   return clean;
 }
 
+namespace {
+
 void BindPlace(Statement& statement, int index, const ReadPlace& place) {
   statement.Bind(index, place.letter)
-      .Bind(index + 1, Clean(place.before))
-      .Bind(index + 2, Clean(place.behind));
+      .Bind(index + 1, KeptReadText(place.before))
+      .Bind(index + 2, KeptReadText(place.behind));
 }
 
 ReadPlace PlaceIn(const Statement& row, int column) {
@@ -45,7 +44,7 @@ void KeepMarks(const Database& file, std::int64_t reading, const std::vector<Rea
     Statement insert = file.Prepare(
         "INSERT OR REPLACE INTO bookmark (reading, name, letter, before, behind) "
         "VALUES (?, ?, ?, ?, ?)");
-    insert.Bind(1, reading).Bind(2, Clean(marks[i].name));
+    insert.Bind(1, reading).Bind(2, KeptReadText(marks[i].name));
     BindPlace(insert, 3, marks[i].place);
     insert.Step();
   }
@@ -56,13 +55,13 @@ void KeepMarks(const Database& file, std::int64_t reading, const std::vector<Rea
 std::vector<ReadDocument> ReadingsOf(const Database& file, std::int64_t learner) {
   std::vector<ReadDocument> readings;
   Statement rows = file.Prepare(
-      "SELECT id, content, path, title, time_unix_s, length, letter, before, behind, words "
-      "FROM reading WHERE learner = ? ORDER BY time_unix_s DESC, id DESC");
+      "SELECT id, content, path, title, time_unix_s, length, letter, before, behind, words, "
+      "landmarks FROM reading WHERE learner = ? ORDER BY time_unix_s DESC, id DESC");
   rows.Bind(1, learner);
   while (rows.Step()) {
     readings.push_back({rows.Integer(0), rows.Text(1), rows.Text(2), rows.Text(3), rows.Integer(4),
                         rows.Integer(5), PlaceIn(rows, 6), rows.Text(9),
-                        MarksOf(file, rows.Integer(0))});
+                        MarksOf(file, rows.Integer(0)), rows.Text(10)});
   }
   return readings;
 }
@@ -72,25 +71,36 @@ std::int64_t KeepReading(const Database& file, std::int64_t learner, const ReadD
   Statement keep =
       fresh ? file.Prepare(
                   "INSERT INTO reading (content, path, title, time_unix_s, length, letter, before, "
-                  "behind, words, learner) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+                  "behind, words, landmarks, learner) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
             : file.Prepare(
                   "UPDATE reading SET content = ?, path = ?, title = ?, time_unix_s = ?, "
-                  "length = ?, letter = ?, before = ?, behind = ?, words = ? "
+                  "length = ?, letter = ?, before = ?, behind = ?, words = ?, "
+                  "landmarks = ? "
                   "WHERE learner = ? AND id = ?");
-  keep.Bind(1, Clean(reading.content))
-      .Bind(2, Clean(reading.path))
-      .Bind(3, Clean(reading.title))
+  keep.Bind(1, KeptReadText(reading.content))
+      .Bind(2, KeptReadText(reading.path))
+      .Bind(3, KeptReadText(reading.title))
       .Bind(4, reading.time)
       .Bind(5, reading.length);
   BindPlace(keep, 6, reading.place);
-  keep.Bind(9, Clean(reading.where)).Bind(10, learner);
-  if (!fresh) keep.Bind(11, reading.id);
+  keep.Bind(9, KeptReadText(reading.where))
+      .Bind(10, KeptReadText(reading.landmarks))
+      .Bind(11, learner);
+  if (!fresh) keep.Bind(12, reading.id);
   keep.Step();
   if (file.Number("SELECT changes()") == 0) return reading.id;  // no row of this learner
   const std::int64_t id = fresh ? file.LastRow() : reading.id;
   const bool same = fresh ? reading.marks.empty() : MarksOf(file, id) == reading.marks;
   if (!same) KeepMarks(file, id, reading.marks);
   return id;
+}
+
+bool DeleteReading(const Database& file, std::int64_t learner, std::int64_t id) {
+  file.Prepare("DELETE FROM reading WHERE learner = ? AND id = ?")
+      .Bind(1, learner)
+      .Bind(2, id)
+      .Step();
+  return file.Number("SELECT changes()") > 0;  // its bookmarks go with it
 }
 
 }  // namespace moontrace

@@ -34,6 +34,9 @@ struct ReadDocument {
   ReadPlace place;
   std::string where;            ///< the place in words, as it was told
   std::vector<ReadMark> marks;  ///< in the order in which they were set
+  /// Pieces of the text, by which it is known again after an edit (document_places.h); empty: kept
+  /// by an older version.
+  std::string landmarks = {};
   bool operator==(const ReadDocument&) const = default;
 };
 
@@ -42,10 +45,17 @@ constexpr std::size_t kLongestReadText = 4000;
 /// Bookmarks of a document [number]; of more the first are dropped.
 constexpr std::size_t kMostReadMarks = 500;
 
+/// A text as a row has it: cut, and bytes that are no UTF-8 become "?".
+std::string KeptReadText(const std::string& text);
+
 /// What a learner reads, the newest first. Throws as Database.
 std::vector<ReadDocument> ReadingsOf(const Database& file, std::int64_t learner);
 
 /// A new row, or the one of that id anew; its id. Within a transaction of the caller's.
 std::int64_t KeepReading(const Database& file, std::int64_t learner, const ReadDocument& reading);
+
+/// Deletes a learner's row with its bookmarks; false: there is none. Within a transaction of the
+/// caller's.
+bool DeleteReading(const Database& file, std::int64_t learner, std::int64_t id);
 
 }  // namespace moontrace

@@ -382,6 +382,16 @@ std::int64_t Records::Keep(const std::string& pseudonym, const ReadDocument& rea
   return id;
 }
 
+bool Records::Forget(const std::string& pseudonym, std::int64_t reading) {
+  const std::int64_t learner = impl_->IdOf(pseudonym);
+  Transaction transaction(impl_->file);
+  const bool there = DeleteReading(impl_->file, learner, reading);
+  if (there) impl_->MustScrub();
+  transaction.Commit();
+  impl_->Scrub();
+  return there;
+}
+
 std::string Records::Export(const std::string& pseudonym) const {
   return HistoryToJson(impl_->HistoryOf(*this, pseudonym));
 }

@@ -52,6 +52,8 @@ class Records {
   std::vector<ReadDocument> Readings(const std::string& pseudonym) const;
   /// Keeps a document and its place; on disk when it returns. Its id, by which it is kept anew.
   std::int64_t Keep(const std::string& pseudonym, const ReadDocument& reading);
+  /// Deletes what is kept of a document, by its id, and every byte of it; false: there is none.
+  bool Forget(const std::string& pseudonym, std::int64_t reading);
 
   /// All that is known of a learner as JSON text (UTF-8), which HistoryFromJson reads.
   std::string Export(const std::string& pseudonym) const;

@@ -109,6 +109,8 @@ const std::vector<std::string>& RecordsSteps() {
            before TEXT NOT NULL,
            behind TEXT NOT NULL,
            UNIQUE (reading, name));)",
+      // 4: a text that was edited is told from another one of the same file
+      R"(ALTER TABLE reading ADD COLUMN landmarks TEXT NOT NULL DEFAULT '';)",
   };
   return steps;
 }

@@ -57,7 +57,7 @@ struct GuideOptions {
 /// `read`: what a document holds; its text, or its pages for swell paper.
 struct ReadOptions {
   OutputOptions output;
-  std::string file;  ///< "-": standard input; empty: what was read is told
+  std::string file;  ///< "-": standard input; a number of the list; empty: that list is told
   StyleOptions style;
   LayoutOptions layout;
   bool text = false;
@@ -73,6 +73,7 @@ struct ReadOptions {
   bool moon = false;      ///< answers are laid under the hand, see BookOptions
   bool tutor = false;     ///< tutors may come in from other terminals
   bool known = false;     ///< only signs that the learner has been taught are set
+  bool forget = false;    ///< what is kept of the file
 };
 void AddOptions(CLI::App& app, ReadOptions& options);
 int Run(const ReadOptions& options, Console& console);

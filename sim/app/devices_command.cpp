@@ -1,4 +1,5 @@
 #include "sim/app/commands.h"
+#include "sim/app/device_mending.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,17 @@
 #include "textures/base/units.h"
 
 namespace moontrace {
+
+void SayMending(const DeviceEntry& entry, Console& console) {
+  if (entry.rule.empty()) return;
+  console.Result(say::MendByRule());
+  console.Path(entry.rule);
+  console.Result(say::MendInFile());
+  console.Path(kUdevFile);
+  console.Result(say::MendByCommand());
+  console.Path(kUdevReload);
+  console.Result(say::MendByPlugging());
+}
 
 namespace {
 
@@ -68,17 +80,6 @@ Json EntryJson(const DeviceEntry& entry) {
   json["guarded"] = entry.unguarded.empty();
   json["not_guarded_because"] = entry.unguarded.empty() ? Json(nullptr) : Json(entry.unguarded);
   return json;
-}
-
-void SayMending(const DeviceEntry& entry, Console& console) {
-  if (entry.rule.empty()) return;
-  console.Result(say::MendByRule());
-  console.Path(entry.rule);
-  console.Result(say::MendInFile());
-  console.Path(kUdevFile);
-  console.Result(say::MendByCommand());
-  console.Path(kUdevReload);
-  console.Result(say::MendByPlugging());
 }
 
 void SayFigures(const DeviceEntry& entry, Console& console) {

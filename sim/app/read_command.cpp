@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <filesystem>
 #include <istream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -11,9 +13,11 @@
 #include "lessons/documents/open_document.h"
 #include "lessons/documents/transcribe.h"
 #include "sim/app/commands.h"
+#include "sim/app/device_mending.h"
 #include "sim/book/document_messages.h"
 #include "sim/book/known_signs.h"
 #include "sim/book/read_book.h"
+#include "sim/book/read_list.h"
 #include "sim/picture/page_picture.h"
 #include "sim/picture/picture_file.h"
 #include "sim/picture/picture_messages.h"
@@ -25,6 +29,7 @@
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
 #include "textures/relief/groove_links.h"
+#include "textures/typeset/left_out.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -71,12 +76,13 @@ struct Reading {
   Script script;
   Typeset set;
   PageCounts counts;
+  LeftOutWords words;
 };
 
 Reading SetDocument(const ReadOptions& options, const std::string& text, Console& console) {
   StyleOptions marked = options.style;
   marked.structure = true;
-  Reading reading{ScriptOf(marked, nullptr, text), {}, {}};
+  Reading reading{ScriptOf(marked, nullptr, text), {}, {}, {}};
   for (const std::string& remark : reading.script.remarks) console.Remark(remark);
   const TypeStyle style = StyleOf(marked, options.layout, reading.script, nullptr);
   PageLinker linker(reading.script, style);
@@ -84,6 +90,7 @@ Reading SetDocument(const ReadOptions& options, const std::string& text, Console
     console.CheckStop();
     linker.Keep(page);
     AddCounts(page, reading.script, style, reading.counts);
+    CountLeftOut(page, reading.script, reading.words);
   });
   return reading;
 }
@@ -184,13 +191,18 @@ int Describe(const ReadOptions& options, const Document& document, const std::st
     json["pages"] = reading.counts.pages;
     json["lines"] = reading.counts.lines;
     json["signs"] = reading.counts.signs;
+    json["words"] = reading.words.words;
+    json["left_out_words"] = reading.words.left_out;
     json["printed"] = printed;
     console.Json(Dump(json));
     return exit_code::kGood;
   }
   console.Result(say::DocumentSummary(document, options.file, &reading.counts.pages));
   for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
-  SayReplacements(reading.set, [&console](const std::string& line) { console.Result(line); });
+  if (options.known) console.Result(say::LeftOutWordsAre(reading.words));
+  SayReplacements(
+      reading.set, [&console](const std::string& line) { console.Result(line); },
+      kReplacementsSaid);
   if (reading.set.structure.links + reading.set.structure.quotations > 0) {
     console.Result(say::Structure(reading.set));
   }
@@ -202,15 +214,29 @@ int Describe(const ReadOptions& options, const Document& document, const std::st
   return exit_code::kGood;
 }
 
-/// What it is felt with; none: nothing is, since nothing was asked for and nothing is plugged in.
-std::optional<std::string> DeviceFor(const ReadOptions& options) {
-  if (options.text || options.output.json || !options.print.empty()) return std::nullopt;
-  if (options.simulate) return "simulated";
-  if (!options.live.device.empty()) return options.live.device;
-  if (options.file == "-") return std::nullopt;  // no words could be typed
-  const std::optional<DeviceEntry> first = FirstForceDevice();
-  if (!first || !first->problem.empty()) return std::nullopt;
-  return first->name;
+/// What it is felt with, and where nothing is that could be felt with.
+struct Feeling {
+  std::optional<std::string> device;   ///< none: nothing was asked for, or nothing can be used
+  std::optional<DeviceEntry> refused;  ///< it has motors and cannot be opened
+};
+
+Feeling FeelingOf(const ReadOptions& options) {
+  if (options.text || options.output.json || !options.print.empty()) return {};
+  if (options.simulate) return {"simulated", {}};
+  if (!options.live.device.empty()) return {options.live.device, {}};
+  if (options.file == "-") return {};  // no words could be typed
+  std::optional<DeviceEntry> first = FirstForceDevice();
+  if (first && !first->problem.empty()) return {{}, std::move(first)};
+  if (!first) return {};
+  return {first->name, {}};
+}
+
+void SayHowToFeel(const ReadOptions& options, const Feeling& feeling, Console& console) {
+  if (options.file == "-") return console.Remark(say::HowToFeelInput());
+  if (!feeling.refused) return console.Remark(say::HowToFeelBook());
+  console.Result(say::DeviceRefused(feeling.refused->name, feeling.refused->problem));
+  SayMending(*feeling.refused, console);
+  console.Result(say::HowToFeelRefused());
 }
 
 ReadBookOptions BookOptionsOf(const ReadOptions& options, const std::string& device) {
@@ -244,28 +270,59 @@ Document OpenOrTell(const ReadOptions& options, const std::optional<std::string>
 }
 
 int Read(const ReadOptions& options, Console& console) {
-  if (options.file.empty()) {
-    if (options.text || !options.print.empty()) throw UsageError(say::NoDocument());
-    ListReadings(options.learner, RecordsPathOf(options.records), options.output.json, console);
-    return exit_code::kGood;
-  }
-  const std::optional<std::string> device = DeviceFor(options);
-  const Document document = OpenOrTell(options, device, console);
-  if (device) {
-    ReadBook(document, options.file, BookOptionsOf(options, *device), console);
+  const Feeling feeling = FeelingOf(options);
+  const Document document = OpenOrTell(options, feeling.device, console);
+  if (feeling.device) {
+    ReadBook(document, options.file, BookOptionsOf(options, *feeling.device), console);
     return exit_code::kGood;
   }
   const std::string text = Transcribe(document).text;
   if (options.text) return WriteText(options, document, text, console);
   const int code = Describe(options, document, text, console);
-  if (!options.output.json && options.print.empty()) console.Remark(say::HowToFeelBook());
+  if (!options.output.json && options.print.empty()) SayHowToFeel(options, feeling, console);
   return code;
+}
+
+/// Without a file, or to forget one.
+int TellReadings(const ReadOptions& options, Console& console) {
+  const std::string records = RecordsPathOf(options.records);
+  if (options.forget) {
+    ForgetReading(options.file, options.learner, records, console);
+    return exit_code::kGood;
+  }
+  if (options.text || !options.print.empty()) throw UsageError(say::NoDocument());
+  ListReadings(options.learner, records, options.output.json, console);
+  return exit_code::kGood;
+}
+
+/// A number of the list becomes its file, and who reads it there reads on.
+ReadOptions WithFile(const ReadOptions& options) {
+  const bool number = options.file.find_first_not_of("0123456789") == std::string::npos;
+  std::error_code ignored;
+  if (!number || std::filesystem::exists(options.file, ignored)) return options;
+  ListedFile meant = FileNumbered(options.file, options.learner, RecordsPathOf(options.records));
+  ReadOptions read = options;
+  read.file = std::move(meant.path);
+  read.learner = std::move(meant.learner);
+  return read;
+}
+
+/// By touch, of what was read before. False: nothing was chosen.
+bool ChooseFile(ReadOptions& options, const std::string& device, Console& console) {
+  std::optional<ListedFile> file = ChooseReading(BookOptionsOf(options, device), console);
+  if (!file) return false;
+  options.file = std::move(file->path);
+  options.learner = std::move(file->learner);
+  return true;
 }
 
 void CheckTogether(const ReadOptions& options) {
   AimsFor(options.live.device, ViewOptions());  // refuses a mouse
   if (options.simulate && !IsSimulated(options.live.device)) {
     throw UsageError(say::SimulateAlone());
+  }
+  if (options.forget && (options.file.empty() || options.file == "-")) {
+    throw UsageError(say::ForgetNeedsFile());
   }
   if (options.text && (options.output.json || !options.print.empty())) {
     throw UsageError(say::TextAlone());
@@ -283,6 +340,7 @@ void AddOptions(CLI::App& app, ReadOptions& options) {
   AddPath(app, "FILE", "FILE", options.file, say::help::kReadFile);
   AddPath(app, "--learner", "NAME", options.learner, say::help::kReader);
   AddPath(app, "--records", "FILE", options.records, say::help::kReadRecords);
+  AddFlag(app, "--forget", options.forget, say::help::kReadForget);
   AddFlag(app, "--turn", options.turns, say::help::kReadTurn);
   AddFlag(app, "--known", options.known, say::help::kReadKnown);
   AddFlag(app, "--tutor", options.tutor, say::help::kReadTutor);
@@ -310,12 +368,22 @@ void AddOptions(CLI::App& app, ReadOptions& options) {
 
 int Run(const ReadOptions& options, Console& console) {
   CheckTogether(options);
-  if (!options.known) return Read(options, console);
-  ReadOptions known = options;
-  known.style.only = KnownSigns(RecordsPathOf(options.records), options.learner);
-  const auto signs = std::count(known.style.only->begin(), known.style.only->end(), '+');
+  if (options.forget) return TellReadings(options, console);
+  ReadOptions read = options;
+  if (options.file.empty()) {
+    const std::optional<std::string> device =
+        options.moon ? FeelingOf(options).device : std::nullopt;
+    if (!device) return TellReadings(options, console);
+    if (!ChooseFile(read, *device, console)) return exit_code::kGood;
+  } else {
+    read = WithFile(options);
+  }
+  if (!options.known) return Read(read, console);
+  const std::string known = KnownSigns(RecordsPathOf(options.records), read.learner);
+  read.style.only = known + "+" + kLeftOutMark;
+  const auto signs = std::count(known.begin(), known.end(), '+');
   console.Remark(say::SetOfKnown(static_cast<std::size_t>(signs)));
-  return Read(known, console);
+  return Read(read, console);
 }
 
 }  // namespace moontrace

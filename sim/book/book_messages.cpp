@@ -24,11 +24,17 @@ std::string BackInBook(std::string_view title, std::string_view place) {
   return fmt::format("You go on: {}, in {}.", place, Quoted(OneLine(title, 100)));
 }
 std::string BookMoved() { return "The file lay elsewhere before; it holds the same text."; }
-std::string BookEdited() {
-  return "The text was changed since; your place is where the same words stand now.";
+std::string BookEdited(bool place_gone) {
+  return place_gone ? "The text was changed since, and the words at your place are gone: you go on "
+                      "near where they stood."
+                    : "The text was changed since; your place is where the same words stand now.";
+}
+std::string BookReplaced() {
+  return "Another text lay in this file before. What you kept of it stays: moontrace read lists "
+         "it.";
 }
 std::string LastRead(std::string_view sentence) {
-  return fmt::format("Last read: {}", OneLine(sentence, 300));
+  return fmt::format("Last read: {}", OneLine(sentence, 450));
 }
 
 std::string BelowHeadings(const std::vector<std::string>& headings) {
@@ -116,6 +122,26 @@ std::string NameOfMark(std::size_t number) { return fmt::format("mark {}", numbe
 std::string MarkSet(std::string_view name, std::string_view place) {
   return fmt::format("Bookmark set: {}, {}.", OneLine(name, 24), place);
 }
+std::string MarkMoved(std::string_view name, std::string_view from, std::string_view place) {
+  return fmt::format("Bookmark moved: {}, from {} to {}.", OneLine(name, 24), from, place);
+}
+std::string MarkForNow(std::string_view name, std::string_view place) {
+  return fmt::format("Bookmark until you quit, not kept: {}, {}.", OneLine(name, 24), place);
+}
+std::string MarkLost(std::string_view name, std::string_view words) {
+  return fmt::format("Bookmark lost: {}. Its words are gone from the text: {}", OneLine(name, 24),
+                     OneLine(words, 200));
+}
+std::string MarkForgotten(std::string_view name) {
+  return fmt::format("Bookmark forgotten: {}.", OneLine(name, 24));
+}
+std::string ForgetWhat() {
+  return "forget wants the name of a bookmark behind it: bookmarks lists them.";
+}
+std::string MarkToo(std::string_view name) {
+  return fmt::format("A bookmark is called {} too: go to bookmark {} leads there.",
+                     OneLine(name, 24), OneLine(name, 24));
+}
 std::string MarkLine(std::string_view name, std::string_view place) {
   return fmt::format("{}: {}.", OneLine(name, 24), place);
 }
@@ -126,6 +152,9 @@ std::string NoMarkNamed(std::string_view name) {
 }
 
 std::string ShortTitle(std::string_view title) { return OneLine(title, 30); }
+std::string NumberedTitle(std::size_t number, std::string_view title) {
+  return fmt::format("{} {}", number, ShortTitle(title));
+}
 std::vector<std::string> PressesInMoon() {
   return {"press: where", "twice: words", "hold: stop, then press: go"};
 }
@@ -148,6 +177,7 @@ std::string PassageTaken(std::string_view text) {
   return fmt::format("Yours in lessons, by my text: {}", OneLine(text, 200));
 }
 std::string AskWhoReads() { return "who reads?"; }
+std::string AskWhichText() { return "read which?"; }
 std::string NoneOfThem() { return "another"; }
 std::string TheEnd() { return "This is the end of the text."; }
 std::string PlaceKept(std::string_view place) { return fmt::format("Kept: {}.", place); }
@@ -171,7 +201,7 @@ std::string NothingRead() { return "Nothing was read yet: say moontrace read FIL
 std::string ReadOutcome(std::size_t count) {
   return "Read last: " + Counted(count, "text.", "texts, the newest first.");
 }
-std::string ReadLineOf(const ReadDocument& reading, std::string_view learner) {
+std::string ReadLineOf(std::size_t number, const ReadDocument& reading, std::string_view learner) {
   const auto time = static_cast<std::time_t>(reading.time);
   std::tm day{};
   char date[16] = "";
@@ -179,8 +209,38 @@ std::string ReadLineOf(const ReadDocument& reading, std::string_view learner) {
     std::strftime(date, sizeof date, "%Y-%m-%d", &day);
   }
   const std::string who = learner.empty() ? "" : fmt::format(", {}", OneLine(learner, 60));
-  return fmt::format("{}: {}, {}{}.", OneLine(reading.title, 100), OneLine(reading.where, 200),
-                     date, who);
+  return fmt::format("{}: {}, {}, {}{}.", number, OneLine(reading.title, 100),
+                     OneLine(reading.where, 200), date, who);
+}
+std::string FileIsGone() { return "That file is gone; it may lie elsewhere:"; }
+std::string FileHoldsAnother() { return "That file holds another text now:"; }
+std::string HowToReadNumbered() {
+  return "moontrace read and a number opens that one, with --forget its place is forgotten.";
+}
+std::string NoReadingNumbered(std::string_view number, std::size_t count) {
+  return fmt::format("{}: no file, and no number of the list, which has {}; moontrace read says it",
+                     OneLine(number, 20), Counted(count, "text", "texts"));
+}
+std::string NotInFile(std::string_view number) {
+  return fmt::format("number {} came by standard input; name a file that holds it",
+                     OneLine(number, 20));
+}
+std::string NumberIsGone(std::string_view number, std::string_view path) {
+  return fmt::format("number {}: its file is gone, {}; name it where it lies now",
+                     OneLine(number, 20), OneLine(path, 300));
+}
+std::string NumberHoldsAnother(std::string_view number, std::string_view path) {
+  return fmt::format("number {}: another text is in its file now, {}; name a file that holds it",
+                     OneLine(number, 20), OneLine(path, 300));
+}
+std::string NeverRead(std::string_view file) {
+  return fmt::format("{}: nothing is kept of it; moontrace read lists what was read",
+                     OneLine(file, 200));
+}
+std::string ReadingForgotten(const ReadDocument& reading, std::string_view learner) {
+  return fmt::format("Forgotten: the place of {} in {}, and {}. The file stays.",
+                     OneLine(learner, 60), Quoted(OneLine(reading.title, 100)),
+                     Counted(reading.marks.size(), "bookmark", "bookmarks"));
 }
 
 }  // namespace moontrace::say

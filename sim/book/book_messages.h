@@ -17,7 +17,10 @@ std::string BookPlace(std::size_t page, std::size_t pages, std::size_t line,
 /// Where reading goes on.
 std::string BackInBook(std::string_view title, std::string_view place);
 std::string BookMoved();
-std::string BookEdited();
+/// `place_gone`: the words at the place are no longer there.
+std::string BookEdited(bool place_gone);
+/// Something else was read in the file before.
+std::string BookReplaced();
 std::string LastRead(std::string_view sentence);
 /// `headings`: the outermost first.
 std::string BelowHeadings(const std::vector<std::string>& headings);
@@ -61,6 +64,16 @@ std::string TutorGoneFromBook();
 /// Of one that nobody named, counted from 1.
 std::string NameOfMark(std::size_t number);
 std::string MarkSet(std::string_view name, std::string_view place);
+/// One of that name was there already; `from`: where.
+std::string MarkMoved(std::string_view name, std::string_view from, std::string_view place);
+/// Nothing is kept.
+std::string MarkForNow(std::string_view name, std::string_view place);
+/// By an edit; `words`: that stood there.
+std::string MarkLost(std::string_view name, std::string_view words);
+std::string MarkForgotten(std::string_view name);
+std::string ForgetWhat();
+/// Behind the way to a page: a bookmark has that name too.
+std::string MarkToo(std::string_view name);
 std::string MarkLine(std::string_view name, std::string_view place);
 std::string MarkIs(std::string_view name);
 std::string NoMarks();
@@ -68,6 +81,8 @@ std::string NoMarkNamed(std::string_view name);
 
 /// Of a line that is felt, or chosen among others.
 std::string ShortTitle(std::string_view title);
+/// Likewise, where two may be alike.
+std::string NumberedTitle(std::size_t number, std::string_view title);
 /// What the button does, a line each.
 std::vector<std::string> PressesInMoon();
 /// The words that a stylus alone can say.
@@ -76,6 +91,7 @@ std::vector<std::string> MoonMenu();
 std::string PassageTaken(std::string_view text);
 std::string TheEnd();
 std::string AskWhoReads();
+std::string AskWhichText();
 /// Of the names that were offered.
 std::string NoneOfThem();
 std::string PlaceKept(std::string_view place);
@@ -88,6 +104,18 @@ std::string SimulatedReader(std::string_view name);
 /// `read` alone: what was read, with its place.
 std::string NothingRead();
 std::string ReadOutcome(std::size_t count);
-std::string ReadLineOf(const ReadDocument& reading, std::string_view learner);
+/// `number`: from 1; `learner`: empty where it goes without saying.
+std::string ReadLineOf(std::size_t number, const ReadDocument& reading, std::string_view learner);
+/// Each before the path of the file.
+std::string FileIsGone();
+std::string FileHoldsAnother();
+std::string HowToReadNumbered();
+std::string NoReadingNumbered(std::string_view number, std::size_t count);
+/// Why a number cannot be opened; `path`: where the file lay.
+std::string NotInFile(std::string_view number);
+std::string NumberIsGone(std::string_view number, std::string_view path);
+std::string NumberHoldsAnother(std::string_view number, std::string_view path);
+std::string NeverRead(std::string_view file);
+std::string ReadingForgotten(const ReadDocument& reading, std::string_view learner);
 
 }  // namespace moontrace::say

@@ -19,10 +19,11 @@ namespace moontrace {
 
 namespace {
 
-constexpr std::chrono::seconds kKeptEvery{2};  ///< while the hand moves on
-constexpr std::size_t kMostStrays = 1000;      ///< looks, 20 s: who reads elsewhere, is there
-constexpr std::size_t kMostContents = 100;     ///< lines said
-constexpr glm::dvec2 kInLetter{0.25, 0.5};     ///< [em]
+constexpr std::chrono::seconds kKeptEvery{2};        ///< while the hand moves on
+constexpr std::size_t kMostStrays = 1000;            ///< looks, 20 s: who reads elsewhere, is there
+constexpr std::size_t kMostContents = 100;           ///< lines said
+constexpr glm::dvec2 kInLetter{0.25, 0.5};           ///< [em]
+constexpr std::string_view kBookmark = "bookmark ";  ///< before a bookmark's name
 
 /// The first letter of the line of the text that a letter stands on.
 std::size_t LineStart(const TextSetup& text, std::size_t letter) {
@@ -66,7 +67,9 @@ std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
   if (!coming_) return {};
   Lines lines{say::BackInBook(book_.title, PlaceInWords(letter_))};
   if (memory_.known_by() == KnownBy::kMoved) lines.push_back(say::BookMoved());
-  if (memory_.known_by() == KnownBy::kPath) lines.push_back(say::BookEdited());
+  if (memory_.known_by() == KnownBy::kEdited) {
+    lines.push_back(say::BookEdited(memory_.place_gone()));
+  }
   std::vector<std::string> headings;
   for (const std::size_t block : HeadingTrail(book_.document, BlockAt(book_.text, letter_))) {
     headings.push_back(book_.document.blocks[block].text);
@@ -74,7 +77,7 @@ std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
   if (!headings.empty()) lines.push_back(say::BelowHeadings(headings));
   const std::size_t here = BlockAt(book_.text, letter_);
   if (book_.document.blocks[here].kind != BlockKind::kHeading) {
-    lines.push_back(say::LastRead(SentenceAt(book_.text.text, letter_)));
+    lines.push_back(say::LastRead(ReadAt(book_.document, book_.text, letter_)));
   }
   if (!laid_.lies()) {
     lines.push_back(walk.Begin(LineStart(session_.text(), letter_), say::GoesOnHere()));
@@ -100,7 +103,7 @@ void BookWalk::BeginInMoon() {
 std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
                                                        const LoopSnapshot& now) {
   const SaidLine said = ReadLine(line, WordPlace::kBook);
-  if (said.word == nullptr) return std::nullopt;
+  if (said.word == nullptr) return ToPrintPage(line, now);
   const std::string_view name = said.word->word;
   if (name == "where") return Where(now);
   if (name == "contents") return Contents(said.behind, now);
@@ -108,6 +111,7 @@ std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
   if (name == "follow") return Follow(now);
   if (name == "mark") return Lines{ToMark("", now)};
   if (name == "bookmarks") return Bookmarks();
+  if (name == "forget") return Lines{ForgetMark(said.behind)};
   const std::optional<NearLetter> near = LetterNear(session_.felt(), now.tip_P);
   if (name == "bookmark") {
     const std::optional<std::size_t> here = Here(now);
@@ -188,21 +192,32 @@ std::vector<std::string> BookWalk::ListContents() {
 
 std::vector<std::string> BookWalk::GoTo(const std::string& where, const LoopSnapshot& now) {
   coming_ = false;
-  constexpr std::string_view kPrint = "print ";
   const std::string folded = CaseFolded(where);
-  if (folded.rfind(kPrint, 0) == 0) {
-    const std::string name = folded.substr(kPrint.size());
-    for (const TranscribedPage& page : book_.text.pages) {
-      if (CaseFolded(page.name) != name) continue;
-      const auto letter = LetterFrom(session_.text(), page.begin);
-      if (!letter) break;
-      return {walk_->GoToPlace(*letter, say::PrintedPage(page.name), now)};
-    }
-    return {say::NoSuchPrintPage(where.substr(kPrint.size()))};
-  }
+  if (folded.rfind(kBookmark, 0) == 0) return {ToMark(where.substr(kBookmark.size()), now)};
+  if (const std::optional<Lines> printed = ToPrintPage(where, now)) return *printed;
   const bool number = where.find_first_not_of("0123456789") == std::string::npos;
-  if (number) return {walk_->Go({PlaceWord::kGoTo, where}, now)};
-  return {ToMark(where, now)};
+  if (!number) return {ToMark(where, now)};
+  Lines lines{walk_->Go({PlaceWord::kGoTo, where}, now)};
+  if (!where.empty() && memory_.MarkNamed(where) != nullptr) lines.push_back(say::MarkToo(where));
+  return lines;
+}
+
+/// "print 7", with "go to" before it or without; none: something else.
+std::optional<std::vector<std::string>> BookWalk::ToPrintPage(std::string_view line,
+                                                              const LoopSnapshot& now) {
+  constexpr std::string_view kPrint = "print ";
+  const std::string given = WordsOf(line);
+  const std::string folded = CaseFolded(given);
+  if (folded.rfind(kPrint, 0) != 0) return std::nullopt;
+  coming_ = false;
+  const std::string name = folded.substr(kPrint.size());
+  for (const TranscribedPage& page : book_.text.pages) {
+    if (CaseFolded(page.name) != name) continue;
+    const auto letter = LetterFrom(session_.text(), page.begin);
+    if (!letter) break;
+    return Lines{walk_->GoToPlace(*letter, say::PrintedPage(page.name), now)};
+  }
+  return Lines{say::NoSuchPrintPage(given.substr(kPrint.size()))};
 }
 
 std::vector<std::string> BookWalk::Follow(const LoopSnapshot& now) {
@@ -214,8 +229,10 @@ std::vector<std::string> BookWalk::Follow(const LoopSnapshot& now) {
   return {ToBlock(mark.target, say::Followed(book_.document.blocks[mark.target].text), now, true)};
 }
 
+/// Of bookmarks without a name the number will do.
 std::string BookWalk::ToMark(const std::string& name, const LoopSnapshot& now) {
   const ReadMark* mark = memory_.MarkNamed(name);
+  if (mark == nullptr && !name.empty()) mark = memory_.MarkNamed("mark " + name);
   if (mark == nullptr) return name.empty() ? say::NoMarks() : say::NoMarkNamed(name);
   coming_ = false;
   return walk_->GoToPlace(static_cast<std::size_t>(mark->place.letter), say::MarkIs(mark->name),
@@ -223,14 +240,32 @@ std::string BookWalk::ToMark(const std::string& name, const LoopSnapshot& now) {
 }
 
 std::string BookWalk::SetMark(std::size_t letter, const std::string& name) {
+  std::string from;
+  const ReadMark* before = name.empty() ? nullptr : memory_.MarkNamed(name);
+  if (before != nullptr) from = PlaceInWords(static_cast<std::size_t>(before->place.letter));
   const std::string given = memory_.Mark(book_.text.text, letter, name);
-  const std::string failure = Keep();
-  return failure.empty() ? say::MarkSet(given, PlaceInWords(letter)) : failure;
+  const std::string place = PlaceInWords(letter);
+  if (!KeepNow().empty() || !memory_.remembers()) return say::MarkForNow(given, place);
+  return from.empty() || from == place ? say::MarkSet(given, place)
+                                       : say::MarkMoved(given, from, place);
 }
 
-/// Of where reading goes on it is the line's start: there the place stays.
+std::string BookWalk::ForgetMark(const std::string& name) {
+  if (name.empty()) return say::ForgetWhat();
+  const bool told = CaseFolded(name).rfind(kBookmark, 0) == 0;
+  const std::string meant = told ? name.substr(kBookmark.size()) : name;
+  if (!memory_.ForgetMark(meant)) return say::NoMarkNamed(meant);
+  const std::string why = KeepNow();
+  return why.empty() ? say::MarkForgotten(meant) : say::PlaceNotKept(why);
+}
+
+/// Of where reading goes on it is the line's start: there the place stays. Of any other the place
+/// is it, wherever the hand still rests.
 void BookWalk::Arrived(std::size_t source) {
-  if (!coming_) letter_ = source;
+  if (coming_) return;
+  letter_ = source;
+  coming_ = true;
+  strays_ = 0;
 }
 
 std::string BookWalk::TakePassage(const std::string& given, const LoopSnapshot& now) {
@@ -247,7 +282,7 @@ std::string BookWalk::Marked(const LetterPlace& place) { return SetMark(place.so
 std::vector<std::string> BookWalk::Bookmarks() {
   Lines lines;
   for (const ReadMark& mark : memory_.reading().marks) {
-    offer_.push_back({say::ShortTitle(mark.name), "go to " + mark.name});
+    offer_.push_back({say::ShortTitle(mark.name), "go to bookmark " + mark.name});
     lines.push_back(
         say::MarkLine(mark.name, PlaceInWords(static_cast<std::size_t>(mark.place.letter))));
   }
@@ -258,6 +293,7 @@ std::vector<std::string> BookWalk::Bookmarks() {
 /// Where the hand is, as far as it has come to where reading goes on.
 void BookWalk::See(const LoopSnapshot& now) {
   const FeltPage& felt = session_.felt();
+  if (walk_ != nullptr && !coming_) letter_ = walk_->Going().value_or(letter_);
   if (now.page != felt.number) return;
   if (felt.index != kept_page_ && !coming_) {
     const std::vector<PlacedGlyph>& glyphs = felt.set().glyphs;
@@ -281,7 +317,7 @@ void BookWalk::See(const LoopSnapshot& now) {
   letter_ = here->source;
 }
 
-/// What is not set of the words up to the one that was come to: said, since it cannot be felt.
+/// A word that is left out, as its mark was come to: said, since it cannot be felt.
 std::string BookWalk::Unset(const LoopSnapshot& now) {
   const FeltPage& felt = session_.felt();
   if (!options_.known || now.page != felt.number || now.depth <= 0) return {};
@@ -347,11 +383,16 @@ std::vector<std::string> BookWalk::TurnPage(const LoopSnapshot& now) {
   return {say::TheEnd()};
 }
 
-std::string BookWalk::Keep() {
+/// Why not, where that fails.
+std::string BookWalk::KeepNow() {
   kept_ = letter_;
   kept_page_ = session_.felt().index;
   kept_at_ = std::chrono::steady_clock::now();
-  const std::string why = memory_.Keep(book_.text.text, letter_, PlaceInWords(letter_));
+  return memory_.Keep(book_.text.text, letter_, PlaceInWords(letter_));
+}
+
+std::string BookWalk::Keep() {
+  const std::string why = KeepNow();
   if (why.empty()) return {};
   return std::exchange(told_failure_, true) ? std::string() : say::PlaceNotKept(why);
 }
@@ -400,6 +441,11 @@ std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
   const bool moved = kept_ != letter_;
   const bool due = std::chrono::steady_clock::now() - kept_at_ >= kKeptEvery;
   urgent_ = std::find(lines.begin(), lines.end(), say::TheEnd()) != lines.end();
+  if (options_.moon && !options_.news.empty()) {
+    lines.insert(lines.end(), options_.news.begin(), options_.news.end());
+    options_.news.clear();
+    urgent_ = true;
+  }
   if (page || stopped || (moved && due)) {
     lines.push_back(Keep());
     urgent_ = urgent_ || !lines.back().empty();
@@ -408,9 +454,10 @@ std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
 }
 
 std::vector<std::string> BookWalk::End() {
-  const std::string failure = Keep();
-  if (!failure.empty()) return {failure};
-  if (!memory_.remembers() || told_failure_) return {};
+  if (walk_ != nullptr && !coming_) letter_ = walk_->Going().value_or(letter_);
+  const std::string why = KeepNow();
+  if (!why.empty()) return {say::PlaceNotKept(why)};
+  if (!memory_.remembers()) return {};
   return {say::PlaceKept(PlaceInWords(letter_))};
 }
 

@@ -29,7 +29,8 @@ struct BookOptions {
   bool alone = false;
   /// Answers are laid under the hand, and two presses give a menu of words: for who cannot hear.
   bool moon = false;
-  bool known = false;  ///< words that are not set are said, as the hand comes to what follows
+  bool known = false;  ///< words that are left out are said, as the hand comes to their marks
+  std::vector<std::string> news = {};  ///< with `moon` laid under the hand at first
 };
 
 /// Leads through a book in a session: its words, where one is, what is kept.
@@ -77,9 +78,12 @@ class BookWalk : public Companion {
   Lines GoTo(const std::string& where, const LoopSnapshot& now);
   Lines Follow(const LoopSnapshot& now);
   Lines Bookmarks();
+  std::optional<Lines> ToPrintPage(std::string_view line, const LoopSnapshot& now);
   std::string ToMark(const std::string& name, const LoopSnapshot& now);
+  std::string ForgetMark(const std::string& name);
   std::string SetMark(std::size_t letter, const std::string& name);
   std::string ToBlock(std::size_t block, std::string what, const LoopSnapshot& now, bool note);
+  std::string KeepNow();
   std::string Keep();
   std::string TakePassage(const std::string& given, const LoopSnapshot& now);
   void See(const LoopSnapshot& now);

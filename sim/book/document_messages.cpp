@@ -29,6 +29,10 @@ std::string Begins(const std::string& example, const char* before = ", the first
 
 std::string NoDocument() { return "read needs a file: moontrace read FILE"; }
 
+std::string ForgetNeedsFile() {
+  return "--forget needs a file, or its number in the list: moontrace read 2 --forget";
+}
+
 std::string TextAlone() {
   return "--text writes the text alone; give it without --json and --print";
 }
@@ -47,6 +51,20 @@ std::string NoSuchMessages(std::string_view given) {
 std::string HowToFeelBook() {
   return "No device with motors: read by touch with --device NAME, or try the words with "
          "--device simulated.";
+}
+
+std::string DeviceRefused(std::string_view device, std::string_view problem) {
+  return fmt::format("Not usable: {}, which has motors: {}.", OneLine(device, 60),
+                     OneLine(problem, 300));
+}
+
+std::string HowToFeelRefused() {
+  return "Once that is mended, read it by touch; or try the words with --device simulated.";
+}
+
+std::string HowToFeelInput() {
+  return "Read by touch with --device NAME; no word can be typed then, since the text is the "
+         "input.";
 }
 
 std::string DocumentName(const Document& document, const std::string& file) {
@@ -93,6 +111,11 @@ std::string LeftOutOf(const LeftOutCount& left_out) {
     case LeftOut::kReading:
       return "Left out: " + Counted(n, "reading beside a character", "readings beside characters") +
              Begins(example);
+    case LeftOut::kGuessedCoding:
+      return fmt::format(
+          "The encoding was guessed: {}. If words look wrong, iconv -f NAME -t UTF-8 FILE makes it "
+          "UTF-8.",
+          OneLine(left_out.example));
     case LeftOut::kBadByte:
       return Has(n, "place", "places") +
              " bytes of no character; a replacement character stands there" +
@@ -145,8 +168,16 @@ std::string MoreContents(std::size_t count) {
 }
 
 std::string SetOfKnown(std::size_t signs) {
-  return fmt::format("Set in the {} that you know; other words are said when you come to them.",
-                     Counted(signs, "sign", "signs"));
+  return fmt::format(
+      "Set in the {} that you know. Two level lines, one above the other, stand for a word with "
+      "other signs; when it is read by touch, it is said as you come to them.",
+      Counted(signs, "sign", "signs"));
+}
+
+std::string LeftOutWordsAre(const LeftOutWords& counts) {
+  if (counts.left_out == 0) return "No word is left out.";
+  return fmt::format("Left out: {} of {}. Two level lines stand for each.", counts.left_out,
+                     Counted(counts.words, "word", "words"));
 }
 
 std::string PrintedDocument(std::size_t pages, double size) {

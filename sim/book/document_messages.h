@@ -5,11 +5,13 @@
 #include <string_view>
 
 #include "lessons/documents/document.h"
+#include "textures/typeset/left_out.h"
 
 /// Sentences about documents that are read.
 namespace moontrace::say {
 
 std::string NoDocument();
+std::string ForgetNeedsFile();
 std::string TextAlone();
 std::string SimulateAlone();
 std::string NoSuchMessages(std::string_view given);
@@ -17,6 +19,11 @@ std::string NoSuchMessages(std::string_view given);
 std::string BrailleReadBy(std::string_view table);
 /// Where nothing is plugged in.
 std::string HowToFeelBook();
+/// Where something is, `problem`: why it cannot be opened.
+std::string DeviceRefused(std::string_view device, std::string_view problem);
+std::string HowToFeelRefused();
+/// Of standard input.
+std::string HowToFeelInput();
 /// Its title, otherwise its file's name.
 std::string DocumentName(const Document& document, const std::string& file);
 /// "\"Title\" by A. Author, en, EPUB: 3 parts, 12 headings, 40 pages." Without `pages` none are
@@ -28,8 +35,9 @@ std::string LeftOutOf(const LeftOutCount& left_out);
 std::string ContentsOutcome(std::size_t lines);
 std::string ContentsLine(const ContentsEntry& entry);
 std::string MoreContents(std::size_t count);
-/// Where only signs that were taught are set: how many these are.
+/// Where only signs that were taught are set: how many these are, and what stands for other words.
 std::string SetOfKnown(std::size_t signs);
+std::string LeftOutWordsAre(const LeftOutWords& counts);
 std::string PrintedDocument(std::size_t pages, double size);  ///< [m]
 
 namespace help {
@@ -38,7 +46,10 @@ inline constexpr const char* kRead =
     "what it holds, "
     "prints it";
 inline constexpr const char* kReadFile =
-    "the document; - is standard input. Without one: what was read last.";
+    "the document, or its number in the list of what was read; - is standard input. Without one: "
+    "that list.";
+inline constexpr const char* kReadForget =
+    "forgets the place and the bookmarks kept of FILE; the file stays.";
 inline constexpr const char* kReader =
     "whose place is kept, a name of your choice. Default the only one in the records.";
 inline constexpr const char* kReadRecords =
@@ -51,7 +62,8 @@ inline constexpr const char* kReadMessages =
     "presses give a menu of words: for readers without sight and hearing. Default text.";
 inline constexpr const char* kReadKnown =
     "only the signs that the learner has been taught are set, by the records: contractions are "
-    "spelled out, and words with other signs are said as you come to them.";
+    "spelled out; for a word with other signs two level lines stand, and it is said as you come to "
+    "them.";
 inline constexpr const char* kReadTutor =
     "lets a tutor in from another terminal (moontrace tutor): hears what you hear, follows the "
     "line, moves you, sends texts.";

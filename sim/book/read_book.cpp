@@ -1,12 +1,10 @@
 #include "sim/book/read_book.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "lessons/documents/document_places.h"
 #include "lessons/documents/transcribe.h"
 #include "lessons/records/learner_names.h"
 #include "sim/book/book_memory.h"
@@ -15,6 +13,8 @@
 #include "sim/book/book_walk.h"
 #include "sim/book/document_messages.h"
 #include "sim/book/moon_lines.h"
+#include "sim/book/read_list.h"
+#include "sim/book/unset_words.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_session.h"
 #include "sim/setup/typeset_report.h"
@@ -22,14 +22,6 @@
 
 namespace moontrace {
 namespace {
-
-/// Absolute, links followed; empty for standard input.
-std::string PathOf(const std::string& file) {
-  if (file == "-") return {};
-  std::error_code ignored;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(file, ignored);
-  return ignored ? file : path.string();
-}
 
 SessionRequest RequestOf(const ReadBookOptions& options, const std::string& file,
                          std::string text) {
@@ -78,7 +70,7 @@ std::optional<BookMemory> MemoryOf(const ReadBookOptions& options, const Book& b
       console.Remark(say::ReadsWithoutName());
       return BookMemory();
     }
-    return BookMemory(std::move(records), std::move(*learner), PathOf(file), book.title,
+    return BookMemory(std::move(records), std::move(*learner), PathOfRead(file), book.title,
                       book.text.text);
   } catch (const InputError& error) {
     console.Remark(say::PlaceNotKept(error.what()));
@@ -86,6 +78,29 @@ std::optional<BookMemory> MemoryOf(const ReadBookOptions& options, const Book& b
     console.Remark(say::PlaceNotKept(error.what()));
   }
   return BookMemory();
+}
+
+/// What must be known before reading: of what was kept, and of what is felt.
+std::vector<std::string> NewsOf(const BookMemory& memory, const LoopSession& session, bool known) {
+  std::vector<std::string> news;
+  if (memory.replaced()) news.push_back(say::BookReplaced());
+  for (const ReadMark& mark : memory.lost_marks()) {
+    news.push_back(say::MarkLost(mark.name, WordsOf(mark.place.before + mark.place.behind)));
+  }
+  if (known) news.push_back(say::LeftOutWordsAre(CountLeftOut(session.text())));
+  return news;
+}
+
+/// What was left out of a document that is not known yet, and replaced in it.
+void SayLeftOut(const Document& document, const LoopSession& session, Console& console) {
+  for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
+  SayReplacements(
+      session.text().set, [&console](const std::string& line) { console.Remark(line); },
+      kReplacementsSaid);
+}
+
+void SayEnd(BookWalk& walk, Console& console) {
+  for (const std::string& line : walk.End()) console.Result(line);
 }
 
 }  // namespace
@@ -101,15 +116,14 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   LoopSession session(RequestOf(options, file, text.text), console);
   const std::size_t pages = session.text().set.pages.size();
   console.Result(say::DocumentSummary(document, file, &pages));
-  if (memory.known_by() != KnownBy::kContent) {  // else it was told before
-    for (const LeftOutCount& one : document.left_out) console.Result(say::LeftOutOf(one));
-    SayReplacements(session.text().set,
-                    [&console](const std::string& line) { console.Remark(line); });
-  }
+  const std::vector<std::string> news = NewsOf(memory, session, options.known);
+  for (const std::string& line : news) console.Result(line);
+  if (memory.known_by() != KnownBy::kContent) SayLeftOut(document, session, console);
   const std::string why_not = session.loop().not_realtime();
   if (session.device().felt() && !why_not.empty()) console.Remark(say::NotRealtime(why_not));
   SayBeginning(session, console);
-  BookWalk walk(session, book, memory, {options.turns, options.alone, options.moon, options.known});
+  BookWalk walk(session, book, memory,
+                {options.turns, options.alone, options.moon, options.known, news});
   std::optional<BookDesk> tutors;
   if (options.tutor)
     tutors.emplace(memory.remembers() ? memory.learner() : "reader", book.title, walk);
@@ -117,15 +131,38 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   drive.seconds = options.live.seconds;
   drive.companion = &walk;
   drive.typed = &typed;
+  drive.input_ends = !options.alone;
   if (tutors) drive.elsewhere = &*tutors;
   try {
     Drive(session, drive, console);
-  } catch (const Interrupted&) {
+  } catch (const OutputLost&) {
     walk.End();
     throw;
+  } catch (const Interrupted&) {
+    SayEnd(walk, console);
+    throw;
   }
-  for (const std::string& line : walk.End()) console.Result(line);
+  SayEnd(walk, console);
   RequireDevice(session);
+}
+
+std::optional<ListedFile> ChooseReading(const ReadBookOptions& options, Console& console) {
+  std::vector<ListedFile> files = FilesToReadOn(options.learner, options.records);
+  if (files.empty()) {
+    console.Result(say::NothingRead());
+    TellInPlaceOfBook(say::NothingRead(), options, console);
+    return std::nullopt;
+  }
+  std::vector<std::string> answers;
+  for (const ListedFile& one : files) {
+    answers.push_back(say::NumberedTitle(answers.size() + 1, one.title));
+  }
+  LineReader typed(console.in());
+  const auto taken =
+      ChooseByTouch(RequestOf(options, "", ""), say::AskWhichText(), answers, typed, console);
+  if (!taken) return std::nullopt;
+  const auto at = std::find(answers.begin(), answers.end(), *taken) - answers.begin();
+  return std::move(files[static_cast<std::size_t>(at)]);
 }
 
 void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& options,
@@ -136,39 +173,6 @@ void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& optio
   } catch (const InputError&) {  // the sentence stands in the text face as well
   } catch (const LackError&) {
   }
-}
-
-void ListReadings(const std::string& learner, const std::string& records, bool json,
-                  Console& console) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::vector<std::pair<ReadDocument, std::string>> all;
-  std::error_code ignored;
-  if (Records::Available() && std::filesystem::exists(records, ignored)) {
-    const Records file = Records::OpenToRead(records);
-    const std::vector<LearnerEntry> known = file.Learners();
-    const std::string wanted = learner.empty() ? std::string() : KeptName(learner, known);
-    for (const LearnerEntry& one : known) {
-      if (!learner.empty() && one.pseudonym != wanted) continue;
-      for (ReadDocument& reading : file.Readings(one.pseudonym)) {
-        all.emplace_back(std::move(reading), one.pseudonym);
-      }
-    }
-  }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.first.time > b.first.time; });
-  console.Result(all.empty() ? say::NothingRead() : say::ReadOutcome(all.size()));
-  for (const auto& [reading, who] : all) {
-    console.Result(say::ReadLineOf(reading, learner.empty() ? who : ""));
-    if (!reading.path.empty()) console.Path(reading.path);
-    list.push_back({{"learner", who},
-                    {"title", reading.title},
-                    {"path", reading.path},
-                    {"time_unix_s", reading.time},
-                    {"letter", reading.place.letter},
-                    {"where", reading.where},
-                    {"bookmarks", reading.marks.size()}});
-  }
-  if (json) console.Json(Dump({{"readings", std::move(list)}}));
 }
 
 }  // namespace moontrace

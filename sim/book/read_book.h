@@ -1,15 +1,21 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "lessons/documents/document.h"
+#include "sim/book/read_list.h"
 #include "sim/console/console.h"
 #include "sim/session/device_choice.h"
 #include "sim/setup/options.h"
 
 namespace moontrace {
+
+/// Of characters that were replaced so many are said of each kind, then how many more there are:
+/// who opens a book wants to read.
+inline constexpr std::size_t kReplacementsSaid = 3;
 
 /// How a document is felt.
 struct ReadBookOptions {
@@ -33,12 +39,13 @@ struct ReadBookOptions {
 void ReadBook(const Document& document, const std::string& file, const ReadBookOptions& options,
               Console& console);
 
+/// Lays on the device what was read and can be read on, a title a line, until a press on one
+/// chooses it. None: there is nothing, which is told there too, or whoever was asked has left.
+/// Throws as ReadBook.
+std::optional<ListedFile> ChooseReading(const ReadBookOptions& options, Console& console);
+
 /// Lays on the device why there is no book to read, until a press or a word. Throws Interrupted.
 void TellInPlaceOfBook(const std::string& sentence, const ReadBookOptions& options,
                        Console& console);
-
-/// Says what was read last, with its places; of one learner, if one is named.
-void ListReadings(const std::string& learner, const std::string& records, bool json,
-                  Console& console);
 
 }  // namespace moontrace

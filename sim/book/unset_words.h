@@ -4,12 +4,15 @@
 #include <string>
 
 #include "sim/session/felt_page.h"
+#include "textures/typeset/left_out.h"
 
 namespace moontrace {
 
-/// The words of which not all letters are set (TypeStyle::only) up to and with the word of a glyph
-/// of the page, from the word before it that has one: what is to be said as a hand comes to that
-/// word. Behind the text's last letter also the rest. Words apart by single blanks; empty: none.
+/// The words for which a glyph of the page stands as the mark of what was left out (kLeftOutMark):
+/// what is to be said as a hand comes to it. Empty: it is another sign.
 std::string UnsetWords(const FeltPage& page, std::size_t glyph);
+
+/// Words of all pages of a text, and how many of them are left out.
+LeftOutWords CountLeftOut(const TextSetup& text);
 
 }  // namespace moontrace

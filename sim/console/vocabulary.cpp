@@ -81,6 +81,7 @@ constexpr auto kWords = std::to_array<TypedWord>({
     {57, "follow", In("B"), true, "", "the link or the note at the tip; return comes back"},
     {58, "bookmark", In("B"), true, "NAME", "sets one here, as two presses do"},
     {59, "bookmarks", In("B"), true, "", "all of them"},
+    {60, "forget", In("B"), true, "NAME", "takes that bookmark away"},
 });
 
 bool Begins(std::string_view whole, std::string_view begin) {

@@ -108,7 +108,9 @@ class Driver : private LoopListener {
 
   /// Nobody can say "quit" any more. Where the text itself was the input, no word was meant to
   /// come.
-  bool InputEndsIt() const { return !options_.seconds && !session_.text_was_input(); }
+  bool InputEndsIt() const {
+    return options_.input_ends && !options_.seconds && !session_.text_was_input();
+  }
 
   /// What is said in the window is as if it were typed.
   void LookAtWindow() {

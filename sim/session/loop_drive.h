@@ -74,6 +74,7 @@ class Elsewhere {
 struct DriveOptions {
   std::optional<double> seconds;  ///< ends by itself; none: by "quit", or once input has ended
   bool sizes = true;              ///< words that change the page do something
+  bool input_ends = true;         ///< ends with its input; else it ends otherwise, as by itself
   std::function<void(const LoopSample&)> sample;  ///< is given every tick, off the tick
   ViewFeed* view = nullptr;                       ///< shows it; closing its window ends it
   Companion* companion = nullptr;

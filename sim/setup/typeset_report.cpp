@@ -10,13 +10,12 @@
 #include "sim/picture/sheet_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "textures/base/units.h"
+#include "textures/typeset/left_out.h"
 #include "textures/typeset/rules.h"
 
 namespace moontrace {
 
 namespace {
-
-constexpr std::size_t kMostSaid = 20;
 
 const char* How(Replaced how) {
   switch (how) {
@@ -207,19 +206,20 @@ void SaySheet(const TypeStyle& style, std::size_t rules,
   if (style.texture.paper) say_line(say::SheetTexture(style));
 }
 
-void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line) {
-  const auto say_all = [&say_line](const std::vector<Replacement>& list, std::size_t count,
-                                   auto sentence) {
+void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line,
+                     std::size_t most) {
+  const auto say_all = [&say_line, most](const std::vector<Replacement>& list, std::size_t count,
+                                         auto sentence) {
     const std::vector<Repeated> kinds = ByKind(list);
     std::size_t said = 0;
-    for (std::size_t i = 0; i < std::min(kinds.size(), kMostSaid); ++i) {
+    for (std::size_t i = 0; i < std::min(kinds.size(), most); ++i) {
       say_line(sentence(*kinds[i].first, kinds[i].times));
       said += kinds[i].times;
     }
     if (count > said) say_line(say::MoreReplacements(count - said));
   };
   say_all(set.missing, set.missing_count, say::Missing);
-  say_all(set.untaught, set.untaught_count, say::Untaught);
+  if (!LeavesOutWords(set.style.only)) say_all(set.untaught, set.untaught_count, say::Untaught);
   say_all(set.folded, set.folded_count, say::Folded);
   say_all(set.doubtful, set.doubtful_count, say::Doubtful);
 }

@@ -36,9 +36,10 @@ Json TypesetJson(const Typeset& set, const Script& script);
 /// The same of a text whose pages are not in `set`, or not all.
 Json TypesetJson(const Typeset& set, const Script& script, const PageCounts& counts);
 
-/// Each character that was left out, replaced or is doubtful, the first 20 of each kind, then how
-/// many more.
-void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line);
+/// Each character that was left out, replaced or is doubtful, the first `most` of each kind, then
+/// how many more. Not those for which whole words are left out (left_out.h).
+void SayReplacements(const Typeset& set, const std::function<void(const std::string&)>& say_line,
+                     std::size_t most = 20);
 
 /// On one line; bytes that are not UTF-8 (of a path) are replaced.
 std::string Dump(const Json& json);

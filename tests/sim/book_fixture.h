@@ -27,6 +27,13 @@ class BookWalkTest : public CliTest {
     Again();
   }
 
+  /// Another text, or an edited one, in place of it.
+  void Replace(const std::string& html, const std::string& path = "/books/tides.html") {
+    document_ = ReadHtml("<html>" + html + "</html>", "x");
+    text_ = Transcribe(document_);
+    Again(path);
+  }
+
   /// The same, by who comes back.
   void Again(const std::string& path = "/books/tides.html") {
     walk_.reset();

@@ -7,6 +7,7 @@
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/utf8.h"
+#include "textures/typeset/left_out.h"
 #include "textures/typeset/line_ends.h"
 
 namespace moontrace {
@@ -90,6 +91,8 @@ void SignWriter::Teach(const std::vector<std::string>& only) {
   if (only.empty()) return;
   taught_.assign(script_.glyphs.size(), false);
   for (const std::string& name : only) taught_[Glyph(name)] = true;
+  leaves_out_words_ = LeavesOutWords(only);
+  if (leaves_out_words_) left_out_mark_ = Glyph(kLeftOutMark);
 }
 
 // Of a character that has a sign; a digit is written with the numeral sign.
@@ -148,8 +151,11 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
   bool reads_on = false;                    // the next sign reads as a digit if it can
   std::size_t spelled = line.size();        // where the protect mark forbids a group
   const std::vector<LineEnd> ends = LineEndsOf(line);
+  const std::size_t begin = signs.size();
+  WrittenLine as{std::vector<std::size_t>(line.size()), std::vector<bool>(line.size())};
   for (std::size_t at = 0; at < line.size();) {
     const FoldedChar& c = line[at];
+    as.first[at] = signs.size();
     if (script_.protect_mark != 0 && c.code == script_.protect_mark && Match(line, at + 1, false)) {
       spelled = ++at;
       continue;
@@ -157,6 +163,7 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
     const Group* group = at == spelled ? nullptr : Match(line, at, true);
     const std::size_t length = group ? group->print.size() : 1;
     for (std::size_t i = at; i < at + length; ++i) {
+      as.first[i] = signs.size();
       if (line[i].changed && line[i].kind != Kind::kMissing) {
         Note(typeset.folded, typeset.folded_count, text, line_number, line[i], Became(line, i));
       }
@@ -169,6 +176,7 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
       WriteGroup(*group, line, at, signs);
     } else if (!taught) {
       Note(typeset.untaught, typeset.untaught_count, text, line_number, c, {});
+      as.untaught[at] = true;
     } else if (is_digit) {
       const bool goes_on = in_number && c.apart == line[at - 1].apart;
       if (!goes_on) {
@@ -205,6 +213,7 @@ void SignWriter::Write(std::string_view text, std::size_t line_number,
     in_word = c.kind != Kind::kSpace && (in_word || (c.kind == Kind::kSign && c.code != U'-'));
     at += length;
   }
+  if (leaves_out_words_) LeaveOutWords(line, as, left_out_mark_, begin, signs);
 }
 
 }  // namespace moontrace

@@ -30,6 +30,7 @@ namespace moontrace {
 ///
 /// With taught signs given, a group with a sign that is not taught is spelled out, and a letter,
 /// mark or digit that is not taught (a digit needs the numeral sign too) is left out and noted.
+/// With kLeftOutMark (left_out.h) among them the words that lack one are left out whole.
 class SignWriter : public Writer {
  public:
   /// `only` as in TypeStyle: the signs taught so far; empty = all. Throws InputError: an unknown
@@ -64,6 +65,8 @@ class SignWriter : public Writer {
   std::vector<Group> groups_;                            // longest first
   std::vector<bool> taught_;                             // by glyph; empty = all
   std::uint32_t numeral_ = 0;
+  std::uint32_t left_out_mark_ = 0;
+  bool leaves_out_words_ = false;
 };
 
 }  // namespace moontrace

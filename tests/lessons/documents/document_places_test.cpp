@@ -80,10 +80,10 @@ TEST(FindAgain, LeadsToTheSameLetterAfterAnEdit) {
   // the words before it were written anew, or the words behind it
   std::string before = text;
   before.replace(byte - 30, 30, "something else altogether ");
-  EXPECT_EQ(before.substr(FindAgain(before, around, byte, text.size()), 5), "321 o");
+  EXPECT_EQ(before.substr(FindAgain(before, around, byte, text.size()).value(), 5), "321 o");
   std::string behind = text;
   behind.replace(byte, 60, "is gone. ");
-  EXPECT_EQ(behind.substr(FindAgain(behind, around, byte, text.size()), 7), "is gone");
+  EXPECT_EQ(behind.substr(FindAgain(behind, around, byte, text.size()).value(), 7), "is gone");
 }
 
 TEST(FindAgain, TakesTheNearestOfSeveralAndNeverLeavesTheText) {
@@ -92,9 +92,49 @@ TEST(FindAgain, TakesTheNearestOfSeveralAndNeverLeavesTheText) {
   const std::size_t byte = 22 * 60 + 4;
   const Around around = AroundOf(text, byte);
   EXPECT_EQ(FindAgain(text, around, byte, text.size()), byte);
-  EXPECT_EQ(FindAgain("other", around, byte, text.size()), 3U);  // 60 percent
-  EXPECT_EQ(FindAgain("", around, byte, text.size()), 0U);
-  EXPECT_LT(FindAgain("x", {}, 5, 0), 1U);
+  EXPECT_EQ(FindAgain("", around, byte, text.size()), std::nullopt);
+  EXPECT_EQ(FindAgain("x", {}, 5, 0), std::nullopt);
+  EXPECT_EQ(SameShare("other", byte, text.size()), 3U);  // 60 percent
+  EXPECT_EQ(SameShare("", 5, 9), 0U);
+  EXPECT_EQ(SameShare("x", 5, 0), 0U);
+}
+
+TEST(FindAgain, TakesAFewWordsThatAreTheSameForNothing) {
+  const std::string text = Numbered(0, 100);
+  const std::size_t byte = text.find("e 50") + 2;
+  const Around around = AroundOf(text, byte);
+  EXPECT_EQ(FindAgain("Chapter 1 of a long book. And so on and on.", around, byte, text.size()),
+            std::nullopt);
+  // of a short text all that was kept must be there
+  EXPECT_EQ(FindAgain("So it is so.", AroundOf("It is so.", 3), 3, 9), std::nullopt);
+  EXPECT_EQ(FindAgain("Hm. It is so.", AroundOf("It is so.", 3), 3, 9), 7U);
+}
+
+TEST(Landmarks, TellAnEditFromABookThatBeginsAlike) {
+  const std::string text = Numbered(0, 300);
+  const std::string landmarks = LandmarksOf(text);
+  EXPECT_LT(landmarks.size(), 600U);
+  EXPECT_EQ(LandmarksIn(text, landmarks), 1);
+  EXPECT_GT(LandmarksIn("A new paragraph.\n\n" + text.substr(200), landmarks), 0.9);
+  const std::string front = text.substr(0, 1000);  // of a tenth
+  EXPECT_LT(LandmarksIn(front + std::string(9000, 'x'), landmarks), 0.2);
+  EXPECT_EQ(LandmarksIn("", landmarks), 0);
+  EXPECT_EQ(LandmarksIn(text, ""), 0);
+  EXPECT_EQ(LandmarksIn("It is so.", LandmarksOf("It is so.")), 1);
+  EXPECT_EQ(LandmarksOf(""), "");
+}
+
+TEST(ReadAt, OfAListIsItsItemAndIsCutBetweenWords) {
+  if (!CanReadHtml()) GTEST_SKIP() << "built without libgumbo";
+  std::string html = "<html><ul>";
+  for (int i = 0; i < 40; ++i) html += "<li>item number " + std::to_string(i) + "</li>";
+  const Document document = ReadHtml(html + "</ul></html>", "x");
+  const Transcription text = Transcribe(document);
+  EXPECT_EQ(ReadAt(document, text, text.text.find("number 17")), "- item number 17");
+  std::string words;
+  for (int i = 0; i < 200; ++i) words += "word" + std::to_string(i) + " ";
+  const std::string cut = SentenceAt(words, words.find("word100"));
+  EXPECT_NE(words.find(" " + cut + " "), std::string::npos) << cut;
 }
 
 }  // namespace

@@ -60,6 +60,45 @@ TEST(DecodeText, TakesTheDeclaredEncodingWhereBytesAreNotUtf8) {
             "Windows-1252");
 }
 
+// By `iconv -t` of GNU libc: "Мороз и солнце; день чудесный!" and "これは本です".
+TEST(DecodeText, GuessesCyrillicAndJapaneseAndSaysSo) {
+  const std::string pushkin = "Мороз и солнце; день чудесный!";
+  const DecodedText koi8 = DecodeText(
+      "\xed\xcf\xd2\xcf\xda \xc9 \xd3\xcf\xcc\xce\xc3\xc5; \xc4\xc5\xce\xd8 "
+      "\xde\xd5\xc4\xc5\xd3\xce\xd9\xca!");
+  EXPECT_EQ(koi8.text, pushkin);
+  EXPECT_TRUE(koi8.guessed);
+  const DecodedText windows = DecodeText(
+      "\xcc\xee\xf0\xee\xe7 \xe8 \xf1\xee\xeb\xed\xf6\xe5; \xe4\xe5\xed\xfc "
+      "\xf7\xf3\xe4\xe5\xf1\xed\xfb\xe9!");
+  EXPECT_EQ(windows.text, pushkin);
+  EXPECT_TRUE(windows.guessed);
+  const DecodedText japanese = DecodeText("\x82\xb1\x82\xea\x82\xcd\x96\x7b\x82\xc5\x82\xb7");
+  EXPECT_EQ(japanese.text, "これは本です");
+  EXPECT_TRUE(japanese.guessed);
+  EXPECT_TRUE(DecodeText("Gr\xFC\xDF"
+                         "e")
+                  .guessed);
+  EXPECT_FALSE(DecodeText("Gr\xFC\xDF"
+                          "e",
+                          "iso-8859-1")
+                   .guessed);
+  EXPECT_FALSE(DecodeText(kUtf8).guessed);
+}
+
+TEST(DecodeText, KnowsUtf32ByItsMark) {
+  const std::string little("\xFF\xFE\0\0G\0\0\0\xFC\0\0\0\x02\xF6\x01\0", 16);
+  const std::string big("\0\0\xFE\xFF\0\0\0G\0\0\0\xFC\0\x01\xF6\x02", 16);
+  for (const std::string& bytes : {little, big}) {
+    EXPECT_FALSE(IsBinary(bytes));
+    const DecodedText decoded = DecodeText(bytes);
+    EXPECT_EQ(decoded.encoding, "UTF-32");
+    EXPECT_EQ(decoded.text, "Gü😂");
+    EXPECT_EQ(decoded.bad, 0U);
+  }
+  EXPECT_EQ(DecodeText(little + std::string("\0\xD8\0\0x", 5)).bad, 2U);
+}
+
 TEST(DecodeText, CountsWhatIsNoCharacter) {
   const DecodedText broken = DecodeText(kUtf8 + kUtf8 + "\xFF");
   EXPECT_EQ(broken.encoding, "UTF-8");

@@ -38,6 +38,7 @@ TEST_F(OpenDocumentFile, TellsKindsApartByWhatTheyHold) {
   const Document latin = OpenDocument(SourcePath("tests/data/documents/latin.txt"), {});
   EXPECT_EQ(latin.format, DocumentFormat::kText);
   EXPECT_EQ(latin.encoding, "Windows-1252");
+  EXPECT_EQ(CountOf(latin, LeftOut::kGuessedCoding), 1U);
   ASSERT_EQ(latin.blocks.size(), 2U);
   EXPECT_EQ(latin.blocks[0].text,
             "Gr\xC3\xBC\xC3\x9F"
@@ -56,6 +57,8 @@ TEST_F(OpenDocumentFile, RefusesInOneLineWhatItCannotRead) {
                                                "ELF\0\0\0",
                                                7))),
             "is no text; save it as EPUB, HTML or plain text");
+  EXPECT_EQ(Refused(Write("book.txt.gz", "\x1F\x8B\x08 x")),
+            "is packed; unpack it first by gunzip, and read what that gives");
   EXPECT_EQ(Refused(Write("empty.txt", "")), "holds no text; name another file");
   EXPECT_EQ(Refused(Write("blank.txt", " \n\n")), "holds no text; name another file");
   EXPECT_EQ(Refused(Path("none.txt")),

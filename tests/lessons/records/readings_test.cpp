@@ -21,6 +21,9 @@ ReadDocument Book() {
                 "ber"};
   book.where = "page 3 of 12";
   book.marks = {{"tea", {10, "a", "b"}}, {"1", {20, "", "c"}}};
+  book.landmarks =
+      "the light went round\x1e"
+      "and round\x1e";
   return book;
 }
 
@@ -90,6 +93,28 @@ TEST_F(Readings, AreExportedImportedAndErasedWithTheirLearner) {
   records.Import(history, "x.json");
   book.id = records.Readings("owl").front().id;
   EXPECT_EQ(records.Readings("owl").front(), book);
+}
+
+TEST_F(Readings, AreForgottenOneByOne) {
+  Records records = Records::Open(path_);
+  records.AddLearner(Named("owl"));
+  records.AddLearner(Named("bat"));
+  ReadDocument book = Book();
+  const std::int64_t first = records.Keep("owl", book);
+  book.title = "Tides";
+  book.marks.clear();
+  book.landmarks.clear();
+  book.place = {};
+  book.path = "/books/tides.epub";
+  records.Keep("owl", book);
+  EXPECT_FALSE(records.Forget("bat", first));  // not another learner's
+  EXPECT_TRUE(records.Forget("owl", first));
+  EXPECT_FALSE(records.Forget("owl", first));
+  ASSERT_EQ(records.Readings("owl").size(), 1U);
+  EXPECT_EQ(records.Readings("owl").front().title, "Tides");
+  for (const char* piece : {"Lighthouse", "lighthouse", "so he w", "tea", "went round"}) {
+    EXPECT_EQ(Bytes().find(piece), std::string::npos) << piece;
+  }
 }
 
 TEST_F(Readings, BoundWhatTheyKeep) {

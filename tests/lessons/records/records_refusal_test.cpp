@@ -94,8 +94,8 @@ TEST_F(RecordsRefusal, OfAMissingFileWhereOneIsToBeRead) {
 
 TEST_F(RecordsRefusal, OfAFileFromTheFuture) {
   Fill();
-  Database(path_, true).Run("PRAGMA user_version = 4");
-  ExpectRefused("of a newer Moontrace (version 4 of records, here 3); update this program");
+  Database(path_, true).Run("PRAGMA user_version = 5");
+  ExpectRefused("of a newer Moontrace (version 5 of records, here 4); update this program");
 }
 
 TEST_F(RecordsRefusal, OfWhatIsNoDatabase) {

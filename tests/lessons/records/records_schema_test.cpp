@@ -75,14 +75,14 @@ void ExpectAllOfVersionOne(const Records& records) {
 TEST_F(RecordsSchema, BringsVersionOneUpToDateWithAllItHolds) {
   Records records = Records::Open(path_);
   ExpectAllOfVersionOne(records);
-  EXPECT_EQ(Database(path_, false).Number("PRAGMA user_version"), 3);
+  EXPECT_EQ(Database(path_, false).Number("PRAGMA user_version"), 4);
   records.AddLearner(Named("owl"));
   records.Add("owl", "c", NumberedTrial(1));
 }
 
 TEST_F(RecordsSchema, BringsVersionOneUpToDateForWhoeverOnlyReads) {
   ExpectAllOfVersionOne(Records::OpenToRead(path_));
-  EXPECT_EQ(Database(path_, false).Number("PRAGMA user_version"), 3);
+  EXPECT_EQ(Database(path_, false).Number("PRAGMA user_version"), 4);
 }
 
 TEST_F(RecordsSchema, ChangesNothingWhereAStepFails) {

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 #include "lessons/records/records.h"
 #include "sim/app/commands.h"
 #include "sim/session/loop_messages.h"
+#include "tests/devices/fake_hid.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/source_path.h"
 
@@ -135,9 +137,27 @@ TEST_F(ReadCommand, IsReadByWordsAndGoesOnWhereItWasLeft) {
   EXPECT_NE(second.out.find("\ntea: page 3 of "), std::string::npos) << second.out;
   const Outcome list = RunLine({"read", "--records", In("r.sqlite")});
   EXPECT_EQ(list.code, 0);
-  EXPECT_EQ(list.out.rfind("Read last: 1 text.\nThe Lighthouse: page 3 of ", 0), 0U) << list.out;
+  EXPECT_EQ(list.out.rfind("Read last: 1 text.\n1: The Lighthouse, page 3 of ", 0), 0U) << list.out;
   EXPECT_EQ(RunLine({"read", "--records", In("none.sqlite")}).out,
             "Nothing was read yet: say moontrace read FILE.\n");
+}
+
+TEST_F(ReadCommand, InMoonATextIsChosenOfThoseThatWereRead) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  const std::vector<std::string> line{"read",         "--device",  "simulated",
+                                      "--messages",   "moon",      "--records",
+                                      In("r.sqlite"), "--learner", "owl"};
+  EXPECT_NE(RunLine(line, "quit\n").out.find("Nothing was read yet: "), std::string::npos);
+  for (const char* name : {"sea.txt", "sky.txt"}) {
+    WriteAll(In(name), std::string("All about ") + name);
+    ASSERT_EQ(RunLine(Reading(In(name), In("r.sqlite")), "quit\n").code, 0);
+  }
+  const Outcome outcome = RunLine(line, "2 sea.txt\nquit\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("read which?\n1 sky.txt\n2 sea.txt\n", 0), 0U) << outcome.out;
+  EXPECT_NE(outcome.out.find("You go on: page 1 of 1, line 1, at a, in \"sea.txt\"."),
+            std::string::npos)
+      << outcome.out;
 }
 
 TEST_F(ReadCommand, ReadsOnWithoutPlacesWhereNobodyIsNamed) {
@@ -155,6 +175,124 @@ TEST_F(ReadCommand, ReadsStandardInputByTouchWithoutWords) {
       "some words\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find(say::CannotSpeak()), std::string::npos) << outcome.err;
+}
+
+TEST_F(ReadCommand, OpensAndForgetsByTheNumberInTheList) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  for (const char* name : {"one", "two"}) {
+    WriteAll(In(std::string(name) + ".txt"), std::string(name) + " text to be read, and kept.");
+    ASSERT_EQ(RunLine(Reading(In(std::string(name) + ".txt"), In("r.sqlite")), "quit\n").code, 0);
+  }
+  const std::vector<std::string> records{"--records", In("r.sqlite")};
+  const auto number_of = [&](const std::string& name) {
+    const auto list = RunLine(With({"read", "--json"}, records)).Json()["readings"];
+    return list[0]["title"] == name ? std::string("1") : std::string("2");
+  };
+  const std::string one = number_of("one.txt"), two = number_of("two.txt");
+  const Outcome opened =
+      RunLine(With({"read", one, "--device", "simulated", "--size-mm", "8"}, records), "quit\n");
+  EXPECT_EQ(opened.code, 0) << opened.err;
+  EXPECT_NE(opened.out.find(", in \"one.txt\"."), std::string::npos) << opened.out;
+  const Outcome third = RunLine(With({"read", "3"}, records));
+  EXPECT_EQ(third.code, 3);
+  EXPECT_EQ(third.err,
+            "3: no file, and no number of the list, which has 2 texts; moontrace read "
+            "says it\n");
+  std::filesystem::remove(In("two.txt"));
+  const Outcome gone = RunLine(With({"read", number_of("two.txt")}, records));
+  EXPECT_EQ(gone.code, 3);
+  EXPECT_NE(gone.err.find("its file is gone"), std::string::npos) << gone.err;
+  const Outcome list = RunLine(With({"read"}, records));
+  EXPECT_NE(list.out.find("That file is gone; it may lie elsewhere:\n"), std::string::npos)
+      << list.out;
+  ExpectTextFace(list.out);
+  const Outcome forgotten = RunLine(With({"read", number_of("two.txt"), "--forget"}, records));
+  EXPECT_EQ(forgotten.code, 0) << forgotten.err;
+  EXPECT_EQ(forgotten.out.rfind("Forgotten: the place of owl in \"two.txt\", and 0 bookmarks.", 0),
+            0U)
+      << forgotten.out;
+  EXPECT_EQ(RunLine(With({"read", In("one.txt"), "--forget"}, records)).code, 0);
+  EXPECT_EQ(RunLine(With({"read", In("one.txt"), "--forget"}, records)).code, 3);
+  EXPECT_EQ(RunLine(With({"read"}, records)).out,
+            "Nothing was read yet: say moontrace read FILE.\n");
+  EXPECT_EQ(RunLine({"read", "--forget"}).code, 2);
+}
+
+TEST_F(ReadCommand, AnotherTextInTheFileIsSaidAndTheOldOneStaysInTheList) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  const auto line = Reading(In("book.txt"), In("r.sqlite"));
+  WriteAll(In("book.txt"),
+           "The tides of the harbour, told by its keeper, day by day and hour by hour.");
+  ASSERT_EQ(RunLine(line, "bookmark tea\nquit\n").code, 0);
+  WriteAll(In("book.txt"),
+           "A letter from far away, which has nothing to do with any water at all.");
+  const Outcome other = RunLine(line, "bookmarks\nquit\n");
+  EXPECT_NE(other.out.find("Another text lay in this file before."), std::string::npos)
+      << other.out;
+  EXPECT_NE(other.out.find("No bookmark yet"), std::string::npos) << other.out;
+  const Outcome list = RunLine({"read", "--records", In("r.sqlite")});
+  EXPECT_EQ(list.out.rfind("Read last: 2 texts", 0), 0U) << list.out;
+  EXPECT_NE(list.out.find("That file holds another text now:\n"), std::string::npos) << list.out;
+}
+
+TEST_F(ReadCommand, KeepsWhatWasFoundThoughTheHandHasNotComeThere) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  std::string book;
+  for (int i = 0; i < 100; ++i) book += "Sentence " + std::to_string(i) + " of a long book. ";
+  WriteAll(In("book.txt"), book);
+  RunLine(Reading(In("book.txt"), In("r.sqlite")), "find 77\nquit\n");
+  const ReadDocument kept = Records::OpenToRead(In("r.sqlite")).Readings("owl").at(0);
+  EXPECT_EQ(kept.place.letter, static_cast<std::int64_t>(book.find("77")));
+}
+
+TEST_F(ReadCommand, ReadsToTheEndThoughNoWordCanCome) {
+  WriteAll(In("short.txt"), "it");
+  const Outcome outcome = RunLine(
+      {"read", In("short.txt"), "--simulate", "--size-mm", "8", "--records", In("r.sqlite")}, "");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("This is the end of the text.\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(ReadCommand, SaysWhereOneIsWhenItIsInterrupted) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  WriteAll(In("book.txt"), "One text to be read.");
+  std::atomic<bool> stop{false};
+  std::thread later([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(800));
+    stop = true;
+  });
+  auto line = Reading(In("book.txt"), In("r.sqlite"));
+  line.insert(line.end(), {"--seconds", "60"});
+  const Outcome outcome = RunLine(line, "", &stop);
+  later.join();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_NE(outcome.out.find("Kept: page 1 of 1, "), std::string::npos) << outcome.out;
+}
+
+TEST_F(ReadCommand, SaysThatAPermissionIsMissingAndHowToGiveIt) {
+  const FakeHid fake("pid", "refused");
+  const Outcome outcome = RunLine({"read", Fixture("latin.txt"), "--size-mm", "8"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_NE(outcome.out.find("Not usable: openffboard, which has motors: no permission.\n"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("\n/etc/udev/rules.d/70-moontrace-hid.rules\n"), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(outcome.err.find("No device with motors"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ReadCommand, OfReplacedCharactersItSaysThreeAndHowManyMore) {
+  std::string text = "text";
+  for (char c = 'A'; c < 'A' + 7; ++c) text += std::string(" \xCC\x80").insert(1, 1, c);
+  WriteAll(In("accents.txt"), text);  // letters with a grave accent
+  const Outcome outcome = RunLine({"read", In("accents.txt"), "--device", "simulated", "--size-mm",
+                                   "8", "--records", In("r.sqlite")},
+                                  "quit\n");
+  std::size_t said = 0;
+  for (const std::string& one : Lines(outcome.err))
+    said += one.rfind("Replaced: ", 0) == 0 ? 1U : 0U;
+  EXPECT_EQ(said, 3U) << outcome.err;
+  EXPECT_NE(outcome.err.find("And 4 more like these"), std::string::npos) << outcome.err;
 }
 
 class SlowReadCommand : public ReadCommand {};

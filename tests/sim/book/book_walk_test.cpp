@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "lessons/documents/text_document.h"
@@ -250,7 +251,8 @@ TEST_F(BookWalkTest, ContentsAndBookmarksAreChosenByAPress) {
   const LoopSnapshot now = At(Byte("draws"));
   Say("bookmark tea", now);
   const std::vector<std::pair<std::string, std::pair<std::string, std::string>>> lists{
-      {"contents", {"Tides\nMoon\nSun", "contents 1"}}, {"bookmarks", {"tea", "go to tea"}}};
+      {"contents", {"Tides\nMoon\nSun", "contents 1"}},
+      {"bookmarks", {"tea", "go to bookmark tea"}}};
   for (const auto& [word, list] : lists) {
     const auto lines = walk_->Obey(word, now);
     ASSERT_TRUE(lines);
@@ -350,18 +352,166 @@ TEST_F(BookWalkTest, KnowsABookAgainThatMovedOrWasEdited) {
   EXPECT_EQ(memory_.known_by(), KnownBy::kMoved);
   EXPECT_EQ(begun_[1], say::BookMoved());
   walk_->End();
-  const std::string longer = std::string("<html><p>A preface, new.</p>") + kTides + "</html>";
-  document_ = ReadHtml(longer, "x");
-  text_ = Transcribe(document_);
-  Again("/elsewhere/tides.html");
-  EXPECT_EQ(memory_.known_by(), KnownBy::kPath);
-  EXPECT_EQ(begun_[1], say::BookEdited());
+  Replace(std::string("<p>A preface, new.</p>") + kTides, "/elsewhere/tides.html");
+  EXPECT_EQ(memory_.known_by(), KnownBy::kEdited);
+  EXPECT_EQ(begun_[1], say::BookEdited(false));
   EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("helps")));
   walk_->End();
-  document_ = ReadHtml("<html><p>Quite another book.</p></html>", "x");
-  text_ = Transcribe(document_);
-  Again("/third.html");
+  Replace("<p>Quite another book.</p>", "/third.html");
   EXPECT_EQ(memory_.known_by(), KnownBy::kNothing);
+  EXPECT_FALSE(memory_.replaced());
+}
+
+/// A volume of a series: what it begins with is the same in all.
+std::string Volume(const std::string& word) {
+  std::string html =
+      "<h1>Tides of the world</h1><p>All rights reserved by the harbour office, "
+      "which prints these tables for the use of sailors and of nobody else.</p>";
+  for (int i = 0; i < 60; ++i) {
+    html += "<p>" + word + " number " + std::to_string(i) + " is told here at some length.</p>";
+  }
+  return html;
+}
+
+TEST_F(BookWalkTest, AnotherBookInTheSameFileLeavesTheOldOnesPlaceAndBookmarks) {
+  Open(Volume("Harbour"));
+  Say("bookmark tea", At(Byte("number 20")));
+  walk_->Look(At(Byte("rights")));  // in what is the same in both
+  walk_->End();
+  const ReadDocument old = memory_.reading();
+  Replace(Volume("Island"));
+  EXPECT_EQ(memory_.known_by(), KnownBy::kNothing);
+  EXPECT_TRUE(memory_.replaced());
+  EXPECT_TRUE(begun_.empty());
+  EXPECT_TRUE(memory_.reading().marks.empty());
+  walk_->Look(At(Byte("number 30")));
+  walk_->End();
+  memory_ = BookMemory();
+  const std::vector<ReadDocument> kept = Records::OpenToRead(In("records.sqlite")).Readings("owl");
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_EQ(kept[0].id == old.id ? kept[0] : kept[1], old);
+  // each is known again by what it holds, whichever lies there
+  Replace(Volume("Harbour"));
+  EXPECT_EQ(memory_.known_by(), KnownBy::kContent);
+  EXPECT_EQ(memory_.reading().marks.size(), 1U);
+  Replace(Volume("Island"));
+  EXPECT_EQ(memory_.known_by(), KnownBy::kContent);
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("number 30")));
+}
+
+TEST_F(BookWalkTest, OfAnotherTitleOrAnotherFileItIsAnotherBook) {
+  Open(Volume("Harbour"));
+  walk_->End();
+  Replace("<p>One more line.</p>" + Volume("Harbour"), "/books/copy.html");
+  EXPECT_EQ(memory_.known_by(), KnownBy::kNothing);  // of the same title
+  EXPECT_FALSE(memory_.replaced());
+  walk_->End();
+  book_.title = "Winds";
+  Replace("<p>One line.</p>" + Volume("Harbour"));
+  EXPECT_EQ(memory_.known_by(), KnownBy::kNothing);
+  EXPECT_TRUE(memory_.replaced());
+}
+
+TEST_F(BookWalkTest, SaysWhichBookmarksAnEditHasLost) {
+  Open(Volume("Harbour"));
+  Say("bookmark tea", At(Byte("number 20")));
+  Say("bookmark cake", At(Byte("number 40")));
+  walk_->Look(At(Byte("number 20")));
+  walk_->End();
+  std::string changed = Volume("Harbour");
+  for (int i = 19; i < 22; ++i) {
+    const std::string words =
+        "<p>Harbour number " + std::to_string(i) + " is told here at some length.</p>";
+    changed.erase(changed.find(words), words.size());
+  }
+  Replace(changed);
+  EXPECT_EQ(memory_.known_by(), KnownBy::kEdited);
+  ASSERT_EQ(memory_.lost_marks().size(), 1U);
+  EXPECT_EQ(memory_.lost_marks()[0].name, "tea");
+  ASSERT_EQ(memory_.reading().marks.size(), 1U);
+  EXPECT_EQ(memory_.reading().marks[0].place.letter, static_cast<std::int64_t>(Byte("number 40")));
+  EXPECT_TRUE(memory_.place_gone());
+  EXPECT_EQ(begun_[1], say::BookEdited(true));
+  const auto near = static_cast<std::size_t>(memory_.reading().place.letter);
+  EXPECT_GT(near, Byte("number 16"));
+  EXPECT_LT(near, Byte("number 26"));
+}
+
+TEST_F(BookWalkTest, WhatAnOlderVersionKeptIsKnownByItsPlaceAlone) {
+  Open(Volume("Harbour"));
+  walk_->Look(At(Byte("number 20")));
+  walk_->End();
+  ReadDocument old = memory_.reading();
+  memory_ = BookMemory();
+  old.landmarks.clear();
+  Records::Open(In("records.sqlite")).Keep("owl", old);
+  Replace("<p>One more line.</p>" + Volume("Harbour"));
+  EXPECT_EQ(memory_.known_by(), KnownBy::kEdited);
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("number 20")));
+  memory_ = BookMemory();
+  Records::Open(In("records.sqlite")).Keep("owl", old);
+  Replace(Volume("Island"));
+  EXPECT_EQ(memory_.known_by(), KnownBy::kNothing);
+}
+
+TEST_F(BookWalkTest, BookmarksOfNumbersAreReachedMovedAndForgottenByWords) {
+  Open(kTides);
+  EXPECT_TRUE(Begins(Say("bookmark 2", At(Byte("draws"))), "Bookmark set: 2, page "));
+  EXPECT_TRUE(Begins(Say("go to bookmark 2", At(0)), "Bookmark 2: page "));
+  const Lines page = Say("go to 2", At(0));
+  EXPECT_EQ(std::count(page.begin(), page.end(), say::MarkToo("2")), 1) << page[0];
+  EXPECT_TRUE(Begins(Say("bookmark 2", At(Byte("helps"))), "Bookmark moved: 2, from page "));
+  EXPECT_TRUE(Begins(Say("print 7", At(0)), "Page 7 of the printed book: "));
+  EXPECT_EQ(Say("print 8", At(0)), Lines{"No printed page 8 is marked here."});
+  walk_->Marked({Byte("High"), {0, 0}});
+  EXPECT_TRUE(Begins(Say("go to bookmark 1", At(Byte("helps"))), "Bookmark mark 1: page "));
+  EXPECT_EQ(Say("forget", At(0)), Lines{say::ForgetWhat()});
+  EXPECT_EQ(Say("forget lunch", At(0)), Lines{say::NoMarkNamed("lunch")});
+  EXPECT_EQ(Say("forget bookmark 2", At(0)), Lines{say::MarkForgotten("2")});
+  Again();
+  ASSERT_EQ(memory_.reading().marks.size(), 1U);
+  EXPECT_EQ(memory_.reading().marks[0].name, "mark 1");
+}
+
+TEST_F(BookWalkTest, ABookmarkIsNotSaidToBeSetWhereNothingIsKept) {
+  Open(kTides);
+  memory_ = BookMemory();
+  EXPECT_TRUE(
+      Begins(Say("bookmark tea", At(Byte("draws"))), "Bookmark until you quit, not kept: "));
+  EXPECT_TRUE(walk_->End().empty());
+}
+
+TEST_F(BookWalkTest, WhatWasFoundIsThePlaceUntilTheHandHasComeToIt) {
+  Open(kTides);
+  const LoopSnapshot hand = At(Byte("High"));
+  walk_->Look(hand);
+  ASSERT_FALSE(walk_->Obey("find times", hand));  // the loop goes there
+  ASSERT_EQ(places_->Go({PlaceWord::kFind, "times"}, hand), "");
+  walk_->End();  // before the way was told
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("times")));
+  LoopSnapshot there = At(Byte("times"));
+  const auto arrival = places_->Arrived(there);
+  ASSERT_TRUE(arrival);
+  walk_->Arrived(arrival->source);
+  there = At(session_->felt().set().glyphs.front().source_begin);
+  walk_->Look(there);  // the hand rests elsewhere
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("times")));
+  walk_->Look(At(Byte("times") + 2));
+  walk_->End();
+  EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("times") + 2));
+}
+
+TEST_F(BookWalkTest, HowManyWordsAreLeftOutIsLaidUnderAHandThatCannotHear) {
+  options_.moon = options_.known = true;
+  options_.news = {"Left out: 2 of 9 words."};
+  Open(kTides);
+  const Lines said = walk_->Look(At(Byte("High")));
+  EXPECT_EQ(std::count(said.begin(), said.end(), options_.news[0]), 1);
+  EXPECT_TRUE(walk_->urgent());
+  const Lines later = walk_->Look(At(Byte("water")));
+  EXPECT_EQ(std::count(later.begin(), later.end(), options_.news[0]), 0);
+  EXPECT_FALSE(walk_->urgent());
 }
 
 TEST_F(BookWalkTest, ForAHandThatKnowsLettersOnlyThePageIsTurnedBehindItsLast) {

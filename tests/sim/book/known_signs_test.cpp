@@ -46,22 +46,19 @@ TEST_F(KnownSignsTest, AreThoseThatTheRecordsSayWereTaught) {
   EXPECT_THROW(KnownSigns(In("records.sqlite"), ""), UsageError);  // two of them
 }
 
-// To the hand there are "it", "lot" and "to"; all else is said before or with what is felt next.
-TEST_F(KnownSignsTest, WhatIsNotSetIsSaidAsOneComesToTheNextWord) {
-  const FeltPage page = PageOf("The sun: it has a lot, made to burn.", "+i+t+l+o");
+// To the hand there are "it", "lot", "to", and a mark for each other word, which says it.
+TEST_F(KnownSignsTest, WhatIsLeftOutIsSaidAsOneComesToItsMark) {
+  const FeltPage page =
+      PageOf("The sun: it has a lot, made to burn.", "+i+t+l+o+" + std::string(kLeftOutMark));
   std::vector<std::string> said;
-  std::size_t word = static_cast<std::size_t>(-1);
   const std::vector<PlacedGlyph>& glyphs = page.set().glyphs;
-  std::string set;
   for (std::size_t i = 0; i < glyphs.size(); ++i) {
-    set += page.text->text.substr(glyphs[i].source_begin,
-                                  glyphs[i].source_end - glyphs[i].source_begin);
-    if (glyphs[i].word == word) continue;
-    word = glyphs[i].word;
-    said.push_back(UnsetWords(page, i));
+    const std::string words = UnsetWords(page, i);
+    said.push_back(words.empty() ? page.text->script.glyphs[glyphs[i].glyph].name : words);
   }
-  EXPECT_EQ(set, "Titlotto");  // "T" of The
-  EXPECT_EQ(said, (std::vector<std::string>{"The", "sun:", "has a", "made burn."}));
+  EXPECT_EQ(said, (std::vector<std::string>{"The", "sun", "i", "t", "has", "a", "l", "o", "t",
+                                            "made", "t", "o", "burn"}));
+  EXPECT_EQ(CountLeftOut(*page.text).left_out, 6U);
 }
 
 TEST_F(KnownSignsTest, NothingIsSaidOfATextThatIsAllSet) {
@@ -75,8 +72,21 @@ TEST_F(KnownSignsTest, ReadSetsOnlyThem) {
       {"read", "-", "--known", "--learner", "owl", "--records", In("records.sqlite"), "--json"},
       "to list it");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(outcome.Json()["signs"], 7);  // all but s
+  EXPECT_EQ(outcome.Json()["signs"], 5);  // a mark for "list"
+  EXPECT_EQ(outcome.Json()["left_out_words"], 1);
   EXPECT_EQ(RunLine({"read", "-", "--known", "--records", In("records.sqlite")}, "x").code, 2);
+}
+
+TEST_F(KnownSignsTest, PrintingSaysHowManyWordsAreLeftOut) {
+  const Outcome outcome = RunLine({"read", "-", "--known", "--learner", "owl", "--records",
+                                   In("records.sqlite"), "--print", In("page.svg")},
+                                  "it is a lot");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("Set in the 4 signs that you know."), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.out.find("Left out: 2 of 4 words. Two level lines stand for each.\n"),
+            std::string::npos)
+      << outcome.out;
 }
 
 }  // namespace
