@@ -189,7 +189,7 @@ std::string PlaceWalk::GoToPlace(std::size_t source, std::string what, const Loo
 
 std::string PlaceWalk::Begin(std::size_t source, std::string what) {
   ForgetOtherText();
-  return GoTo({{source, kInLetter}, std::move(what)});
+  return GoTo({{source, kInLetter}, std::move(what), true});
 }
 
 std::string PlaceWalk::Find(const std::string& wanted, std::size_t here) {

@@ -68,10 +68,11 @@ class PlaceWalk {
   /// Where a word about a place means: the place gone to last until the hand has come to it, and
   /// as long as it rests there; none on an empty page. As Go.
   std::optional<LetterPlace> Here(const LoopSnapshot& now);
-  /// The letter of a place that was gone to and whose way has not been told yet; none: there is
-  /// none.
+  /// The letter of a place that a word leads to and whose way has not been told yet; none: there
+  /// is none.
   std::optional<std::size_t> Going() const {
-    return target_ ? std::optional<std::size_t>(target_->place.source) : std::nullopt;
+    if (!target_ || target_->begins) return std::nullopt;
+    return target_->place.source;
   }
   /// Once, as soon as the page under the hand is that of the place.
   std::optional<Arrival> Arrived(const LoopSnapshot& now);
@@ -79,7 +80,8 @@ class PlaceWalk {
  private:
   struct Target {
     LetterPlace place;
-    std::string what;  ///< that it is, in words
+    std::string what;     ///< that it is, in words
+    bool begins = false;  ///< where reading begins: no word leads there
   };
   /// A way that was told.
   struct Way {

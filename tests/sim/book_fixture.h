@@ -42,7 +42,7 @@ class BookWalkTest : public CliTest {
     memory_ = BookMemory();
     Records records = Records::Open(In("records.sqlite"));
     if (!records.Find("owl")) records.AddLearner({"owl", 0, false, "", false});
-    memory_ = BookMemory(std::move(records), "owl", path, "Tides", text_.text);
+    memory_ = BookMemory(std::move(records), "owl", path, book_.title, text_.text);
     SessionRequest request;
     request.text.text.text = text_.text;
     request.text.style.structure = true;
