@@ -18,6 +18,7 @@ namespace moontrace {
 namespace {
 
 constexpr double kAnswering = 30;       ///< an answer is awaited [s]
+constexpr double kChoosing = 15;        ///< likewise of a way on, once all were told [s]
 constexpr double kMoreTime = 1.5;       ///< factor on every wait, each time it is asked for
 constexpr double kBeforeLine = 1.2;     ///< to notice that something is said [s]
 constexpr double kPerLetter = 1 / 15.;  ///< of speech, some 170 words a minute [s]
@@ -149,7 +150,7 @@ void Demonstration::GoOn() {
   }
   if (!step().ways.empty() && !asked_) {
     asked_ = true;
-    return WaitFor(kAnswering);
+    return WaitFor(kChoosing);
   }
   if (asking_) {
     asking_ = false;
