@@ -96,6 +96,7 @@ void BookWalk::BeginInMoon() {
   if (found->page != session_.felt().index) session_.TurnTo(found->page);
   std::vector<LaidLines::Line> lines{{say::ShortTitle(book_.title), ""}};
   if (coming_) lines.push_back({PlaceInWords(letter_), ""});
+  for (const std::string& line : options_.news) lines.push_back({line, ""});
   for (const std::string& line : say::PressesInMoon()) lines.push_back({line, ""});
   turned_lines_ = laid_.Lay(std::move(lines), found->p_P);
 }
@@ -441,11 +442,6 @@ std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
   const bool moved = kept_ != letter_;
   const bool due = std::chrono::steady_clock::now() - kept_at_ >= kKeptEvery;
   urgent_ = std::find(lines.begin(), lines.end(), say::TheEnd()) != lines.end();
-  if (options_.moon && !options_.news.empty()) {
-    lines.insert(lines.end(), options_.news.begin(), options_.news.end());
-    options_.news.clear();
-    urgent_ = true;
-  }
   if (page || stopped || (moved && due)) {
     lines.push_back(Keep());
     urgent_ = urgent_ || !lines.back().empty();

@@ -155,7 +155,7 @@ TEST_F(ReadCommand, InMoonATextIsChosenOfThoseThatWereRead) {
   const Outcome outcome = RunLine(line, "2 sea.txt\nquit\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out.rfind("read which?\n1 sky.txt\n2 sea.txt\n", 0), 0U) << outcome.out;
-  EXPECT_NE(outcome.out.find("You go on: page 1 of 1, line 1, at a, in \"sea.txt\"."),
+  EXPECT_NE(outcome.out.find("You go on: page 1 of 1, line 1, at A, in \"sea.txt\"."),
             std::string::npos)
       << outcome.out;
 }
