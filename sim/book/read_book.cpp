@@ -154,6 +154,7 @@ std::optional<ListedFile> ChooseReading(const ReadBookOptions& options, Console&
     return std::nullopt;
   }
   std::vector<std::string> answers;
+  answers.reserve(files.size());
   for (const ListedFile& one : files) {
     answers.push_back(say::NumberedTitle(answers.size() + 1, one.title));
   }
