@@ -307,6 +307,18 @@ ReadOptions WithFile(const ReadOptions& options) {
   return read;
 }
 
+/// Likewise of a number that is none.
+ReadOptions NumberedOrTold(const ReadOptions& options, Console& console) {
+  try {
+    return WithFile(options);
+  } catch (const InputError& error) {
+    const std::optional<std::string> device =
+        options.moon ? FeelingOf(options).device : std::nullopt;
+    if (device) TellInPlaceOfBook(error.what(), BookOptionsOf(options, *device), console);
+    throw;
+  }
+}
+
 /// By touch, of what was read before. False: nothing was chosen.
 bool ChooseFile(ReadOptions& options, const std::string& device, Console& console) {
   std::optional<ListedFile> file = ChooseReading(BookOptionsOf(options, device), console);
@@ -376,7 +388,7 @@ int Run(const ReadOptions& options, Console& console) {
     if (!device) return TellReadings(options, console);
     if (!ChooseFile(read, *device, console)) return exit_code::kGood;
   } else {
-    read = WithFile(options);
+    read = NumberedOrTold(options, console);
   }
   if (!options.known) return Read(read, console);
   const std::string known = KnownSigns(RecordsPathOf(options.records), read.learner);

@@ -152,13 +152,15 @@ std::string NoMarkNamed(std::string_view name) {
 }
 
 std::string ShortTitle(std::string_view title) { return OneLine(title, 30); }
-std::string NumberedTitle(std::size_t number, std::string_view title) {
-  return fmt::format("{} {}", number, ShortTitle(title));
+std::string NumberedTitle(std::size_t number, std::string_view title, std::string_view learner) {
+  const std::string whose = learner.empty() ? "" : ", " + ShortTitle(learner);
+  return fmt::format("{} {}{}", number, ShortTitle(title), whose);
 }
 std::vector<std::string> PressesInMoon() {
   return {"press: where", "twice: words", "hold: stop, then press: go"};
 }
 std::vector<std::string> MoonMenu() {
+  constexpr std::string_view kLast = "quit";
   std::vector<std::string> menu;
   for (const TypedWord& word : Vocabulary()) {
     // what wants a text cannot be said by a stylus alone; where no force is, no menu can be felt
@@ -167,9 +169,10 @@ std::vector<std::string> MoonMenu() {
     const auto among = [&word](const auto& words) {
       return std::find(words.begin(), words.end(), word.word) != words.end();
     };
-    if (!word.HoldsIn(WordPlace::kBook) || among(kByButton)) continue;
+    if (!word.HoldsIn(WordPlace::kBook) || among(kByButton) || word.word == kLast) continue;
     if (word.behind.empty() || among(kAlone)) menu.emplace_back(word.word);
   }
+  menu.emplace_back(kLast);  // far from what is often pressed
   return menu;
 }
 

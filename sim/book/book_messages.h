@@ -81,8 +81,8 @@ std::string NoMarkNamed(std::string_view name);
 
 /// Of a line that is felt, or chosen among others.
 std::string ShortTitle(std::string_view title);
-/// Likewise, where two may be alike.
-std::string NumberedTitle(std::size_t number, std::string_view title);
+/// Likewise, where two may be alike. `learner`: empty where all are of one.
+std::string NumberedTitle(std::size_t number, std::string_view title, std::string_view learner);
 /// What the button does, a line each.
 std::vector<std::string> PressesInMoon();
 /// The words that a stylus alone can say.

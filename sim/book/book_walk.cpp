@@ -124,8 +124,19 @@ std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
     return Lines{say::WordHere(near->word, name == "spell")};
   }
   if (name == "my text") return Lines{TakePassage(said.behind, now)};
-  if (name == "next" || name == "back" || PlaceCommandOf(name, "")) coming_ = false;
+  if (const auto command = PlaceCommandOf(name, said.behind)) {
+    return Lines{Led(walk_->Go(*command, now))};
+  }
+  const std::size_t page = session_.felt().index;
+  const bool turns = name == "next" ? page + 1 < session_.text().set.pages.size() : page > 0;
+  if ((name == "next" || name == "back") && turns) coming_ = false;
   return std::nullopt;
+}
+
+/// Of a way that was found reading goes on elsewhere; not of one that was refused.
+std::string BookWalk::Led(std::string refusal) {
+  if (refusal.empty()) coming_ = false;
+  return refusal;
 }
 
 std::vector<std::string> BookWalk::Where(const LoopSnapshot& now) const {
@@ -151,8 +162,7 @@ std::string BookWalk::ToBlock(std::size_t block, std::string what, const LoopSna
       block < book_.text.begins.size() ? LetterFrom(session_.text(), book_.text.begins[block])
                                        : std::nullopt;
   if (!letter) return say::NoPlaceHere();
-  coming_ = false;
-  return walk_->GoToPlace(*letter, std::move(what), now, note);
+  return Led(walk_->GoToPlace(*letter, std::move(what), now, note));
 }
 
 std::vector<std::string> BookWalk::Contents(const std::string& number, const LoopSnapshot& now) {
@@ -192,13 +202,12 @@ std::vector<std::string> BookWalk::ListContents() {
 }
 
 std::vector<std::string> BookWalk::GoTo(const std::string& where, const LoopSnapshot& now) {
-  coming_ = false;
   const std::string folded = CaseFolded(where);
   if (folded.rfind(kBookmark, 0) == 0) return {ToMark(where.substr(kBookmark.size()), now)};
   if (const std::optional<Lines> printed = ToPrintPage(where, now)) return *printed;
   const bool number = where.find_first_not_of("0123456789") == std::string::npos;
   if (!number) return {ToMark(where, now)};
-  Lines lines{walk_->Go({PlaceWord::kGoTo, where}, now)};
+  Lines lines{Led(walk_->Go({PlaceWord::kGoTo, where}, now))};
   if (!where.empty() && memory_.MarkNamed(where) != nullptr) lines.push_back(say::MarkToo(where));
   return lines;
 }
@@ -210,13 +219,12 @@ std::optional<std::vector<std::string>> BookWalk::ToPrintPage(std::string_view l
   const std::string given = WordsOf(line);
   const std::string folded = CaseFolded(given);
   if (folded.rfind(kPrint, 0) != 0) return std::nullopt;
-  coming_ = false;
   const std::string name = folded.substr(kPrint.size());
   for (const TranscribedPage& page : book_.text.pages) {
     if (CaseFolded(page.name) != name) continue;
     const auto letter = LetterFrom(session_.text(), page.begin);
     if (!letter) break;
-    return Lines{walk_->GoToPlace(*letter, say::PrintedPage(page.name), now)};
+    return Lines{Led(walk_->GoToPlace(*letter, say::PrintedPage(page.name), now))};
   }
   return Lines{say::NoSuchPrintPage(given.substr(kPrint.size()))};
 }
@@ -235,9 +243,8 @@ std::string BookWalk::ToMark(const std::string& name, const LoopSnapshot& now) {
   const ReadMark* mark = memory_.MarkNamed(name);
   if (mark == nullptr && !name.empty()) mark = memory_.MarkNamed("mark " + name);
   if (mark == nullptr) return name.empty() ? say::NoMarks() : say::NoMarkNamed(name);
-  coming_ = false;
-  return walk_->GoToPlace(static_cast<std::size_t>(mark->place.letter), say::MarkIs(mark->name),
-                          now);
+  return Led(
+      walk_->GoToPlace(static_cast<std::size_t>(mark->place.letter), say::MarkIs(mark->name), now));
 }
 
 std::string BookWalk::SetMark(std::size_t letter, const std::string& name) {

@@ -1,6 +1,8 @@
 #include "sim/book/laid_lines.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "textures/base/error.h"
@@ -10,6 +12,8 @@ namespace {
 
 /// A tip above this has left the line that it touched [m]; ours.
 constexpr double kLifted = 0.005;
+/// Across a narrow letter and beside it, where it is near still [em]; ours.
+constexpr double kSlid = 0.4;
 
 }  // namespace
 
@@ -22,6 +26,18 @@ std::optional<TouchedLine> LineAt(const FeltPage& felt, glm::dvec2 p_P) {
   const auto begin = std::find(std::make_reverse_iterator(at), text.rend(), '\n').base();
   return TouchedLine{std::string(begin, std::find(at, text.end(), '\n')),
                      static_cast<std::size_t>(std::count(text.begin(), at, '\n'))};
+}
+
+void FeltLine::See(const FeltPage& felt, glm::dvec2 p_P, bool touching) {
+  if (!touching) return;
+  const std::optional<TouchedLine> line = LineAt(felt, p_P);
+  if (!line) return;
+  if (line_ != line->number) {
+    line_ = line->number;
+    begin_ = p_P.x;
+    slid_ = false;
+  }
+  slid_ = slid_ || std::abs(p_P.x - begin_) >= kSlid * felt.text->set.style.size;
 }
 
 bool LaidLines::Lay(std::vector<Line> lines, glm::dvec2 tip_P) {

@@ -19,6 +19,20 @@ struct TouchedLine {
 /// `p_P` [m].
 std::optional<TouchedLine> LineAt(const FeltPage& felt, glm::dvec2 p_P);
 
+/// Which line a hand has felt: it slid along it for some of a letter's height, and for none since.
+/// One thread.
+class FeltLine {
+ public:
+  /// At each look. `touching`: the tip is on the paper.
+  void See(const FeltPage& felt, glm::dvec2 p_P, bool touching);
+  bool Is(std::size_t line) const { return line_ == line && slid_; }
+
+ private:
+  std::optional<std::size_t> line_;
+  double begin_ = 0;  ///< where the tip came to it [m]
+  bool slid_ = false;
+};
+
 /// Lines that lie under the hand in place of a text, such as an answer or a menu: who cannot hear
 /// turns their pages by presses, and chooses by one. One thread.
 class LaidLines {

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "sim/book/laid_lines.h"
 #include "textures/base/utf8.h"
 
 namespace moontrace {
@@ -54,7 +53,9 @@ Companion::Press MoonLines::Pressed(bool /*twice*/, const LoopEvent& event) {
     return {true, ""};
   }
   const std::optional<TouchedLine> line = LineAt(session_.felt(), event.tip_P);
-  if (!Take(line ? line->text : "") && !line) {
+  // nobody chooses by a press what the hand has not read
+  const bool read = line && line_.Is(line->number);
+  if (!Take(read ? line->text : "") && !line) {
     const std::size_t next = session_.felt().index + 1;
     session_.TurnToStartOf(next < session_.text().set.pages.size() ? next : 0);
   }
@@ -63,6 +64,7 @@ Companion::Press MoonLines::Pressed(bool /*twice*/, const LoopEvent& event) {
 
 Lines MoonLines::Look(const LoopSnapshot& now) {
   stopped_ = now.stopped;
+  if (now.page == session_.felt().number) line_.See(session_.felt(), now.tip_P, now.depth > 0);
   urgent_ = !std::exchange(told_, true);
   return urgent_ ? Asked() : Lines{};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/book/laid_lines.h"
 #include "sim/console/console.h"
 #include "sim/console/line_reader.h"
 #include "sim/session/loop_drive.h"
@@ -46,6 +47,7 @@ class MoonLines : public Companion {
   std::vector<std::string> Asked() const;
 
   LoopSession& session_;
+  FeltLine line_;
   std::string question_;
   std::vector<std::string> answers_;
   std::optional<std::string> taken_;

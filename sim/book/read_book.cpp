@@ -153,10 +153,14 @@ std::optional<ListedFile> ChooseReading(const ReadBookOptions& options, Console&
     TellInPlaceOfBook(say::NothingRead(), options, console);
     return std::nullopt;
   }
+  const bool one_reader = std::all_of(files.begin(), files.end(), [&files](const ListedFile& one) {
+    return one.learner == files.front().learner;
+  });
   std::vector<std::string> answers;
   answers.reserve(files.size());
   for (const ListedFile& one : files) {
-    answers.push_back(say::NumberedTitle(answers.size() + 1, one.title));
+    const std::string whose = one_reader ? "" : one.learner;
+    answers.push_back(say::NumberedTitle(answers.size() + 1, one.title, whose));
   }
   LineReader typed(console.in());
   const auto taken =

@@ -71,6 +71,24 @@ TEST_F(BookWalkTest, WordsMeanThePlaceThatWasToldLast) {
   EXPECT_EQ(memory_.MarkNamed("noon")->place.letter, static_cast<std::int64_t>(Byte("noon")));
 }
 
+TEST_F(BookWalkTest, AWordThatLeadsNowhereLeavesThePlace) {
+  Open(kTides);
+  const auto letter = static_cast<std::int64_t>(Byte("helps") + 2);
+  walk_->Look(At(static_cast<std::size_t>(letter)));
+  walk_->End();
+  for (const char* word : {"find zebra", "find next", "go to 99", "go to nosuch",
+                           "go to bookmark x", "print 9", "contents 9", "back", "mark"}) {
+    Again();
+    const LoopSnapshot hand = At(Byte("High"));
+    if (const auto said = walk_->Obey(word, hand)) {
+      for (const std::string& line : *said) EXPECT_NE(line, "") << word;
+    }
+    walk_->Look(hand);
+    walk_->End();
+    EXPECT_EQ(memory_.reading().place.letter, letter) << word;
+  }
+}
+
 TEST_F(BookWalkTest, ABookmarkOnComingBackIsWhereOneLeftOff) {
   Open(kTides);
   const auto letter = static_cast<std::int64_t>(Byte("helps") + 2);
@@ -485,9 +503,8 @@ TEST_F(BookWalkTest, WhatWasFoundIsThePlaceUntilTheHandHasComeToIt) {
   Open(kTides);
   const LoopSnapshot hand = At(Byte("High"));
   walk_->Look(hand);
-  ASSERT_FALSE(walk_->Obey("find times", hand));  // the loop goes there
-  ASSERT_EQ(places_->Go({PlaceWord::kFind, "times"}, hand), "");
-  walk_->End();  // before the way was told
+  ASSERT_EQ(walk_->Obey("find times", hand), Lines{""});  // the way is told on arrival
+  walk_->End();                                           // before the way was told
   EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("times")));
   LoopSnapshot there = At(Byte("times"));
   const auto arrival = places_->Arrived(there);

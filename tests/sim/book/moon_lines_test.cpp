@@ -28,6 +28,17 @@ class MoonLinesTest : public CliTest {
     return event;
   }
 
+  /// The hand reads from one letter on to another.
+  static void Read(MoonLines& lines, const LoopSession& session, std::size_t from, std::size_t to) {
+    for (const std::size_t byte : {from, to}) {
+      LoopSnapshot now;
+      now.page = session.felt().number;
+      now.depth = 1e-4;
+      now.tip_P = PressOn(session, byte).tip_P;
+      lines.Look(now);
+    }
+  }
+
   FakeHid fake_{"moontrace-raw"};
   std::istringstream in_;
   std::ostringstream out_, err_;
@@ -41,8 +52,13 @@ TEST_F(MoonLinesTest, APressOnAnAnswerTakesItAndOneOnTheQuestionDoesNot) {
   EXPECT_TRUE(lines.urgent());  // with a tremble
   EXPECT_TRUE(lines.Look({}).empty());
   EXPECT_FALSE(lines.urgent());
+  Read(lines, session, 0, 4);
   lines.Pressed(false, PressOn(session, 4));
   EXPECT_FALSE(lines.ended());
+  Read(lines, session, 11, 12);
+  lines.Pressed(false, PressOn(session, 16));
+  EXPECT_FALSE(lines.ended()) << "ann was read, not bob";
+  Read(lines, session, 15, 16);
   lines.Pressed(false, PressOn(session, 16));
   EXPECT_TRUE(lines.ended());
   EXPECT_EQ(lines.taken(), "bob");
@@ -68,6 +84,7 @@ TEST_F(MoonLinesTest, WithoutForceAPressBringsItBackAndTakesNoAnswer) {
   MoonLines lines(session, "who reads?", {"ann", "bob"});
   LoopSnapshot now;
   now.stopped = true;
+  Read(lines, session, 15, 16);
   lines.Look(now);
   EXPECT_TRUE(lines.Pressed(false, PressOn(session, 16)).taken);
   EXPECT_FALSE(lines.ended());
