@@ -25,12 +25,12 @@ constexpr std::array<std::string_view, 6> kBegins = {"i think that ", "i think "
 
 /// English names of letters as they are written down, without those that are words themselves.
 constexpr std::pair<std::string_view, std::string_view> kSpoken[] = {
-    {"ay", "a"},       {"bee", "b"}, {"cee", "c"}, {"dee", "d"},   {"ee", "e"},
-    {"ef", "f"},       {"eff", "f"}, {"gee", "g"}, {"aitch", "h"}, {"haitch", "h"},
-    {"jay", "j"},      {"kay", "k"}, {"el", "l"},  {"ell", "l"},   {"em", "m"},
-    {"en", "n"},       {"oh", "o"},  {"pee", "p"}, {"cue", "q"},   {"queue", "q"},
-    {"ar", "r"},       {"ess", "s"}, {"tee", "t"}, {"vee", "v"},   {"double u", "w"},
-    {"double-u", "w"}, {"ex", "x"},  {"wye", "y"}, {"zed", "z"},   {"zee", "z"}};
+    {"ay", "a"},  {"bee", "b"},      {"cee", "c"},      {"dee", "d"},    {"ee", "e"},  {"ef", "f"},
+    {"eff", "f"}, {"gee", "g"},      {"aitch", "h"},    {"haitch", "h"}, {"eye", "i"}, {"jay", "j"},
+    {"kay", "k"}, {"el", "l"},       {"ell", "l"},      {"em", "m"},     {"en", "n"},  {"oh", "o"},
+    {"pee", "p"}, {"cue", "q"},      {"queue", "q"},    {"ar", "r"},     {"ess", "s"}, {"tee", "t"},
+    {"vee", "v"}, {"double u", "w"}, {"double-u", "w"}, {"ex", "x"},     {"wye", "y"}, {"zed", "z"},
+    {"zee", "z"}};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 

@@ -142,11 +142,11 @@ std::string WayWithoutDevice(Console& console) {
   throw LackError(say::NoDeviceGiven());
 }
 
-/// "lesson.pdf", or a number more: nothing is written over.
+/// The first lesson's; nothing is written over.
 std::string NewPrint() {
-  std::string file = "lesson.pdf";
-  for (int number = 2; std::filesystem::exists(file); ++number) {
-    file = fmt::format("lesson-{}.pdf", number);
+  std::string file = "lesson1.pdf";
+  for (int copy = 1; std::filesystem::exists(file); ++copy) {
+    file = fmt::format("lesson1-copy{}.pdf", copy);
   }
   return file;
 }
@@ -243,6 +243,7 @@ int LearnOrDemonstrate(LearnOptions options, const Course& course, Console& cons
     way = WayWithoutDevice(console);
   }
   if (way == "demonstration") {
+    if (options.tutor) console.Remark(say::DemonstrationTakesNoTutor());
     options.live.device = "simulated";
     way = Demonstrate(options, keys, course, console);
   }

@@ -167,7 +167,7 @@ const TypedWord* PutOtherwise(std::string_view given, WordPlace place) {
       {"go on", "go"},     {"carry on", "go"},  {"continue", "go"},   {"what", "again"},
       {"what?", "again"},  {"pardon", "again"}, {"pardon?", "again"}, {"say that again", "again"},
       {"repeat", "again"}, {"exit", "quit"},    {"bye", "quit"},      {"goodbye", "quit"},
-      {"wait", "pause"}};
+      {"wait", "pause"},   {"larger", "bigger"}};
   constexpr std::string_view kPlease = " please";
   if (given.ends_with(kPlease)) {
     given = Trimmed(given.substr(0, given.size() - kPlease.size()));

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lessons/progress/answer.h"
+#include "sim/console/choice.h"
 #include "sim/console/line_wrap.h"
 #include "sim/console/word_messages.h"
 #include "sim/demonstration/demonstration_messages.h"
@@ -18,7 +19,6 @@ namespace moontrace {
 namespace {
 
 constexpr double kAnswering = 30;       ///< an answer is awaited [s]
-constexpr double kChoosing = 15;        ///< likewise of a way on, once all were told [s]
 constexpr double kMoreTime = 1.5;       ///< factor on every wait, each time it is asked for
 constexpr double kBeforeLine = 1.2;     ///< to notice that something is said [s]
 constexpr double kPerLetter = 1 / 15.;  ///< of speech, some 170 words a minute [s]
@@ -150,7 +150,7 @@ void Demonstration::GoOn() {
   }
   if (!step().ways.empty() && !asked_) {
     asked_ = true;
-    return WaitFor(kChoosing);
+    return WaitFor(kAnswering);
   }
   if (asking_) {
     asking_ = false;
@@ -237,16 +237,21 @@ void Demonstration::AskAgain() {
   StillAsk();
 }
 
-/// Its word, or its number in their order.
 bool Demonstration::TakesWay(const std::string& given) {
-  const std::vector<std::string> readings = ReadingsOf(given);
-  if (readings.empty()) return false;
-  const std::vector<std::string>& ways = step().ways;
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    if (readings.back() == ways[i] || readings.back() == std::to_string(i + 1)) way_ = ways[i];
+  const std::optional<std::size_t> way = ChoiceOf(given, step().ways);
+  if (!way) return false;
+  way_ = step().ways[*way];
+  over_ = true;
+  return true;
+}
+
+/// The ways on, each with its number, and what is asked.
+void Demonstration::TellWays() {
+  for (const std::string& line : step().say) {
+    if (line.front() >= '1' && line.front() <= '9') Reply(line);
   }
-  over_ = over_ || !way_.empty();
-  return !way_.empty();
+  Reply(step().say.back());
+  if (!paused_) until_ = std::max(until_, now_ + Seconds(pace_ * kAnswering));
 }
 
 void Demonstration::Answer(const std::string& given) {
@@ -302,13 +307,14 @@ void Demonstration::Obey(const std::string& line) {
     TellLate();
   } else if (word) {
     Do(said.word->word);
-  } else if (said.word != nullptr) {  // only "help" takes something behind it here
+  } else if (said.word != nullptr && !said.behind.empty()) {  // only "help" takes something here
     proposal_.MakeHelp(said.behind, WordPlace::kDemonstration);
     Reply(say::HelpWith(said.behind, WordPlace::kDemonstration));
   } else if (!Takes(given)) {
     proposal_.Make(said.meant);
-    Reply(said.refusal);
+    Reply(said.refusal.empty() ? say::NothingAsked(paused_) : said.refusal);
     if (asking_) StillAsk();
+    if (Chooses()) TellWays();
   }
   teller_.EndTurn();
 }
@@ -325,6 +331,8 @@ void Demonstration::Do(std::string_view word) {
   if (word == "quit") {
     over_ = true;
     teller_.Say(Priority::kText, say::DemonstrationLeft());
+  } else if (Chooses() && (word == "help" || word == "again")) {
+    TellWays();
   } else if (word == "help") {
     for (const std::string& line : help_) Reply(line);
   } else if (word == "again" && asking_) {
@@ -339,7 +347,7 @@ void Demonstration::Do(std::string_view word) {
     teller_.Say(Priority::kText, say::DemonstrationPauses());
   } else if (word == "more time") {
     pace_ = std::min(pace_ * kMoreTime, 8.0);
-    WaitFor(asking_ ? kAnswering : SecondsFor(last_));
+    WaitFor(asking_ || Chooses() ? kAnswering : SecondsFor(last_));
     teller_.Say(Priority::kText, say::DemonstrationSlower());
   } else if (paused_) {  // go, next
     GoOnAgain();

@@ -79,6 +79,9 @@ class Demonstration final : public RunningStage, private LoopListener {
   void StillAsk();
   void AskAgain();
   bool TakesWay(const std::string& given);
+  /// All ways on were told, and one of them may be chosen.
+  bool Chooses() const { return asked_ && !step().ways.empty(); }
+  void TellWays();
   void Do(std::string_view word);
   void WaitFor(double seconds);
 

@@ -8,6 +8,7 @@
 
 #include "lessons/progress/answer.h"
 #include "lessons/records/learner_names.h"
+#include "sim/console/choice.h"
 #include "sim/console/line_wrap.h"
 #include "sim/console/vocabulary.h"
 #include "sim/learn/learn_messages.h"
@@ -144,14 +145,10 @@ std::optional<LearnMemory> OpenMemory(const LearnOptions& options, const Course&
 
 namespace {
 
-/// By its word, its number, or a beginning; yes is the first. None: it was not said.
+/// Yes is the first. None: it was not said.
 std::optional<std::string> ChosenWithoutDevice(const std::string& line) {
-  const std::string said = LowerCase(line);
-  int number = 0;
-  for (const char* way : {"demonstration", "paper", "mouse"}) {
-    const bool begun = said.size() > 1 && std::string_view(way).starts_with(said);
-    if (begun || said == std::to_string(++number)) return way;
-  }
+  const std::vector<std::string> ways{"demonstration", "paper", "mouse"};
+  if (const std::optional<std::size_t> way = ChoiceOf(line, ways)) return ways[*way];
   const std::optional<bool> yes = YesOrNo(line);
   if (!yes) return std::nullopt;
   return *yes ? "demonstration" : "";
@@ -160,13 +157,13 @@ std::optional<std::string> ChosenWithoutDevice(const std::string& line) {
 }  // namespace
 
 std::string AskWithoutDevice(LineReader& lines, LearnTeller& teller, const Console& console) {
-  std::string question = say::AskWithoutDevice(WindowMayOpen());
+  const std::string question = say::AskWithoutDevice(WindowMayOpen());
   try {
     for (;;) {
       const auto line = Ask(lines, teller, question, say::DemonstrationIs(), console);
       if (!line) return {};
       if (const std::optional<std::string> way = ChosenWithoutDevice(*line)) return *way;
-      question = say::OneOfThree();
+      teller.Say(Priority::kText, say::NoneOfThree(*line));  // and all of it again
     }
   } catch (const LeftAtQuestion&) {
     return {};

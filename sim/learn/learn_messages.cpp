@@ -267,6 +267,9 @@ std::string DemonstrationIsAlone() {
   return "For the demonstration, which keeps nothing, say quit, then type: "
          "moontrace learn --device simulated.";
 }
+std::string DemonstrationTakesNoTutor() {
+  return "The demonstration takes no tutor: moontrace learn --device simulated --tutor does.";
+}
 std::string NoNameNeeded() { return "The demonstration keeps nothing, so no name is needed."; }
 std::string WithDevice(std::string_view device) {
   return fmt::format("Device: {}.", OneLine(device));
@@ -367,9 +370,12 @@ std::string AskWithoutDevice(bool window) {
       window ? "" : ", from the desktop");
 }
 std::string DemonstrationIs() {
-  return "The demonstration asks a few questions, and the word quit ends it.";
+  return "1 asks a few questions, and the word quit ends it. 2 writes a file to be printed. 3 lets "
+         "the mouse move the tip.";
 }
-std::string OneOfThree() { return "Type 1, 2 or 3, or Enter for none."; }
+std::string NoneOfThree(std::string_view given) {
+  return fmt::format("{} is none of these.", OneLine(given, 20));
+}
 std::string NoDeviceGiven() {
   return "nothing was begun: take one of these, or plug in a device and start learn again";
 }

@@ -146,6 +146,7 @@ std::string SimulatedOnly(std::string_view name);
 std::string ByProgramsHand();
 std::string WhatProgramsHandDoes(bool kept);
 /// Where one was given.
+std::string DemonstrationTakesNoTutor();
 std::string NoNameNeeded();
 std::string DemonstrationIsAlone();
 std::string WithDevice(std::string_view device);
@@ -184,7 +185,8 @@ std::string NoWindowHere();
 /// `window`: one may open here.
 std::string AskWithoutDevice(bool window);
 std::string DemonstrationIs();
-std::string OneOfThree();
+/// Behind it they are told again.
+std::string NoneOfThree(std::string_view given);
 std::string NoDeviceGiven();
 
 // Printing.

@@ -100,7 +100,7 @@ void LearnSession::Take(decltype(Event::what) what) {
     std::visit([this](const auto& one) { Do(one); }, action);
   }
   if (sized_) Tell(*std::exchange(sized_, std::nullopt));  // nothing was shown
-  const bool unfelt = !stage_.pushes() && !stage_.simulated();
+  const bool unfelt = !stage_.pushes() || stage_.simulated();
   if (shown_ && await_ == Await::kAnswer && unfelt) SayAskedPath();
 }
 
