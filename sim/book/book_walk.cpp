@@ -79,14 +79,15 @@ std::vector<std::string> BookWalk::Begin(PlaceWalk& walk) {
   if (book_.document.blocks[here].kind != BlockKind::kHeading) {
     lines.push_back(say::LastRead(ReadAt(book_.document, book_.text, letter_)));
   }
-  if (!laid_.lies()) {
+  if (opening_.lines.empty()) {
     lines.push_back(walk.Begin(LineStart(session_.text(), letter_), say::GoesOnHere()));
   }
   kept_page_ = session_.felt().index;
   return lines;
 }
 
-/// What is read, where, and what the button does; a press brings the line's start under the tip.
+/// What is read, where, and what the button does: laid once the hand touches the page, so that it
+/// begins under the tip. A press brings the line's start there.
 void BookWalk::BeginInMoon() {
   const std::size_t start = coming_ ? LineStart(session_.text(), letter_) : 0;
   const std::optional<std::size_t> letter = LetterFrom(session_.text(), start);
@@ -98,7 +99,7 @@ void BookWalk::BeginInMoon() {
   if (coming_) lines.push_back({PlaceInWords(letter_), ""});
   for (const std::string& line : options_.news) lines.push_back({line, ""});
   for (const std::string& line : say::PressesInMoon()) lines.push_back({line, ""});
-  turned_lines_ = laid_.Lay(std::move(lines), found->p_P);
+  opening_ = {std::move(lines), found->p_P};
 }
 
 std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
@@ -415,11 +416,15 @@ bool BookWalk::Answered(const std::vector<std::string>& lines, const LoopSnapsho
   return laid_.Lay(std::move(laid), now.tip_P);
 }
 
-bool BookWalk::ClearPage() { return laid_.Clear(); }
+bool BookWalk::ClearPage() {
+  opening_.lines.clear();  // likewise who says a word
+  return laid_.Clear();
+}
 
 /// Without force a press brings it back: who reads by touch alone could find no word for it.
 Companion::Press BookWalk::Pressed(bool twice, const LoopEvent& event) {
   if (!options_.moon) return {};
+  opening_.lines.clear();  // who presses knows what the button does
   if (was_stopped_) {
     session_.GoOn();
     return {true, ""};
@@ -442,6 +447,12 @@ std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
   const bool stopped = now.stopped && !was_stopped_;
   was_stopped_ = now.stopped;
   if (laid_.lies()) return {};
+  if (!opening_.lines.empty()) {
+    if (now.depth > 0) {
+      trembles_ = laid_.Lay(std::exchange(opening_.lines, {}), opening_.at_P);
+    }
+    return {};
+  }
   See(now);
   Lines lines = TurnPage(now);
   if (std::string unset = Unset(now); !unset.empty()) lines.push_back(std::move(unset));

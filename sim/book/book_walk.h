@@ -108,7 +108,12 @@ class BookWalk : public Companion {
   std::optional<std::pair<std::size_t, std::size_t>> word_;  ///< touched last: page and number
   std::optional<std::size_t> kept_;
   std::size_t kept_page_ = 0;
-  LaidLines laid_;                      ///< in place of the book
+  LaidLines laid_;  ///< in place of the book
+  struct Opening {
+    std::vector<LaidLines::Line> lines;  ///< not laid yet
+    glm::dvec2 at_P{0, 0};               ///< where reading begins [m]
+  };
+  Opening opening_;
   std::vector<LaidLines::Line> offer_;  ///< what can be chosen of what was answered last
   bool was_stopped_ = false, ended_ = false, told_failure_ = false;
   bool urgent_ = false;        ///< what Look said last: not kept, or the end

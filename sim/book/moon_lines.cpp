@@ -64,6 +64,10 @@ Companion::Press MoonLines::Pressed(bool /*twice*/, const LoopEvent& event) {
 
 Lines MoonLines::Look(const LoopSnapshot& now) {
   stopped_ = now.stopped;
+  if (!touched_ && now.depth > 0) {  // it begins under the tip
+    touched_ = true;
+    session_.TurnToStartOf(0);
+  }
   if (now.page == session_.felt().number) line_.See(session_.felt(), now.tip_P, now.depth > 0);
   urgent_ = !std::exchange(told_, true);
   return urgent_ ? Asked() : Lines{};

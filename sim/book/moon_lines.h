@@ -51,7 +51,7 @@ class MoonLines : public Companion {
   std::string question_;
   std::vector<std::string> answers_;
   std::optional<std::string> taken_;
-  bool told_ = false, urgent_ = false, stopped_ = false, ended_ = false;
+  bool told_ = false, touched_ = false, urgent_ = false, stopped_ = false, ended_ = false;
 };
 
 /// Lays a question and what may be answered on a device, a line each, with a tremble. A press on an

@@ -217,17 +217,20 @@ const LoopEvent kBeside = PressAt({-0.5, -0.5}, LoopEventKind::kSay);
 TEST_F(BookWalkTest, InMoonWhatIsReadAndWhatTheButtonDoesLieThereFirst) {
   options_.moon = true;
   Open(kTides);
-  EXPECT_EQ(session_->text().text, "Tides\npress: where\ntwice: words\nhold: stop, then press: go");
-  LoopSnapshot now;
-  now.page = session_->felt().number;
-  walk_->Look(now);
+  LoopSnapshot hand = At(0, false);
+  walk_->Look(hand);
+  EXPECT_EQ(session_->text().text, text_.text) << "in the air nobody would feel where it begins";
+  hand.depth = 1e-4;
+  walk_->Look(hand);
   EXPECT_TRUE(walk_->trembles());
-  walk_->Look(now);
+  EXPECT_EQ(session_->text().text, "Tides\npress: where\ntwice: words\nhold: stop, then press: go");
+  walk_->Look(hand);
   EXPECT_FALSE(walk_->trembles());
   walk_->ClearPage();
   walk_->Look(At(Byte("helps") + 2));
   walk_->End();
   Again();
+  walk_->Look(At(Byte("helps")));
   EXPECT_EQ(session_->text().text.rfind("Tides\npage ", 0), 0U) << session_->text().text;
   walk_->ClearPage();
   EXPECT_EQ(session_->felt().index, Find(session_->text(), {Byte("helps"), {0, 0}})->page);
@@ -523,6 +526,7 @@ TEST_F(BookWalkTest, HowManyWordsAreLeftOutIsLaidUnderAHandThatCannotHear) {
   options_.moon = options_.known = true;
   options_.news = {"Left out: 2 of 9 words."};
   Open(kTides);
+  walk_->Look(At(0));
   EXPECT_EQ(session_->text().text.rfind("Tides\nLeft out: 2 of 9 words.\n", 0), 0U);
 }
 
