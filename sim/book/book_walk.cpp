@@ -468,7 +468,6 @@ std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
 }
 
 std::vector<std::string> BookWalk::End() {
-  if (walk_ != nullptr && !coming_) letter_ = walk_->Going().value_or(letter_);
   const std::string why = KeepNow();
   if (!why.empty()) return {say::PlaceNotKept(why)};
   if (!memory_.remembers()) return {};

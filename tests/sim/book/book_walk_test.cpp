@@ -507,7 +507,8 @@ TEST_F(BookWalkTest, WhatWasFoundIsThePlaceUntilTheHandHasComeToIt) {
   const LoopSnapshot hand = At(Byte("High"));
   walk_->Look(hand);
   ASSERT_EQ(walk_->Obey("find times", hand), Lines{""});  // the way is told on arrival
-  walk_->End();                                           // before the way was told
+  walk_->Look(hand);                                      // before the way was told
+  walk_->End();
   EXPECT_EQ(memory_.reading().place.letter, static_cast<std::int64_t>(Byte("times")));
   LoopSnapshot there = At(Byte("times"));
   const auto arrival = places_->Arrived(there);
