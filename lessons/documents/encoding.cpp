@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <optional>
 
-#include "lessons/documents/guessed_encoding.h"
 #include "textures/base/text_file.h"
 #include "textures/base/utf8.h"
 

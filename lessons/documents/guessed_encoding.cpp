@@ -1,7 +1,7 @@
-#include "lessons/documents/guessed_encoding.h"
-
 #include <algorithm>
 #include <cstddef>
+
+#include "lessons/documents/encoding.h"
 
 namespace moontrace {
 namespace {

@@ -164,7 +164,7 @@ std::vector<std::string> MoonMenu() {
   std::vector<std::string> menu;
   for (const TypedWord& word : Vocabulary()) {
     // what wants a text cannot be said by a stylus alone; where no force is, no menu can be felt
-    constexpr std::array<std::string_view, 2> kAlone{"contents", "bookmark"};
+    constexpr std::array<std::string_view, 3> kAlone{"contents", "bookmark", "find"};
     constexpr std::array<std::string_view, 2> kByButton{"stop", "go"};
     const auto among = [&word](const auto& words) {
       return std::find(words.begin(), words.end(), word.word) != words.end();

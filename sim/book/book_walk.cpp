@@ -125,6 +125,9 @@ std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
     return Lines{say::WordHere(near->word, name == "spell")};
   }
   if (name == "my text") return Lines{TakePassage(said.behind, now)};
+  if (name == "find" && said.behind.empty() && near && near->near) {
+    return Lines{FindWord(near->word, now)};
+  }
   if (const auto command = PlaceCommandOf(name, said.behind)) {
     return Lines{Led(walk_->Go(*command, now))};
   }
@@ -132,6 +135,16 @@ std::optional<std::vector<std::string>> BookWalk::Obey(std::string_view line,
   const bool turns = name == "next" ? page + 1 < session_.text().set.pages.size() : page > 0;
   if ((name == "next" || name == "back") && turns) coming_ = false;
   return std::nullopt;
+}
+
+/// Where the word at the tip stands next: so can look for it who types nothing.
+std::string BookWalk::FindWord(const std::string& word, const LoopSnapshot& now) {
+  const std::size_t here = LetterPlaceOf(session_.felt(), now.tip_P)->source;
+  std::string refusal = walk_->Go({PlaceWord::kFind, word}, now);
+  const std::optional<std::size_t> found = walk_->Going();
+  const bool same = found && *found <= here && here < *found + word.size();
+  if (refusal.empty() && same) refusal = walk_->Go({PlaceWord::kFindNext, ""}, now);
+  return Led(std::move(refusal));
 }
 
 /// Of a way that was found reading goes on elsewhere; not of one that was refused.

@@ -83,6 +83,7 @@ class BookWalk : public Companion {
   std::string ForgetMark(const std::string& name);
   std::string SetMark(std::size_t letter, const std::string& name);
   std::string ToBlock(std::size_t block, std::string what, const LoopSnapshot& now, bool note);
+  std::string FindWord(const std::string& word, const LoopSnapshot& now);
   std::string Led(std::string refusal);
   std::string KeepNow();
   std::string Keep();

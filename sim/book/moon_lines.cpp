@@ -33,12 +33,13 @@ std::optional<std::string> Lay(const SessionRequest& like, const std::string& qu
 }  // namespace
 
 std::optional<Lines> MoonLines::Obey(std::string_view line, const LoopSnapshot& /*now*/) {
+  if (Take(std::string(line))) return Lines{};  // first: an answer may begin as a word's number
   const SaidLine said = ReadLine(line, WordPlace::kBook);
   constexpr std::array<std::string_view, 4> kDriven{"quit", "stop", "pause", "go"};
   const bool driven = said.word != nullptr &&
                       std::find(kDriven.begin(), kDriven.end(), said.word->word) != kDriven.end();
   if (driven) return std::nullopt;
-  return Take(std::string(line)) ? Lines{} : Asked();
+  return Asked();
 }
 
 Lines MoonLines::Asked() const {

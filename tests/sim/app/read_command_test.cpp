@@ -152,6 +152,8 @@ TEST_F(ReadCommand, InMoonATextIsChosenOfThoseThatWereRead) {
     WriteAll(In(name), std::string("All about ") + name);
     ASSERT_EQ(RunLine(Reading(In(name), In("r.sqlite")), "quit\n").code, 0);
   }
+  // 1 is stop elsewhere
+  EXPECT_NE(RunLine(line, "1 sky.txt\nquit\n").out.find(", in \"sky.txt\"."), std::string::npos);
   const Outcome outcome = RunLine(line, "2 sea.txt\nquit\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out.rfind("read which?\n1 sky.txt\n2 sea.txt\n", 0), 0U) << outcome.out;

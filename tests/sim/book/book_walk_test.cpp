@@ -89,6 +89,15 @@ TEST_F(BookWalkTest, AWordThatLeadsNowhereLeavesThePlace) {
   }
 }
 
+TEST_F(BookWalkTest, FindAloneLeadsToWhereTheWordAtTheTipStandsNext) {
+  Open(kTides);
+  const std::size_t heading = Byte("Moon");
+  for (const std::size_t byte : {heading, heading + 2}) {
+    const Lines led = Say("find", At(byte));
+    EXPECT_TRUE(Begins(led, "Moon, 2 of 3: ")) << led.front();  // not where the tip is
+  }
+}
+
 TEST_F(BookWalkTest, ABookmarkOnComingBackIsWhereOneLeftOff) {
   Open(kTides);
   const auto letter = static_cast<std::int64_t>(Byte("helps") + 2);
@@ -357,7 +366,7 @@ TEST_F(BookWalkTest, HasAMenuForAStylusAlone) {
     EXPECT_EQ(session_->text().text, text_.text);
   }
   for (const char* word : {"next", "back", "where", "next line", "next heading", "next link",
-                           "follow", "return", "bookmark", "mark", "contents", "quit"}) {
+                           "follow", "return", "find", "bookmark", "mark", "contents", "quit"}) {
     EXPECT_EQ(words.count(word), 1U) << word;
   }
   for (const std::string& word : words) {
