@@ -45,13 +45,17 @@ Raster FindRaster(const Bands& bands, const Box& all) {
     }
   }
   const double least = (last - first) / kMostSteps;
-  double step = 0;
+  // A length known to be a whole number of steps sharpens the step: else its rounding error, times
+  // as many steps as a row has, would pass for a finer raster.
+  double step = 0, longest = 0;
   for (const Row& row : bands) {
-    double before = first;
     for (const PlacedGroup* place : row) {
-      step = CommonMeasure(std::abs(place->origin.x - before), step, 0.25 * least);
-      before = place->origin.x;
-      if (step > 0 && step < least) return {};
+      const double length = place->origin.x - first;
+      if (!(length > least)) continue;
+      step = CommonMeasure(length, step, 0.25 * least);
+      if (step < least) return {};
+      longest = std::max(longest, length);
+      step = longest / std::floor(longest / step + 0.5);
     }
   }
   if (step == 0) return {first, all.max.x - all.min.x};
@@ -67,16 +71,17 @@ Raster FindRaster(const Bands& bands, const Box& all) {
   return raster;
 }
 
-/// Whether every row's blocks stand at one height, and none begins before its neighbour has ended;
-/// a block begins `lead` [m] from its origin.
-bool StandApart(const Bands& bands, double lead) {
+/// The narrowest gap between a block's end and where its neighbour's may begin [m]; a block begins
+/// `lead` [m] from its origin. Zero or less where they overlap or do not stand at one height.
+double GapBetweenBlocks(const Bands& bands, double lead) {
+  double gap = std::numeric_limits<double>::infinity();
   for (const Row& row : bands) {
     for (std::size_t i = 1; i < row.size(); ++i) {
-      if (row[i]->origin.y != row[0]->origin.y) return false;
-      if (!(row[i - 1]->box.max.x < row[i]->origin.x + lead)) return false;
+      if (row[i]->origin.y != row[0]->origin.y) return 0;
+      gap = std::min(gap, row[i]->origin.x + lead - row[i - 1]->box.max.x);
     }
   }
-  return true;
+  return gap;
 }
 
 /// Numbers the blocks and steps that occur together.
@@ -179,16 +184,19 @@ double NarrowestGap(const std::vector<TextLine>& lines) {
 }  // namespace
 
 bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& layer) {
-  const Raster raster = FindRaster(bands, all);
+  Raster raster = FindRaster(bands, all);
   if (raster.step == 0) return false;
   double lead = layer.blocks.front().box.min.x;
   for (const Block& block : layer.blocks) lead = std::min(lead, block.box.min.x);
+  // half a step of room on either side, so that a query's rounding never hides a letter: where all
+  // stand a cell apart, as in Braille, steps are parts of a cell
+  const double gap = GapBetweenBlocks(bands, lead);
+  if (!(gap > 0)) return false;
+  if (!(raster.step < gap)) raster.step /= std::floor(raster.step / gap) + 1;
   Rows rows;
   rows.first_x = raster.first;
   rows.step = raster.step;
   rows.steps_per_m = 1 / raster.step;
-  // half a step of room on either side, so that a query's rounding never hides a letter
-  if (!StandApart(bands, lead - raster.step)) return false;
   rows.begin = raster.first + lead - 0.5 * raster.step;
   const double width = all.max.x - rows.begin;
   if (!(2 * width < kFar * raster.step)) return false;

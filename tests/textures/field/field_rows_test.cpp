@@ -89,6 +89,59 @@ TEST(FieldRows, EvenlySetTextTakesAFewBytesALetter) {
   EXPECT_LT(more, 8 * (many.size() - few.size()));
 }
 
+/// Lines of 60 letters whose advances are whole thousandths of an em, as fonts have them.
+std::vector<Placement> InThousandths(std::size_t lines, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<std::shared_ptr<const Group>> letters;
+  std::vector<double> advances;
+  for (int i = 0; i < 26; ++i) {
+    advances.push_back(0.001 * static_cast<double>(450 + random() % 900));
+    letters.push_back(Letter(advances.back() - 0.3));
+  }
+  std::vector<Placement> placements;
+  for (std::size_t line = 0; line < lines; ++line) {
+    double x = 0.01;
+    for (int i = 0; i < 60; ++i) {
+      const std::size_t which = random() % letters.size();
+      placements.push_back({letters[which], {x, -1.8 * kEm * static_cast<double>(line)}});
+      x += kEm * (advances[which] + (random() % 6 == 0 ? 1.4 : 0));
+    }
+  }
+  return placements;
+}
+
+// Rounding must not decide: each step's least error adds up over a row of 70,000 steps.
+TEST(FieldRows, SoDoesEveryTextInThousandthsOfAnEm) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::vector<Placement> page = InThousandths(60, seed);
+    EXPECT_LT(TextureField(PageOf(page)).memory_bytes(), 24 * page.size()) << seed;
+  }
+}
+
+/// Letters of two widths, each at a place of its own in a raster of cells, as in Braille.
+std::vector<Placement> Cells(std::size_t lines, std::size_t length) {
+  const std::shared_ptr<const Group> letters[] = {Letter(0.1), Letter(0.8)};
+  std::mt19937_64 random(4);
+  std::vector<Placement> placements;
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (std::size_t i = 0; i < length; ++i) {
+      if (random() % 6 == 0) continue;
+      placements.push_back(
+          {letters[random() % 2],
+           {0.01 + 1.2 * kEm * static_cast<double>(i), -1.8 * kEm * static_cast<double>(line)}});
+    }
+  }
+  return placements;
+}
+
+TEST(FieldRows, LettersInCellsEqualTheTreeAndTakeAFewBytes) {
+  ExpectTheTree(Cells(12, 32), 4000);
+  const std::vector<Placement> few = Cells(5, 100), many = Cells(305, 100);
+  const std::size_t more =
+      TextureField(PageOf(many)).memory_bytes() - TextureField(PageOf(few)).memory_bytes();
+  EXPECT_LT(more, 8 * (many.size() - few.size()));
+}
+
 TEST(FieldRows, TextWithoutARasterEqualsTheTree) {
   std::vector<Placement> placements = Lines(12, 40, 0.6, 7);
   std::mt19937_64 random(8);
