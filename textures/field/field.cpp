@@ -32,10 +32,11 @@ void Add(Digest& digest, const Rows& rows) {
   digest.Add(rows.first_x);
   digest.Add(rows.step);
   for (const Letters& letters : rows.slots) {
-    digest.Add(static_cast<std::uint64_t>(letters.first));
-    for (const std::uint8_t code : letters.codes) {
-      digest.Add(static_cast<std::uint64_t>(rows.codes[code].step));
-      digest.Add(std::uint64_t{rows.codes[code].block});
+    digest.Add(static_cast<std::uint64_t>(letters.first()));
+    for (std::uint32_t i = 0; i < Letters::kMost; ++i) {
+      const Code& code = rows.codes[letters.code(i)];
+      digest.Add(static_cast<std::uint64_t>(code.step));
+      digest.Add(std::uint64_t{code.block});
     }
   }
   for (const double y : rows.y) digest.Add(y);

@@ -76,18 +76,18 @@ inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uin
   // counting needs no branch, which at random points would be mispredicted
   const std::int32_t here = StepOf(rows, x);
   std::uint32_t begun = 0;
-  for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first <= here ? 1 : 0;
-  const Letters& letters = slot[begun];
-  std::int32_t place = letters.first, next = place;
+  for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first() <= here ? 1 : 0;
+  const Letters letters = slot[begun];
+  std::int32_t place = letters.first(), next = place;
   std::uint32_t which = 0;
   for (std::uint32_t i = 0; i + 1 < Letters::kMost; ++i) {
-    const std::int32_t step = rows.codes[letters.codes[i]].step;
+    const std::int32_t step = rows.codes[letters.code(i)].step;
     next += step;
     const std::int32_t has_begun = next <= here ? 1 : 0;
     place += step & -has_begun;
     which += static_cast<std::uint32_t>(has_begun);
   }
-  const Code& code = rows.codes[letters.codes[which]];
+  const Code& code = rows.codes[letters.code(which)];
   return {&layer.blocks[code.block],
           {rows.first_x + static_cast<double>(place) * rows.step, rows.y[row]},
           place,

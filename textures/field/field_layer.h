@@ -109,11 +109,16 @@ struct Leaf {
   std::uint16_t block = 0;
 };
 
-/// Up to four letters that follow each other in a row.
+/// Up to five letters that follow each other in a row, in eight bytes.
 struct Letters {
-  static constexpr std::uint32_t kMost = 4;
-  std::int32_t first = 0;                   ///< where the first stands, in steps of the raster
-  std::array<std::uint8_t, kMost> codes{};  ///< of each
+  static constexpr std::uint32_t kMost = 5;
+  static constexpr std::int32_t kFar = (1 << 24) - 1;  ///< beyond every letter
+  std::uint64_t bits = 0;                              ///< 24 of `first`, then eight of each code
+  /// Where the first stands, in steps of the raster.
+  std::int32_t first() const noexcept { return static_cast<std::int32_t>(bits & 0xff'ffffu); }
+  std::uint8_t code(std::uint32_t i) const noexcept {
+    return static_cast<std::uint8_t>(bits >> (24 + 8 * i));
+  }
 };
 
 /// A block, and where the next one in the row stands.
@@ -123,12 +128,12 @@ struct Code {
 };
 
 /// Evenly set text: placed blocks that stand apart from each other on a raster, those of one band
-/// at one height. A band is a row of slots, each for four letters: they are in the slot where the
+/// at one height. A band is a row of slots, each for five letters: they are in the slot where the
 /// first of them begins, or, where letters crowd, up to `kWindow` further on; a slot left empty
 /// repeats the letters before. So a letter is found by arithmetic and one visit to memory, and two
 /// bytes a letter keep a book in the processor's cache.
 struct Rows {
-  static constexpr std::uint32_t kWindow = 4;
+  static constexpr std::uint32_t kWindow = 2;
   double first_x = 0;        ///< where the raster starts [m]
   double step = 0;           ///< of the raster [m]
   double begin = 0;          ///< of the first slot [m], left of the first letter

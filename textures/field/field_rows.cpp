@@ -14,8 +14,7 @@ namespace {
 
 using Row = std::vector<const PlacedGroup*>;
 
-constexpr double kMostSteps = 0x1p24;   // finer than this is no raster but rounding
-constexpr std::int32_t kFar = 1 << 26;  // beyond every letter; a row's sum of steps stays in range
+constexpr double kMostSteps = 0x1p22;  // finer than this is no raster but rounding
 
 /// Equally spaced places in x.
 struct Raster {
@@ -102,16 +101,19 @@ class CodeBook {
   std::array<Code, 256> codes_{};
 };
 
-/// Writes a row's letters by fours; false if the code book does not suffice.
+/// Writes a row's letters by fives; false if the code book does not suffice.
 bool Encode(const Row& row, const Raster& raster, CodeBook& book, std::vector<Letters>& line) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto at = static_cast<std::int32_t>(raster.NumberOf(row[i]->origin.x));
-    if (i % Letters::kMost == 0) line.push_back({at, {}});
-    Code code{kFar, row[i]->block};
+    const std::size_t which = i % Letters::kMost;
+    if (which == 0) line.push_back({static_cast<std::uint64_t>(at)});
+    Code code{Letters::kFar, row[i]->block};
     if (i + 1 < row.size()) {
       code.step = static_cast<std::int32_t>(raster.NumberOf(row[i + 1]->origin.x)) - at;
     }
-    if (!book.Add(code, line.back().codes[i % Letters::kMost])) return false;
+    std::uint8_t number = 0;
+    if (!book.Add(code, number)) return false;
+    line.back().bits |= std::uint64_t{number} << (24 + 8 * which);
   }
   return true;
 }
@@ -119,10 +121,10 @@ bool Encode(const Row& row, const Raster& raster, CodeBook& book, std::vector<Le
 /// Spreads a line over slots, from left to right; false if letters come to stand further on than a
 /// query looks.
 bool Spread(const std::vector<Letters>& line, const Rows& rows, std::vector<Letters>& slots) {
-  slots.assign(1, line.empty() ? Letters{kFar, {}} : line.front());
+  slots.assign(1, line.empty() ? Letters{Letters::kFar} : line.front());
   for (const Letters& letters : line) {
     // the first slot is for what begins before a query's
-    const auto own = 1 + static_cast<std::size_t>(letters.first * rows.step * rows.slots_per_m);
+    const auto own = 1 + static_cast<std::size_t>(letters.first() * rows.step * rows.slots_per_m);
     if (slots.size() >= own + Rows::kWindow) return false;
     while (slots.size() < own) slots.push_back(slots.back());
     slots.push_back(letters);
@@ -199,7 +201,7 @@ bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& la
   rows.steps_per_m = 1 / raster.step;
   rows.begin = raster.first + lead - 0.5 * raster.step;
   const double width = all.max.x - rows.begin;
-  if (!(2 * width < kFar * raster.step)) return false;
+  if (!(2 * width < Letters::kFar * raster.step)) return false;
 
   CodeBook book;
   std::vector<std::vector<Letters>> lines(bands.size());

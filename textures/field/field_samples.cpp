@@ -182,34 +182,38 @@ class RowLayer {
   std::size_t SetCells(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
                        std::size_t i) noexcept {
     const Block& block = *letter.block;
-    glm::dvec2 local = points_[i] - letter.origin;
-    SureCell at = CellAt(block, size, of_letter, local);
+    const std::size_t first = i, end = std::min(points_.size(), first + kMost);
+    SureCell at = CellAt(block, size, of_letter, points_[i] - letter.origin);
     const Cell cell = at.cell;
-    const auto stays = [&] {
-      if (IsIn(at.sure, local)) return true;
-      if (!IsIn(of_letter, local)) return false;
-      at = CellAt(block, size, of_letter, local);
-      return at.cell.code == cell.code;
-    };
-    const std::size_t first = i;
-    if (cell.empty()) {
-      do {
-        samples_[i] = {};
-        if (++i == points_.size()) break;
-        local = points_[i] - letter.origin;
-      } while (stays());
-      return i;
-    }
-    std::size_t count = 0;
     do {
-      run_.x[count] = local.x;
-      run_.y[count] = local.y;
-      ++count;
-      if (++i == points_.size() || count == kMost) break;
-      local = points_[i] - letter.origin;
-    } while (stays());
-    SetPoints(block, cell, first, count);
+      i = Take(letter.origin, at.sure, first, i, end);
+      if (i == end || !IsIn(of_letter, points_[i] - letter.origin)) break;
+      at = CellAt(block, size, of_letter, points_[i] - letter.origin);
+    } while (at.cell.code == cell.code);
+    if (cell.empty()) {
+      std::fill(samples_.begin() + static_cast<std::ptrdiff_t>(first),
+                samples_.begin() + static_cast<std::ptrdiff_t>(i), Sample{});
+    } else {
+      SetPoints(block, cell, first, i - first);
+    }
     return i;
+  }
+
+  /// Writes the i-th point, wherever it lies, and those after it that lie in the box to the run,
+  /// which begins with the point `first`; returns the number of the first that does not, or `end`.
+  std::size_t Take(glm::dvec2 origin, const Box box, std::size_t first, std::size_t i,
+                   std::size_t end) noexcept {
+    const glm::dvec2* point = &points_[i];
+    const glm::dvec2* const last = points_.data() + end;
+    double *x = &run_.x[i - first], *y = &run_.y[i - first];
+    glm::dvec2 local = *point - origin;
+    do {
+      *x++ = local.x;
+      *y++ = local.y;
+      if (++point == last) break;
+      local = *point - origin;
+    } while (IsIn(box, local));
+    return static_cast<std::size_t>(point - points_.data());
   }
 
   /// Sets the run's points, the first of which has the number `first`.
