@@ -15,6 +15,8 @@ namespace moontrace {
 /// the command line's defaults.
 struct Label {
   std::string geom;
+  std::string
+      carrier;  ///< the geom that it lies on, where a solid was fitted to a mesh; else empty
   int number = 0;
   std::string text;  ///< may be empty: the program's text goes there
   /// The page's lower left corner on the face, from its middle [m]: of a top face in the geom's own
@@ -46,6 +48,8 @@ inline constexpr std::string_view kLabelPrefix = "moontrace:";
 bool IsLabelName(const std::string& name);
 /// As people name it: GEOM, or GEOM:n for the further ones.
 std::string NameOf(const Label& label);
+/// The geom that it lies on.
+const std::string& CarrierOf(const Label& label) noexcept;
 
 /// Reads one label. `where` stands in messages. Throws InputError naming unknown keys with the
 /// nearest valid one.

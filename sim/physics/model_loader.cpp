@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "sim/physics/felt_object.h"
+#include "sim/physics/mesh_label.h"
 #include "sim/physics/mjcf.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
@@ -23,13 +24,14 @@ constexpr std::size_t kGreatestFile = std::size_t{64} << 20;  ///< [bytes]
 
 /// Compiles, with MuJoCo's own line numbers in the message if it fails: the prepared text has
 /// others.
-ModelPtr Compile(const Mjcf& mjcf, const std::string& original, const std::string& folder,
-                 const std::string& name, std::vector<std::string>& remarks) {
+ModelPtr Compile(const std::string& prepared, const std::string& original,
+                 const std::string& folder, const std::string& name,
+                 std::vector<std::string>& remarks) {
   const std::string path = (std::filesystem::path(folder) / "moontrace-model.xml").string();
   std::string warning;
   ModelPtr m;
   try {
-    m = CompileMjcf(mjcf.xml, path, name, warning);
+    m = CompileMjcf(prepared, path, name, warning);
   } catch (const InputError&) {
     CompileMjcf(original, path, name, warning);
     throw;
@@ -91,7 +93,7 @@ void CheckAt(const Label& label, const Solid& solid, const std::string& place) {
 
 /// The geom a label names, checked: it exists, has a chart and the face, and room at that place.
 int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
-  const int geom = mj_name2id(&m, mjOBJ_GEOM, label.geom.c_str());
+  const int geom = mj_name2id(&m, mjOBJ_GEOM, CarrierOf(label).c_str());
   const std::string place = PlaceOf(label, name);
   if (geom < 0) {
     const std::string nearest = NearestWord(label.geom, GeomNames(m));
@@ -102,8 +104,8 @@ int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
   const std::optional<Solid> solid = SolidOf(m, geom);
   if (!solid) {
     throw InputError(place +
-                     ": a mesh or height field has no chart; put it on a plane, box, cylinder, "
-                     "sphere, capsule or ellipsoid");
+                     ": that geom has no chart; put it on a plane, box, cylinder, sphere, capsule, "
+                     "ellipsoid, mesh or height field");
   }
   if (label.face && !HasFace(*solid, *label.face)) {
     throw InputError(fmt::format("{}: that geom has no face {}; take {}", place,
@@ -295,10 +297,16 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
   if (mjcf.proxy_inserted) {
     loaded.remarks.push_back("no moontrace_proxy in the model: models/proxy.xml was inserted");
   }
-  loaded.m = Compile(mjcf, xml, folder, name, loaded.remarks);
   loaded.xml = mjcf.xml;
+  loaded.m = Compile(loaded.xml, xml, folder, name, loaded.remarks);
+  loaded.labels = ReadLabels(*loaded.m, name);
+  const std::vector<FittedGeom> fitted = FitLabels(*loaded.m, loaded.labels, name, loaded.remarks);
+  if (!fitted.empty()) {
+    loaded.xml = WithGeoms(loaded.xml, fitted, name);
+    std::vector<std::string> again;  // the same warnings
+    loaded.m = Compile(loaded.xml, loaded.xml, folder, name, again);
+  }
   mjModel& m = *loaded.m;
-  loaded.labels = ReadLabels(m, name);
   if (label >= loaded.labels.size()) {
     throw InputError(fmt::format("{}: label {} of {}: count from 0; take one that is there", name,
                                  label, loaded.labels.size()));
