@@ -31,6 +31,8 @@ using BenchRows = std::vector<BenchRow>;
 BenchRows BenchField();
 /// How warm motors become under a hand that rests on a page, level and tilted by 20 degrees.
 BenchRows BenchHeat();
+/// A tick among ten labelled objects, and MuJoCo's contact with one of them as a mesh.
+BenchRows BenchLabels();
 /// Reaction forces as the paper measured them: each letter, and a page of 64 x 30 letters.
 BenchRows BenchPaper();
 /// mj_step with and without the field, MuJoCo's own height field of the page, the whole tick.

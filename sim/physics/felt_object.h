@@ -36,6 +36,7 @@ struct FeltObject {
   Surface surface;                   ///< the scene's, or its labels' own
   double compliance = 0;             ///< greatest velocity per impulse [1/kg]
   FloatingBody floating;
+  int steps = 1;  ///< integration steps of a tick that touches it
   // what follows from surface and labels
   SurfaceLaw law;
   double through_depth = 0;  ///< [m]

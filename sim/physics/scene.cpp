@@ -67,25 +67,17 @@ int StepsFor(const SceneOptions& options, double surface, double mass, double co
       rate * mass, options.coupling_damping, 1000 * mass, most, 1000 * options.tick));
 }
 
-/// Of all objects, the page with `field` on it.
-int StepsFor(const SceneOptions& options, const std::vector<FeltObject>& objects,
-             std::size_t page_object, std::size_t page_number, const TextureField& field,
-             double mass) {
-  int steps = 1;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const FeltObject& object = objects[i];
-    std::vector<LabelOnSolid> labels = object.labels;
-    if (i == page_object) labels[page_number].field = &field;
-    const double shrink =
-        ShrinkAt(object.solid, ThroughDepthOn(object.solid, object.surface, labels));
-    for (const LabelOnSolid& label : labels) {
-      if (label.field == nullptr) continue;
-      CheckFriction(options, shrink * label.stretch * label.field->greatest_slope());
-    }
-    const double stiffness = StiffnessOn(object.solid, object.surface, labels);
-    steps = std::max(steps, StepsFor(options, stiffness, mass, object.compliance));
+/// Of an object with these labels.
+int StepsFor(const SceneOptions& options, const FeltObject& object,
+             const std::vector<LabelOnSolid>& labels, double mass) {
+  const double shrink =
+      ShrinkAt(object.solid, ThroughDepthOn(object.solid, object.surface, labels));
+  for (const LabelOnSolid& label : labels) {
+    if (label.field == nullptr) continue;
+    CheckFriction(options, shrink * label.stretch * label.field->greatest_slope());
   }
-  return steps;
+  return StepsFor(options, StiffnessOn(object.solid, object.surface, labels), mass,
+                  object.compliance);
 }
 
 /// Calls `visit(values, count)` for every array that a step starts from.
@@ -175,15 +167,16 @@ void Scene::Impl::FindPage() {
 
 int Scene::Impl::CheckField(const TextureField* new_field) const {
   static const TextureField blank;
-  return StepsFor(options, objects, page_object, page_number,
-                  new_field != nullptr ? *new_field : blank, loaded.proxy.mass);
+  std::vector<LabelOnSolid> labels = page().labels;
+  labels[page_number].field = new_field != nullptr ? new_field : &blank;
+  return StepsFor(options, page(), labels, loaded.proxy.mass);
 }
 
 void Scene::Impl::SetField(const TextureField* new_field) {
-  const int steps = CheckField(new_field);
+  CheckField(new_field);
   objects[page_object].labels[page_number].field = new_field;
   objects[page_object].Settle();
-  TakeSteps(steps);
+  TakeSteps();
 }
 
 void Scene::Impl::SetLabel(const LaidLabel& laid) {
@@ -195,11 +188,15 @@ void Scene::Impl::SetLabel(const LaidLabel& laid) {
       object.Settle();
     }
   }
-  TakeSteps(CheckField(page_label().field));
+  TakeSteps();
 }
 
-void Scene::Impl::TakeSteps(int steps) {
-  substeps = steps;
+void Scene::Impl::TakeSteps() {
+  substeps = 1;
+  for (FeltObject& object : objects) {
+    object.steps = StepsFor(options, object, object.labels, loaded.proxy.mass);
+    substeps = std::max(substeps, object.steps);
+  }
   free_substeps = StepsFor(options, 0, loaded.proxy.mass, 0);
   steps_taken = 0;
   loaded.m->opt.timestep = options.tick / substeps;

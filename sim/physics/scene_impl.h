@@ -90,7 +90,7 @@ struct Scene::Impl {
   Pose X_GP;                        ///< of a flat page on its geom
   bool rests = false;               ///< a flat page that nothing moves
   Pose X_WP;                        ///< in this step; where it rests, for good
-  int substeps = 1;                 ///< of a tick that touches
+  int substeps = 1;                 ///< of a tick that touches the stiffest object
   int free_substeps = 1;            ///< of one far from everything
   int steps_taken = 0;              ///< that the time step of MuJoCo is set for; 0: for none
   std::vector<std::string> remarks;
@@ -106,7 +106,7 @@ struct Scene::Impl {
   void FindPage();
   Pose PoseOfLabel(const Pose& X_WG, glm::dvec3 p_W) const noexcept;
   glm::dvec3 ToRoundPage(glm::dvec3 p_W) const noexcept;
-  void TakeSteps(int steps);
+  void TakeSteps();
   StepForces Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept;
   StepForces TouchPage(glm::dvec3 point_W, glm::dvec3 velocity_W, glm::dvec3 pull_W) noexcept;
   void TouchObjects(StepForces& step) noexcept;

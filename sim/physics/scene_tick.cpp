@@ -52,6 +52,14 @@ class ResetWatch {
   double margin_;
 };
 
+/// Whether a point is no farther from a geom's middle than that [m]; most objects are far off, and
+/// their poses need not be read.
+bool IsWithin(double reach, const mjData& d, int geom, glm::dvec3 p_W) noexcept {
+  const mjtNum* middle = d.geom_xpos + std::ptrdiff_t{3} * geom;
+  const glm::dvec3 apart = p_W - glm::dvec3(middle[0], middle[1], middle[2]);
+  return glm::dot(apart, apart) < reach * reach;
+}
+
 /// The plane that touches a round label below a point: P as on paper there.
 Pose TouchingPose(const LabelChart& chart, const Pose& X_WO, glm::dvec3 p_W) noexcept {
   const glm::dvec3 p_O = FromWorld(X_WO, p_W);
@@ -159,12 +167,12 @@ void Scene::Impl::TouchObjects(StepForces& step) noexcept {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const FeltObject& object = objects[i];
     reactions[i] = {0, 0, 0};
-    const Pose pose = PoseOfGeom(*d, object.geom);
-    const glm::dvec3 p_O = FromWorld(pose, step.point_W);
-    if (!(glm::dot(p_O, p_O) < object.reach * object.reach)) {
+    if (!IsWithin(object.reach, *d, object.geom, step.point_W)) {
       sides[i] = {};
       continue;
     }
+    const Pose pose = PoseOfGeom(*d, object.geom);
+    const glm::dvec3 p_O = FromWorld(pose, step.point_W);
     Remember(object.solid, object.thin, p_O, sides[i]);
     const SolidContact contact = TouchSolid(object.law, object.solid, object.labels, p_O, sides[i]);
     step.energy += Potential(object.law, contact.displacement, contact.nearest.height);
@@ -268,19 +276,24 @@ void Scene::Impl::FinishStep() noexcept {
   PlaceProxy(from_W + m.opt.timestep * ProxyVelocity(), ProxyVelocity());
 }
 
-/// Integration steps of this tick: where nothing is near that the page's stiffness could move, as
-/// few as the coupling needs, so that a model without touch goes as it would by itself.
+/// Integration steps of this tick: as many as what is near needs; where nothing is near that its
+/// stiffness could move, as few as the coupling needs, so that a model without touch goes as it
+/// would by itself.
 int Scene::Impl::StepsNow(glm::dvec3 tip_W) const noexcept {
-  if (substeps == 1 || loaded.m->nv == 3) return substeps;
+  if (substeps == 1 || (page_only && loaded.m->nv == 3)) return substeps;
   const glm::dvec3 points_W[] = {tip_W, direct() ? tip_W : ProxyPosition()};
+  int steps = free_substeps;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Pose X_WO = PoseOfGeom(*d, objects[i].geom);
+    const FeltObject& object = objects[i];
+    if (object.steps <= steps) continue;
     for (const glm::dvec3& p_W : points_W) {
-      const double height = NearestOf(objects[i].solid, FromWorld(X_WO, p_W), sides[i]).height;
-      if (!(height > objects[i].near)) return substeps;
+      if (!IsWithin(object.reach + object.near, *d, object.geom, p_W)) continue;
+      const Pose X_WO = PoseOfGeom(*d, object.geom);
+      const double height = NearestOf(object.solid, FromWorld(X_WO, p_W), sides[i]).height;
+      if (!(height > object.near)) steps = std::max(steps, object.steps);
     }
   }
-  return free_substeps;
+  return steps;
 }
 
 /// The opposite of each force on the tip, where that acts, on what can be pushed.
@@ -337,7 +350,9 @@ void Scene::Impl::Idle() noexcept {
 void Scene::Impl::SwapField(const TextureField* new_field, int new_substeps) noexcept {
   objects[page_object].labels[page_number].field = new_field;
   objects[page_object].Settle();
-  substeps = new_substeps;
+  objects[page_object].steps = new_substeps;
+  substeps = 1;
+  for (const FeltObject& object : objects) substeps = std::max(substeps, object.steps);
   steps_taken = 0;
   loaded.m->opt.timestep = options.tick / substeps;
   Restart();
