@@ -101,7 +101,7 @@ std::vector<FeltObject> FeltObjects(const mjModel& m, mjData& d, const std::vect
                                     const SceneOptions& options, const std::string& name) {
   std::vector<FeltObject> objects;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const int geom = mj_name2id(&m, mjOBJ_GEOM, CarrierOf(labels[i]).c_str());
+    const int geom = labels[i].carrier;
     auto object = std::find_if(objects.begin(), objects.end(),
                                [&](const FeltObject& other) { return other.geom == geom; });
     if (object == objects.end()) {

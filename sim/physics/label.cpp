@@ -125,10 +125,6 @@ std::string NameOf(const Label& label) {
   return label.number == 0 ? label.geom : label.geom + ":" + std::to_string(label.number);
 }
 
-const std::string& CarrierOf(const Label& label) noexcept {
-  return label.carrier.empty() ? label.geom : label.carrier;
-}
-
 bool IsLabelName(const std::string& name) { return name.rfind(kLabelPrefix, 0) == 0; }
 
 Label ParseLabel(const std::string& name, const std::string& data, const std::string& where) {

@@ -14,9 +14,9 @@ namespace moontrace {
 /// at_mm=[0,0]}"/>`: one TOML inline table with the command line's keys. Absent keys are left to
 /// the command line's defaults.
 struct Label {
-  std::string geom;
-  std::string
-      carrier;  ///< the geom that it lies on, where a solid was fitted to a mesh; else empty
+  std::string geom;    ///< its name, or BODY or BODY/N for a geom without one, see GeomNamed
+  std::string fitted;  ///< name of the geom that was fitted to a mesh for it; else empty
+  int carrier = -1;    ///< MuJoCo's number of the geom that it lies on, once it is found
   int number = 0;
   std::string text;  ///< may be empty: the program's text goes there
   /// The page's lower left corner on the face, from its middle [m]: of a top face in the geom's own
@@ -48,8 +48,6 @@ inline constexpr std::string_view kLabelPrefix = "moontrace:";
 bool IsLabelName(const std::string& name);
 /// As people name it: GEOM, or GEOM:n for the further ones.
 std::string NameOf(const Label& label);
-/// The geom that it lies on.
-const std::string& CarrierOf(const Label& label) noexcept;
 
 /// Reads one label. `where` stands in messages. Throws InputError naming unknown keys with the
 /// nearest valid one.

@@ -95,7 +95,7 @@ double LengthErrorOf(const Label& label, const Solid& solid, const Box& text_P) 
 
 bool LieTogether(const Label& a, const Box& text_A, const Label& b, const Box& text_B,
                  const Solid& solid) {
-  if (CarrierOf(a) != CarrierOf(b)) return false;
+  if (a.carrier != b.carrier) return false;
   const LabelChart chart_A = ChartOf(a, solid, text_A), chart_B = ChartOf(b, solid, text_B);
   return chart_A.place().face == chart_B.place().face &&
          (HoldsSome(chart_A, text_A, chart_B, text_B) ||

@@ -252,6 +252,12 @@ pugi::xml_node BodyOf(pugi::xml_node node) {
   return {};
 }
 
+std::string_view NameOfBody(const pugi::xml_node& body) {
+  return std::string_view(body.name()) == "worldbody"
+             ? std::string_view("world")
+             : std::string_view(body.attribute("name").value());
+}
+
 /// Every number as it is.
 std::string Exactly(std::initializer_list<double> values) {
   std::string text;
@@ -294,8 +300,8 @@ std::vector<FittedGeom> FitLabels(const mjModel& m, std::vector<Label>& labels,
   std::vector<Fitted> fits;
   double triangles = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    const int geom = mj_name2id(&m, mjOBJ_GEOM, labels[i].geom.c_str());
-    if (geom < 0 || !IsMesh(m, geom)) continue;
+    const int geom = labels[i].carrier;
+    if (!IsMesh(m, geom)) continue;
     triangles += TrianglesOf(m, geom);
     RequireFew(TrianglesOf(m, geom), triangles,
                fmt::format("{}: label on '{}'", name, OneLine(labels[i].geom)));
@@ -328,7 +334,7 @@ std::vector<FittedGeom> FitLabels(const mjModel& m, std::vector<Label>& labels,
       geoms.push_back({fmt::format("moontrace_fitted:{}:{}", label.geom, others), label.geom,
                        BodyNameOf(m, fitted.geom), fitted.solid.solid, fitted.X_BO});
     }
-    label.carrier = geoms[carrier].name;
+    label.fitted = geoms[carrier].name;
     label.face = face;
     label.middle = fitted.solid.on_face;
     label.turn += fitted.solid.turn;
@@ -356,12 +362,12 @@ std::string WithGeoms(const std::string& xml, const std::vector<FittedGeom>& geo
   }
   for (const FittedGeom& fitted : geoms) {
     pugi::xml_node body = BodyOf(root.find_node([&fitted](const pugi::xml_node& node) {
-      return std::string_view(node.name()) == "geom" && fitted.on == node.attribute("name").value();
+      const std::string_view tag = node.name(), called = node.attribute("name").value();
+      if (tag == "worldbody") return fitted.body == "world";
+      return (tag == "geom" && called == fitted.on) ||
+             (tag == "body" && !fitted.body.empty() && called == fitted.body);
     }));
-    const std::string_view found = std::string_view(body.name()) == "worldbody"
-                                       ? std::string_view("world")
-                                       : std::string_view(body.attribute("name").value());
-    if (!body || found != fitted.body) {
+    if (!body || NameOfBody(body) != fitted.body) {
       throw InputError(
           fmt::format("{}: label on '{}': a label on a mesh needs a geom that is "
                       "written in a body of the model itself: write it there",

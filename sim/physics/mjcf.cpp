@@ -41,7 +41,7 @@ struct Cap {
 /// A constraint row costs a row of two square matrices, so njmax is the lowest.
 constexpr std::array<Cap, 19> kCaps = {{{"size", "njmax", 8000},
                                         {"size", "nconmax", 100'000},
-                                        {"size", "nstack", 1 << 25},
+                                        {"size", "nstack", 1 << 26},
                                         {"size", "nuserdata", 1 << 20},
                                         {"option", "iterations", 10'000},
                                         {"option", "ls_iterations", 10'000},

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -54,12 +55,34 @@ std::vector<Label> ReadLabels(const mjModel& m, const std::string& name) {
   return labels;
 }
 
-std::vector<std::string> GeomNames(const mjModel& m) {
+/// What a label may name: geoms, and bodies for their geoms without a name.
+std::vector<std::string> Names(const mjModel& m) {
   std::vector<std::string> names;
   for (int i = 0; i < static_cast<int>(m.ngeom); ++i) {
     if (const char* geom = mj_id2name(&m, mjOBJ_GEOM, i)) names.emplace_back(geom);
   }
+  for (int i = 0; i < static_cast<int>(m.nbody); ++i) {
+    if (const char* body = mj_id2name(&m, mjOBJ_BODY, i)) names.emplace_back(body);
+  }
   return names;
+}
+
+/// The number of a geom by its name; else of the only geom, or by BODY/N of the N-th from 1, of the
+/// body of that name, since most geoms have none; below zero: there is none, or several.
+int GeomNamed(const mjModel& m, const std::string& name) {
+  const int geom = mj_name2id(&m, mjOBJ_GEOM, name.c_str());
+  if (geom >= 0) return geom;
+  int body = mj_name2id(&m, mjOBJ_BODY, name.c_str());
+  if (body >= 0) return m.body_geomnum[body] == 1 ? m.body_geomadr[body] : -1;
+  const std::size_t slash = name.rfind('/');
+  if (slash == std::string::npos) return -1;
+  const char* end = name.data() + name.size();
+  int number = 0;
+  const auto [stop, error] = std::from_chars(name.data() + slash + 1, end, number);
+  body = mj_name2id(&m, mjOBJ_BODY, name.substr(0, slash).c_str());
+  if (error != std::errc() || stop != end || body < 0) return -1;
+  if (number < 1 || number > m.body_geomnum[body]) return -1;
+  return m.body_geomadr[body] + number - 1;
 }
 
 std::string PlaceOf(const Label& label, const std::string& name) {
@@ -91,17 +114,30 @@ void CheckAt(const Label& label, const Solid& solid, const std::string& place) {
   }
 }
 
-/// The geom a label names, checked: it exists, has a chart and the face, and room at that place.
-int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
-  const int geom = mj_name2id(&m, mjOBJ_GEOM, CarrierOf(label).c_str());
+/// Sets what the label lies on. Throws InputError: there is no such geom.
+void FindCarrier(const mjModel& m, const std::string& name, Label& label) {
+  label.carrier = label.fitted.empty() ? GeomNamed(m, label.geom)
+                                       : mj_name2id(&m, mjOBJ_GEOM, label.fitted.c_str());
+  if (label.carrier >= 0) return;
   const std::string place = PlaceOf(label, name);
-  if (geom < 0) {
-    const std::string nearest = NearestWord(label.geom, GeomNames(m));
-    throw InputError(place + ": no such geom; " +
-                     (nearest.empty() ? "name one of the model's geoms"
-                                      : "did you mean '" + OneLine(nearest) + "'?"));
+  const int body = mj_name2id(&m, mjOBJ_BODY, label.geom.c_str());
+  if (body >= 0) {
+    const int count = m.body_geomnum[body];
+    throw InputError(count == 0
+                         ? place + ": that body has no geom; name another"
+                         : fmt::format("{}: that body has {} geoms; write {}/1 to {}/{}", place,
+                                       count, OneLine(label.geom), OneLine(label.geom), count));
   }
-  const std::optional<Solid> solid = SolidOf(m, geom);
+  const std::string nearest = NearestWord(label.geom, Names(m));
+  throw InputError(place + ": no such geom; " +
+                   (nearest.empty() ? "name one of the model's geoms, or a body for its geom"
+                                    : "did you mean '" + OneLine(nearest) + "'?"));
+}
+
+/// What the label lies on, checked: it has a chart and the face, and room at that place.
+void CheckCarrier(const mjModel& m, const Label& label, const std::string& name) {
+  const std::string place = PlaceOf(label, name);
+  const std::optional<Solid> solid = SolidOf(m, label.carrier);
   if (!solid) {
     throw InputError(place +
                      ": that geom has no chart; put it on a plane, box, cylinder, sphere, capsule, "
@@ -112,7 +148,6 @@ int GeomOf(const mjModel& m, const Label& label, const std::string& name) {
                                  NameOf(*label.face), FacesOf(*solid)));
   }
   CheckAt(label, *solid, place);
-  return geom;
 }
 
 /// Turns the geom about its own x axis through the page's origin, the far edge (+y) up. A body that
@@ -300,6 +335,7 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
   loaded.xml = mjcf.xml;
   loaded.m = Compile(loaded.xml, xml, folder, name, loaded.remarks);
   loaded.labels = ReadLabels(*loaded.m, name);
+  for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
   const std::vector<FittedGeom> fitted = FitLabels(*loaded.m, loaded.labels, name, loaded.remarks);
   if (!fitted.empty()) {
     loaded.xml = WithGeoms(loaded.xml, fitted, name);
@@ -307,12 +343,14 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
     loaded.m = Compile(loaded.xml, loaded.xml, folder, name, again);
   }
   mjModel& m = *loaded.m;
+  for (Label& each : loaded.labels) FindCarrier(m, name, each);
   if (label >= loaded.labels.size()) {
     throw InputError(fmt::format("{}: label {} of {}: count from 0; take one that is there", name,
                                  label, loaded.labels.size()));
   }
   for (Label& each : loaded.labels) {
-    const Solid solid = SolidOf(m, GeomOf(m, each, name)).value_or(Solid());
+    CheckCarrier(m, each, name);
+    const Solid solid = SolidOf(m, each.carrier).value_or(Solid());
     const bool round = each.face.value_or(UsualFace(solid)) == Face::kRound;
     if (round && !each.at_given && !each.middle) each.middle = {0, 0};
   }
@@ -321,7 +359,7 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
     loaded.remarks.push_back(fmt::format("{} labels in the model: the page is on '{}'",
                                          loaded.labels.size(), OneLine(NameOf(page))));
   }
-  Tilt(m, page, GeomOf(m, page, name), tilt, PlaceOf(page, name));
+  Tilt(m, page, page.carrier, tilt, PlaceOf(page, name));
   loaded.proxy = FindProxy(m, name);
   if (KeepAwake(m)) {
     loaded.remarks.push_back("sleeping is turned off: forces on a sleeping body are lost");

@@ -50,8 +50,7 @@ std::string Refusal(const std::string& xml) {
 TEST(MeshLabel, LiesOnWhatWasFittedAndSaysSo) {
   const LoadedModel loaded = Load(Model(Can(), {"text='TEA', face='front', middle_mm=[0,10]"}));
   const Label& label = loaded.labels.front();
-  const int carrier = mj_name2id(loaded.m.get(), mjOBJ_GEOM, CarrierOf(label).c_str());
-  ASSERT_GE(carrier, 0);
+  const int carrier = label.carrier;
   EXPECT_EQ(loaded.m->geom_type[carrier], mjGEOM_CYLINDER);
   EXPECT_NEAR(loaded.m->geom_size[3 * carrier], 0.04, 2e-6);
   EXPECT_EQ(label.face, Face::kRound);
@@ -66,10 +65,10 @@ TEST(MeshLabel, LiesOnWhatWasFittedAndSaysSo) {
 // Each of two solids in one place would push the tip out of the other's grooves.
 TEST(MeshLabel, PartsOfOneSolidShareIt) {
   const LoadedModel plate = Load(Model(kPlate, {"text='A'", "text='B', face='bottom'"}));
-  EXPECT_EQ(CarrierOf(plate.labels[0]), CarrierOf(plate.labels[1]));
+  EXPECT_EQ(plate.labels[0].carrier, plate.labels[1].carrier);
   EXPECT_NE(plate.labels[0].face, plate.labels[1].face);
   const LoadedModel can = Load(Model(Can(), {"text='A'", "text='B', face='front'"}));
-  EXPECT_EQ(CarrierOf(can.labels[0]), CarrierOf(can.labels[1]));
+  EXPECT_EQ(can.labels[0].carrier, can.labels[1].carrier);
   EXPECT_EQ(can.labels[0].face, Face::kTop);
   EXPECT_EQ(can.labels[1].face, Face::kRound);
 }
@@ -104,9 +103,7 @@ TEST(MeshLabel, AHeightFieldCarriesOnItsFlatPart) {
       "<mujoco><asset><hfield name='h' nrow='20' ncol='30' size='.1 .08 .02 .01'/></asset><custom>"
       "<text name='moontrace:land' data=\"{text='SEA'}\"/></custom><worldbody>"
       "<geom name='land' type='hfield' hfield='h' quat='1 0 1 0'/></worldbody></mujoco>");
-  const int carrier =
-      mj_name2id(loaded.m.get(), mjOBJ_GEOM, CarrierOf(loaded.labels.front()).c_str());
-  ASSERT_GE(carrier, 0);
+  const int carrier = loaded.labels.front().carrier;
   EXPECT_NEAR(loaded.m->geom_size[3 * carrier], 0.1, 1e-6);
   EXPECT_NEAR(loaded.m->geom_size[3 * carrier + 1], 0.08, 1e-6);
 }

@@ -220,6 +220,23 @@ TEST_F(ModelLoader, LabelsMustFindAGeomWithAChart) {
   EXPECT_TRUE(Holds(off, "middle_mm lies outside") && Holds(off, "-50 to 50 mm along y")) << off;
 }
 
+// Most models name bodies and leave their geoms without names.
+TEST_F(ModelLoader, AGeomWithoutANameIsMeantByItsBody) {
+  const auto with = [](const std::string& named) {
+    return "<mujoco><custom><text name='moontrace:" + named +
+           "' data='{}'/></custom><worldbody><body name='arm'><geom size='1'/></body>"
+           "<body name='hand'><geom size='1'/><geom type='box' size='1 2 3'/></body></worldbody>"
+           "</mujoco>";
+  };
+  EXPECT_EQ(LoadText(with("arm")).labels.front().carrier, 0);
+  EXPECT_EQ(LoadText(with("hand/1:4")).labels.front().carrier, 1);
+  EXPECT_EQ(LoadText(with("hand/2")).labels.front().carrier, 2);
+  const std::string several = LoadError(with("hand"));
+  EXPECT_TRUE(IsOneLine(several) && Holds(several, "has 2 geoms; write hand/1 to hand/2"));
+  EXPECT_TRUE(Holds(LoadError(with("hand/3")), "no such geom"));
+  EXPECT_TRUE(Holds(LoadError(with("hnd")), "did you mean 'hand'"));
+}
+
 TEST_F(ModelLoader, TiltsNoPageWhoseBodyCanMove) {
   const std::string xml =
       "<mujoco><custom><text name='moontrace:sheet' data='{}'/></custom><worldbody>"
