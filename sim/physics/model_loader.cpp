@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "sim/physics/felt_object.h"
 #include "sim/physics/mjcf.h"
@@ -285,18 +286,8 @@ void HideFromSolvers(mjModel& m, const ProxyPlace& proxy) {
   if (m.nv > 3) m.stat.meaninertia = (m.stat.meaninertia * all - own) / all;
 }
 
-}  // namespace
-
-LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
-                      double tilt, std::size_t label) {
-  LoadedModel loaded;
-  const std::string proxy_xml = ReadTextFile(ResourcePath("models/proxy.xml"), kGreatestFile);
-  const Mjcf mjcf = PrepareMjcf(xml, folder, name, proxy_xml);
-  if (mjcf.proxy_inserted) {
-    loaded.remarks.push_back("no moontrace_proxy in the model: models/proxy.xml was inserted");
-  }
-  loaded.m = Compile(mjcf, xml, folder, name, loaded.remarks);
-  loaded.xml = mjcf.xml;
+/// What is known of a compiled model's labels and proxy; and turns off what hinders them.
+void FindMoon(LoadedModel& loaded, const std::string& name, double tilt, std::size_t label) {
   mjModel& m = *loaded.m;
   loaded.labels = ReadLabels(m, name);
   if (label >= loaded.labels.size()) {
@@ -320,6 +311,32 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
   }
   HideFromSolvers(m, loaded.proxy);
   SkipIdleStages(m);
+}
+
+}  // namespace
+
+LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
+                      double tilt, std::size_t label) {
+  LoadedModel loaded;
+  const std::string proxy_xml = ReadTextFile(ResourcePath("models/proxy.xml"), kGreatestFile);
+  const Mjcf mjcf = PrepareMjcf(xml, folder, name, proxy_xml);
+  if (mjcf.proxy_inserted) {
+    loaded.remarks.push_back("no moontrace_proxy in the model: models/proxy.xml was inserted");
+  }
+  loaded.m = Compile(mjcf, xml, folder, name, loaded.remarks);
+  loaded.xml = mjcf.xml;
+  FindMoon(loaded, name, tilt, label);
+  return loaded;
+}
+
+LoadedModel AdoptModel(ModelPtr m, std::string xml, const std::string& name, std::size_t label) {
+  if (mj_name2id(m.get(), mjOBJ_BODY, "moontrace_proxy") < 0) {
+    throw InputError(name + ": no body moontrace_proxy; include the models/proxy.xml of Moontrace");
+  }
+  LoadedModel loaded;
+  loaded.m = std::move(m);
+  loaded.xml = std::move(xml);
+  FindMoon(loaded, name, 0, label);
   return loaded;
 }
 
