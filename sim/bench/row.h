@@ -31,6 +31,8 @@ using BenchRows = std::vector<BenchRow>;
 BenchRows BenchField();
 /// How warm motors become under a hand that rests on a page, level and tilted by 20 degrees.
 BenchRows BenchHeat();
+/// Sampling by the C interface (sim/library) against the call of C++ on arrays.
+BenchRows BenchLibrary();
 /// Reaction forces as the paper measured them: each letter, and a page of 64 x 30 letters.
 BenchRows BenchPaper();
 /// mj_step with and without the field, MuJoCo's own height field of the page, the whole tick.
