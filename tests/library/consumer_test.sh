@@ -16,6 +16,12 @@ prefix=$folder/prefix
 # which data are read: these, not those of the source tree
 sed -i 's/^title = .*/title = "Installed Moon"/' "$prefix/share/moontrace/textures/scripts/moon.toml"
 
+# what belongs to one version of MuJoCo has it in its name, so that several lie side by side
+"$cmake" --install "$build" --prefix "$folder/one" --component stepping >"$folder/log"
+"$cmake" --install "$build" --prefix "$folder/one" --component stepping_development >"$folder/log"
+unnamed=$(find "$folder/one" ! -type d ! -name "*moontrace-mujoco-$mujoco*")
+[ -z "$unnamed" ] || fail 'without the version of MuJoCo in their names:' "$unnamed"
+
 # nothing but the libraries is offered
 mapfile -t offered < <(find "$prefix" -name '*.a' -o -name '*.h' -o -name '*.hpp' | sort)
 [ "${#offered[@]}" = 4 ] || fail 'offered:' "${offered[@]}"

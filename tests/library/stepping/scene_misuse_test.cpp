@@ -63,7 +63,7 @@ TEST(SceneMisuse, NullIsRefusedEverywhere) {
 TEST(SceneMisuse, AnotherMujocoIsRefusedBeforeTheModelIsLookedAt) {
   auto options = SceneOptionsOf("moon");
   moontrace_scene* scene = nullptr;
-  for (const int other : {0, mjVERSION_HEADER + 1, 3005000, -1}) {
+  for (const int other : {0, mjVERSION_HEADER - 1, mjVERSION_HEADER + 1, 3012000, -1}) {
     options.mujoco = other;
     // an address of nothing: looking at it would end the test
     auto* nothing = reinterpret_cast<mjModel*>(8);
