@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/library/call.h"
+#include "sim/library/given_surface.h"
 #include "sim/library/moontrace.h"
 #include "sim/library/strided.h"
 #include "sim/library/values.h"
@@ -77,18 +78,6 @@ void SampleMany(const TextureField& field, const moontrace_samples& given) {
   bad.Tell();
 }
 
-Surface SurfaceOf(const moontrace_surface* given) {
-  Surface surface;
-  if (given == nullptr) return surface;
-  const moontrace_surface known = Given(given, sizeof(moontrace_surface), "surface");
-  RequireNumber(known.stiffness, "surface.stiffness", 0);
-  RequireNumber(known.force_cap, "surface.force_cap", 0);
-  surface.law = RequireFlag(known.law, "surface.law") ? ForceLaw::kPaper : ForceLaw::kPotential;
-  if (known.stiffness > 0) surface.stiffness = known.stiffness;
-  if (known.force_cap > 0) surface.force_cap = known.force_cap;
-  return surface;
-}
-
 /// What is done at once, with the force.
 struct SampleBlock {
   std::array<double, kBlock> displacement, gradient_x, gradient_y;
@@ -135,7 +124,7 @@ int moontrace_sample(const moontrace_page* page, double x, double y, double samp
     const InUse<PageTable> value(page, kPage);
     RequireNumber(x, "x");
     RequireNumber(y, "y");
-    const Sample found = value->field.SampleAt({x, y});
+    const Sample found = value->field->SampleAt({x, y});
     sample[0] = found.displacement;
     sample[1] = found.gradient.x;
     sample[2] = found.gradient.y;
@@ -146,7 +135,7 @@ int moontrace_sample_many(const moontrace_page* page, const moontrace_samples* s
   return Answer([&] {
     const InUse<PageTable> value(page, kPage);
     const moontrace_samples given = Given(samples, sizeof(moontrace_samples), "samples");
-    SampleMany(value->field, given);
+    SampleMany(*value->field, given);
   });
 }
 
@@ -159,7 +148,7 @@ int moontrace_force(const moontrace_page* page, const moontrace_surface* surface
     RequireNumber(x, "x");
     RequireNumber(y, "y");
     RequireNumber(z, "z");
-    const glm::dvec3 force_P = Touch(SurfaceOf(surface), value->field, {x, y, z}).force_P;
+    const glm::dvec3 force_P = Touch(SurfaceOf(surface), *value->field, {x, y, z}).force_P;
     force[0] = force_P.x;
     force[1] = force_P.y;
     force[2] = force_P.z;
@@ -171,6 +160,6 @@ int moontrace_force_many(const moontrace_page* page, const moontrace_surface* su
   return Answer([&] {
     const InUse<PageTable> value(page, kPage);
     const moontrace_forces given = Given(forces, sizeof(moontrace_forces), "forces");
-    ForceMany(LawOf(SurfaceOf(surface), value->field), value->field, given);
+    ForceMany(LawOf(SurfaceOf(surface), *value->field), *value->field, given);
   });
 }
