@@ -165,9 +165,9 @@ void SampleMany(const ObjectValue& object, const moontrace_object_samples& given
       [&](std::size_t i, glm::dvec3 p_O) {
         const SolidContact contact = SurfaceAt(object, p_O);
         columns.Set(0, i, contact.displacement);
-        for (int k = 0; k < 3; ++k) {
-          columns.Set(static_cast<std::size_t>(1 + k), i, contact.gradient_O[k]);
-        }
+        columns.Set(1, i, contact.gradient_O.x);
+        columns.Set(2, i, contact.gradient_O.y);
+        columns.Set(3, i, contact.gradient_O.z);
         columns.Set(4, i, contact.nearest.height);
       },
       [&](std::size_t first, std::size_t count) { columns.End(first, count); });
@@ -184,7 +184,9 @@ void ForceMany(const ObjectValue& object, const SurfaceLaw& law, const moontrace
       given, {"forces.x", "forces.y", "forces.z"}, [&](std::size_t first) { columns.Begin(first); },
       [&](std::size_t i, glm::dvec3 p_O) {
         const glm::dvec3 force_O = TouchSolid(law, object.solid, {&object.label, 1}, p_O).force_O;
-        for (int k = 0; k < 3; ++k) columns.Set(static_cast<std::size_t>(k), i, force_O[k]);
+        columns.Set(0, i, force_O.x);
+        columns.Set(1, i, force_O.y);
+        columns.Set(2, i, force_O.z);
       },
       [&](std::size_t first, std::size_t count) { columns.End(first, count); });
 }

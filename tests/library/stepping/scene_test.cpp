@@ -6,7 +6,9 @@
 
 #include "sim/console/console.h"
 #include "sim/setup/text_trial.h"
+#include "sim/setup/trial_parameters.h"
 #include "sim/trial/metrics_json.h"
+#include "sim/trial/record.h"
 #include "tests/library/stepping/scene_fixture.h"
 
 namespace moontrace {
@@ -62,6 +64,15 @@ TEST_P(SceneOnEveryModel, TracesAsTheProgramToTheLastBit) {
   EXPECT_TRUE(samples == BytesOf(own.folder / "theirs/samples.f64"));
   EXPECT_EQ(BytesOf(own.folder / "ours/model.xml"), BytesOf(own.folder / "theirs/model.xml"));
   EXPECT_EQ(moontrace_trace_close(trace), MOONTRACE_DONE);
+
+  // what `moontrace replay --check` does with it
+  const Record record = ReadRecord(ours);
+  const TrialParameters parameters = ReadParameters(record.head.parameters_json, ours);
+  EXPECT_EQ(parameters.text, reference.text.text);
+  const TextureField field =
+      PageField(*reference.setup.page, *reference.setup.script, reference.setup.style, false);
+  const ReplayResult replay = Replay(record, field, nullptr, {}, reference.setup.others);
+  EXPECT_EQ(replay.first_difference, record.rows.size()) << replay.column;
 }
 
 /// Steps of a hand that sways over the page and into it.
