@@ -16,7 +16,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_COMPONENTS_ALL program data library development python perl doc)
+set(CPACK_COMPONENTS_ALL program data library development stepping stepping_development python perl doc)
 
 # package(COMPONENT NAME SECTION SUMMARY DESCRIPTION): lines of the description end with a newline.
 function(package component name section summary description)
@@ -42,6 +42,13 @@ file(WRITE ${package_folder}/shlibs "libmoontrace 0 libmoontrace0 (>= ${PROJECT_
 file(CHMOD ${package_folder}/triggers ${package_folder}/shlibs
   PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${package_folder}/triggers ${package_folder}/shlibs)
+# by the soname, libmoontrace-mujoco-VERSION.so.0: one for each MuJoCo can be installed
+set(stepping_package libmoontrace-mujoco-${mujoco_VERSION}-0)
+file(MAKE_DIRECTORY ${package_folder}/stepping)
+file(WRITE ${package_folder}/stepping/shlibs
+  "libmoontrace-mujoco-${mujoco_VERSION} 0 ${stepping_package} (>= ${PROJECT_VERSION})\n")
+file(CHMOD ${package_folder}/stepping/shlibs PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+set(CPACK_DEBIAN_STEPPING_PACKAGE_CONTROL_EXTRA ${package_folder}/triggers ${package_folder}/stepping/shlibs)
 
 package(program moontrace misc "learn and read Moon, the raised script, by touch"
 "Moon is a script of raised lines and curves for people who go blind late.
@@ -59,6 +66,14 @@ at many. It needs neither MuJoCo nor a device.")
 package(development libmoontrace-dev libdevel "tactile text as a texture field, for developers"
 "Headers for C and C++, a file for pkg-config, one for CMake's find_package, and
 examples: programs that use libmoontrace0.")
+package(stepping ${stepping_package} libs "tactile text on models of MuJoCo ${mujoco_VERSION}, shared library"
+"For programs that have a MuJoCo ${mujoco_VERSION} of their own: the library steps their
+model with the force of the text on it, traces the text by a simulated hand,
+records and scores. Another MuJoCo takes the library of its version.")
+package(stepping_development libmoontrace-mujoco-${mujoco_VERSION}-dev libdevel
+"tactile text on models of MuJoCo ${mujoco_VERSION}, for developers"
+"What programs that use ${stepping_package} are linked with: files for
+pkg-config and for CMake's find_package. Headers are in libmoontrace-dev.")
 package(python python3-moontrace python "tactile text as a texture field, for Python"
 "A module over libmoontrace0: pages of Moon as height maps, and the forces along
 a path, as arrays of NumPy.")
@@ -77,6 +92,10 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-dejavu-core, libgl1-mesa-dri,
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "moontrace-doc")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "moontrace-data ${same}")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libmoontrace0 ${same}")
+set(CPACK_DEBIAN_STEPPING_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_STEPPING_PACKAGE_DEPENDS "moontrace-data ${same}")
+set(CPACK_DEBIAN_STEPPING_DEVELOPMENT_PACKAGE_DEPENDS
+  "${stepping_package} ${same}, libmoontrace-dev ${same}, libmujoco-dev")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, libmoontrace0 ${same}")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-numpy")
 set(CPACK_DEBIAN_PERL_PACKAGE_DEPENDS "perl, libffi-platypus-perl, libmoontrace0 ${same}")

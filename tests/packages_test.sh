@@ -16,7 +16,7 @@ trap 'umount "$root/proc"' EXIT
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 in_root apt-get update -q >/dev/null
 # what the examples need besides
-in_root apt-get install -qy --no-install-recommends g++ cmake make pkg-config python3-numpy libffi-platypus-perl >/dev/null
+in_root apt-get install -qy --no-install-recommends g++ cmake make pkg-config python3-numpy libffi-platypus-perl libgl-dev libopengl-dev >/dev/null
 files >"$root/tmp/before"
 
 mkdir -p "$root/tmp/debs"
@@ -27,11 +27,14 @@ in_root sh -c 'cd /tmp && rm -rf moontrace-demo && moontrace demo' | tail -n 3
 examples=/usr/share/doc/libmoontrace-dev/examples
 in_root sh -c "cd /tmp && cc -std=c99 -Wall -Wextra -Wpedantic -Werror $examples/c/consumer.c -o c \$(pkg-config --cflags --libs moontrace) && ./c"
 in_root sh -c "cmake -S $examples/cpp -B /tmp/cpp >/tmp/log && cmake --build /tmp/cpp >>/tmp/log && /tmp/cpp/consumer /tmp/i.svg"
+mujoco=$(basename "$(ls "$folder"/libmoontrace-mujoco-*-dev_*.deb)" | sed 's/libmoontrace-mujoco-\(.*\)-dev_.*/\1/')
+in_root sh -c "cd /tmp && cc -std=c99 -Wall -Wextra -Wpedantic -Werror $examples/mujoco_c/consumer.c -o mujoco_c \$(pkg-config --cflags --libs moontrace-mujoco-$mujoco) -lmujoco && ./mujoco_c $examples/page.xml"
+in_root sh -c "cmake -S $examples/mujoco_cpp -B /tmp/mujoco_cpp >/tmp/log && cmake --build /tmp/mujoco_cpp >>/tmp/log && /tmp/mujoco_cpp/consumer $examples/page.xml"
 in_root python3 "$examples/python/consumer.py"
 in_root perl "$examples/perl/consumer.pl"
 in_root sh -c 'gzip -t /usr/share/man/man1/moontrace.1.gz && test -s /usr/share/doc/moontrace/html/README.html'
 
-in_root sh -c 'apt-get purge -qy moontrace moontrace-data moontrace-doc libmoontrace0 && apt-get autoremove -qy --purge' >"$root/tmp/log" 2>&1 ||
+in_root sh -c 'apt-get purge -qy moontrace moontrace-data moontrace-doc libmoontrace0 "libmoontrace-mujoco-*" && apt-get autoremove -qy --purge' >"$root/tmp/log" 2>&1 ||
   fail "$(tail -n 20 "$root/tmp/log")"
 files >"$root/tmp/after"
 left=$(comm -13 "$root/tmp/before" "$root/tmp/after" | grep -v '__pycache__' || true)

@@ -39,7 +39,8 @@ int Run(const BenchOptions& options, Console& console) {
   if (options.stability) parts.push_back(BenchStability);
   if (options.heat) parts.push_back(BenchHeat);
   if (parts.empty()) {
-    for (const auto part : {BenchField, BenchPhysics, BenchLabels, BenchTracing, BenchPaper}) {
+    for (const auto part :
+         {BenchField, BenchLibrary, BenchPhysics, BenchLabels, BenchTracing, BenchPaper}) {
       parts.push_back(part);
     }
   }

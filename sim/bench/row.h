@@ -33,6 +33,8 @@ BenchRows BenchField();
 BenchRows BenchHeat();
 /// A tick among ten labelled objects, and MuJoCo's contact with one of them as a mesh.
 BenchRows BenchLabels();
+/// Sampling by the C interface (sim/library) against the call of C++ on arrays.
+BenchRows BenchLibrary();
 /// Reaction forces as the paper measured them: each letter, and a page of 64 x 30 letters.
 BenchRows BenchPaper();
 /// mj_step with and without the field, MuJoCo's own height field of the page, the whole tick.

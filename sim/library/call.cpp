@@ -38,6 +38,9 @@ const char* LastMessage() noexcept { return message.data(); }
 int AnswerOfException() noexcept {
   try {
     throw;
+  } catch (const AnswerError& error) {
+    Keep(error.what());
+    return error.code();
   } catch (const UsageError& error) {
     Keep(error.what());
     return MOONTRACE_BAD_CALL;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,16 @@
 namespace moontrace {
 
 /// What all functions of the C interface share: answers, messages, structs, handles.
+
+/// One line with a code of its own.
+class AnswerError : public std::runtime_error {
+ public:
+  AnswerError(int code, const std::string& line) : std::runtime_error(line), code_(code) {}
+  int code() const noexcept { return code_; }
+
+ private:
+  int code_;
+};
 
 /// Keeps the exception that is being handled as this thread's message, and gives its code.
 int AnswerOfException() noexcept;

@@ -47,7 +47,7 @@ extern "C" {
 #endif
 
 /* The interface that this header describes. It grows with each version that adds something. */
-#define MOONTRACE_INTERFACE 1u
+#define MOONTRACE_INTERFACE 2u
 
 /* What functions return; the program's exit codes mean the same. */
 enum {
@@ -63,6 +63,7 @@ typedef struct moontrace_script
     moontrace_script;                         /* a script: its signs and the rules to write by */
 typedef struct moontrace_text moontrace_text; /* a text, set on pages */
 typedef struct moontrace_page moontrace_page; /* one of these pages as a surface */
+typedef struct moontrace_object moontrace_object; /* a solid that carries one (interface 2) */
 
 /* Whether this library serves programs compiled for that interface, given as MOONTRACE_INTERFACE:
    MOONTRACE_DONE, or MOONTRACE_BAD_CALL if the library is older. Any thread, any time. */
@@ -281,6 +282,102 @@ struct moontrace_forces {
 MOONTRACE_API int moontrace_force_many(const moontrace_page* page,
                                        const struct moontrace_surface* surface,
                                        const struct moontrace_forces* forces);
+
+/* --- objects (interface 2) -------------------------------------------------------------------- */
+
+/* A solid and where a page lies on it. Frame O, the object: its origin is the solid's middle (of a
+   plane on it), z goes along the axis of what has one, out of a plane. Zero or NULL is what is
+   usual. */
+struct moontrace_shape {
+  uint32_t size;    /* sizeof this struct, set by the caller */
+  uint32_t corner;  /* 0: (u, v) is the middle of what stands on the page; 1: the page's corner */
+  const char* kind; /* "plane", "box", "cylinder", "sphere", "capsule", "ellipsoid" */
+  const char*
+      face;       /* of a plane "top"; of a box also "bottom", "front" (-y), "back", "left", "right"
+                     (+x); of a cylinder "top", "bottom", "round"; of the others "round". Usual:
+                     "top" of a plane or box, else "round" */
+  double half[3]; /* plane: half its length and width, 0 without an edge; box: half its lengths;
+                     cylinder, capsule: radius, half the length without caps; sphere: radius;
+                     ellipsoid: semi-axes [m] */
+  double u;       /* on the face, from its middle, to the right as seen from outside; round faces:
+                     around from the front [m] */
+  double v;       /* up; round faces: along z [m] */
+  double turn;    /* of the page on the face, to the left [rad] */
+};
+
+/* Lays a page on a solid. The page is needed no more. MOONTRACE_BAD_INPUT: no such kind, a face
+   that it has not, no room for what stands on the page. MOONTRACE_BAD_CALL: a size that is not
+   above zero. Any thread, any time. */
+MOONTRACE_API int moontrace_object_open(const moontrace_page* page,
+                                        const struct moontrace_shape* shape,
+                                        moontrace_object** object);
+
+struct moontrace_object_facts {
+  uint32_t size;      /* sizeof this struct, set by the caller */
+  uint32_t reserved;  /* 0 */
+  const char* face;   /* that carries the page; lives for ever */
+  double text_width;  /* of what stands on the page [m] */
+  double text_height; /* [m] */
+  double least_scale; /* lengths on the page over those on the surface there; 1: true to scale */
+  double greatest_scale;
+  double greatest_depth; /* below the surface, to where the nearest face is sure; INFINITY [m] */
+};
+/* Any thread, any time. */
+MOONTRACE_API int moontrace_object_describe(const moontrace_object* object,
+                                            struct moontrace_object_facts* facts);
+
+/* Where a place over the page, P, z above it, lies in the frame O [m]. MOONTRACE_BAD_CALL: a place
+   that is not finite. Any thread, any time. */
+MOONTRACE_API int moontrace_object_place(const moontrace_object* object, double x, double y,
+                                         double z, double place[3]);
+
+/* The surface nearest to a point of O [m]: sample[0] the page's displacement there along the smooth
+   surface's normal [m]; sample[1] to sample[3] its gradient in space [m/m]; sample[4] the point's
+   height above the smooth surface, below zero inside [m]. Neither allocates nor waits.
+   MOONTRACE_BAD_CALL: a point that is not finite; `sample` is then all zero. Any thread, any time.
+ */
+MOONTRACE_API int moontrace_object_sample(const moontrace_object* object, double x, double y,
+                                          double z, double sample[5]);
+
+/* The force on a tip at a point of O, along its axes [N]; else as moontrace_force. */
+MOONTRACE_API int moontrace_object_force(const moontrace_object* object,
+                                         const struct moontrace_surface* surface, double x,
+                                         double y, double z, double force[3]);
+
+/* Many points, as moontrace_samples. */
+struct moontrace_object_samples {
+  uint32_t size;     /* sizeof this struct, set by the caller */
+  uint32_t reserved; /* 0 */
+  size_t count;      /* of points, may be 0 */
+  const double* x;   /* [m] */
+  ptrdiff_t x_step;  /* [bytes] */
+  const double* y;
+  ptrdiff_t y_step;
+  const double* z;
+  ptrdiff_t z_step;
+  double* displacement; /* [m] */
+  ptrdiff_t displacement_step;
+  double* gradient_x; /* [m/m] */
+  ptrdiff_t gradient_x_step;
+  double* gradient_y;
+  ptrdiff_t gradient_y_step;
+  double* gradient_z;
+  ptrdiff_t gradient_z_step;
+  double* height; /* [m] */
+  ptrdiff_t height_step;
+};
+/* The same numbers as moontrace_object_sample gives one by one; a point that is not finite as in
+   moontrace_sample_many. Any thread, any time. */
+MOONTRACE_API int moontrace_object_sample_many(const moontrace_object* object,
+                                               const struct moontrace_object_samples* samples);
+
+/* The same numbers as moontrace_object_force gives one by one, else as moontrace_force_many. */
+MOONTRACE_API int moontrace_object_force_many(const moontrace_object* object,
+                                              const struct moontrace_surface* surface,
+                                              const struct moontrace_forces* forces);
+
+/* As moontrace_script_close. */
+MOONTRACE_API int moontrace_object_close(moontrace_object* object);
 
 #ifdef __cplusplus
 }

@@ -220,5 +220,83 @@ class Page {
   std::unique_ptr<moontrace_page, Close> handle_;
 };
 
+/// A solid and where a page lies on it: the fields of moontrace_shape; zeros and null are what is
+/// usual.
+struct Shape : moontrace_shape {
+  /// `kind` must outlive its use; sizes as moontrace_shape::half.
+  explicit Shape(const char* of_kind, double first, double second = 0, double third = 0)
+      : moontrace_shape{} {
+    size = sizeof(moontrace_shape);
+    kind = of_kind;
+    half[0] = first;
+    half[1] = second;
+    half[2] = third;
+  }
+};
+
+/// What a tip meets at a point of an object's frame.
+struct ObjectSample {
+  double displacement = 0;                                ///< along the smooth normal [m]
+  double gradient_x = 0, gradient_y = 0, gradient_z = 0;  ///< in space [m/m]
+  double height = 0;  ///< above the smooth surface, below zero inside [m]
+};
+
+/// A page on a solid; a Tip is a point of its frame. Needs its page no more. Throws Error where
+/// moontrace_object_open refuses.
+class Object {
+ public:
+  Object(const Page& page, const Shape& shape) {
+    moontrace_object* object = nullptr;
+    Require(moontrace_object_open(page.get(), &shape, &object));
+    handle_.reset(object);
+  }
+  moontrace_object_facts facts() const {
+    auto facts = Sized<moontrace_object_facts>();
+    Require(moontrace_object_describe(get(), &facts));
+    return facts;
+  }
+  /// Where a place over the page, z above it, lies in the object's frame. Throws Error for one that
+  /// is not finite, as all that follow.
+  Tip PlaceOf(Tip over_page) const {
+    double place[3];
+    Require(moontrace_object_place(get(), over_page.x, over_page.y, over_page.z, place));
+    return {place[0], place[1], place[2]};
+  }
+  ObjectSample SampleAt(Tip point) const {
+    double sample[5];
+    Require(moontrace_object_sample(get(), point.x, point.y, point.z, sample));
+    return {sample[0], sample[1], sample[2], sample[3], sample[4]};
+  }
+  Force ForceOn(Tip tip, const Surface& surface = {}) const {
+    double force[3];
+    Require(moontrace_object_force(get(), &surface, tip.x, tip.y, tip.z, force));
+    return {force[0], force[1], force[2]};
+  }
+  /// The same at many places; nothing but the answer is allocated.
+  std::vector<Force> ForcesOn(const std::vector<Tip>& tips, const Surface& surface = {}) const {
+    std::vector<Force> forces(tips.size());
+    if (tips.empty()) return forces;
+    auto many = Sized<moontrace_forces>();
+    many.count = tips.size();
+    many.x = &tips.front().x;
+    many.y = &tips.front().y;
+    many.z = &tips.front().z;
+    many.x_step = many.y_step = many.z_step = sizeof(Tip);
+    many.force_x = &forces.front().x;
+    many.force_y = &forces.front().y;
+    many.force_z = &forces.front().z;
+    many.force_x_step = many.force_y_step = many.force_z_step = sizeof(Force);
+    Require(moontrace_object_force_many(get(), &surface, &many));
+    return forces;
+  }
+  moontrace_object* get() const noexcept { return handle_.get(); }
+
+ private:
+  struct Close {
+    void operator()(moontrace_object* object) const noexcept { moontrace_object_close(object); }
+  };
+  std::unique_ptr<moontrace_object, Close> handle_;
+};
+
 }  // namespace library_1
 }  // namespace moontrace

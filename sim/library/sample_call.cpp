@@ -3,14 +3,13 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <numeric>
-#include <optional>
 #include <span>
 #include <string>
 
 #include "sim/library/call.h"
+#include "sim/library/given_surface.h"
 #include "sim/library/moontrace.h"
+#include "sim/library/strided.h"
 #include "sim/library/values.h"
 #include "textures/field/surface.h"
 
@@ -18,251 +17,100 @@ using namespace moontrace;
 
 namespace {
 
-constexpr std::size_t kBlock = 512;     ///< points that are copied at a time: they stay near
-constexpr std::size_t kStretch = 1024;  ///< points that are done at a time where none is copied
-
-/// Doubles of a caller, some bytes apart. Their addresses may be any, so they are copied one by
-/// one.
-template <class Byte>
-class Strided {
- public:
-  /// Throws UsageError: NULL, or longer than any memory.
-  Strided(Byte* first, std::ptrdiff_t step, std::size_t count, const char* name)
-      : first_(first), step_(step) {
-    if (first == nullptr && count > 0) throw UsageError(std::string(name) + " is NULL");
-    const std::size_t length =
-        step < 0 ? 0 - static_cast<std::size_t>(step) : static_cast<std::size_t>(step);
-    constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max());
-    if (length > 0 && count > kMost / length) {
-      throw UsageError(std::string(name) + " is longer than any memory");
-    }
-  }
-  double Get(std::size_t i) const noexcept { return Read(At(i)); }
-  void Set(std::size_t i, double value) const noexcept { Write(At(i), value); }
-  /// Gives `count` numbers from the i-th on to `take` as 0, 1, ... and their value.
-  template <class Take>
-  void GetMany(std::size_t first, std::size_t count, Take take) const noexcept {
-    const Byte* at = At(first);
-    if (step_ == sizeof(double)) {
-      for (std::size_t i = 0; i < count; ++i) take(i, Read(at + i * sizeof(double)));
-    } else {
-      for (std::size_t i = 0; i < count; ++i, at += step_) take(i, Read(at));
-    }
-  }
-  /// Sets `count` numbers from the i-th on to what `value` gives for 0, 1, ...; numbers that follow
-  /// each other closely in a loop of their own, which compilers turn into vector instructions.
-  template <class Value>
-  void SetMany(std::size_t first, std::size_t count, Value value) const noexcept {
-    Byte* at = At(first);
-    if (step_ == sizeof(double)) {
-      for (std::size_t i = 0; i < count; ++i) Write(at + i * sizeof(double), value(i));
-    } else {
-      for (std::size_t i = 0; i < count; ++i, at += step_) Write(at, value(i));
-    }
-  }
-  Byte* At(std::size_t i) const noexcept { return first_ + static_cast<std::ptrdiff_t>(i) * step_; }
-  std::ptrdiff_t step() const noexcept { return step_; }
-
- private:
-  static double Read(const Byte* at) noexcept {
-    double value = 0;
-    std::memcpy(&value, at, sizeof value);
-    return value;
-  }
-  static void Write(Byte* at, double value) noexcept { std::memcpy(at, &value, sizeof value); }
-
-  Byte* first_;
-  std::ptrdiff_t step_;
-};
-
-using Input = Strided<const char>;
-using Output = Strided<char>;
-
-Input InputOf(const double* first, std::ptrdiff_t step, std::size_t count, const char* name) {
-  return {reinterpret_cast<const char*>(first), step, count, name};
-}
-
-/// None where it is not wanted. Throws UsageError where numbers would lie over each other.
-std::optional<Output> OutputOf(double* first, std::ptrdiff_t step, std::size_t count,
-                               const char* name) {
-  if (first == nullptr || count == 0) return std::nullopt;
-  constexpr std::ptrdiff_t kWidth = sizeof(double);
-  if (count > 1 && step > -kWidth && step < kWidth) {
-    throw UsageError(std::string(name) + "_step is less than a number's width");
-  }
-  return Output(reinterpret_cast<char*>(first), step, count, name);
-}
-
-/// Whether addresses from `first` on, `step` bytes apart, are those of an array of such values.
-template <class Value>
-bool IsArrayOf(const char* first, std::ptrdiff_t step) noexcept {
-  return step == sizeof(Value) && reinterpret_cast<std::uintptr_t>(first) % alignof(Value) == 0;
-}
-
 static_assert(sizeof(glm::dvec2) == 2 * sizeof(double));
 static_assert(sizeof(Sample) == 3 * sizeof(double));
 
-/// Places on the page, block by block.
-class Places {
- public:
-  Places(const Input& x, const Input& y) noexcept
-      : x_(x),
-        y_(y),
-        side_by_side_(IsArrayOf<glm::dvec2>(x.At(0), x.step()) && y.step() == x.step() &&
-                      y.At(0) == x.At(0) + sizeof(double)) {}
+constexpr std::size_t kStretch = 1024;  ///< points that are done at a time where none is copied
 
-  /// Those from `first` on: where the caller has them, if they stand there side by side.
-  std::span<const glm::dvec2> From(std::size_t first, std::size_t count) noexcept {
-    if (side_by_side_) return {reinterpret_cast<const glm::dvec2*>(x_.At(first)), count};
-    x_.GetMany(first, count, [this](std::size_t i, double x) { own_[i].x = x; });
-    y_.GetMany(first, count, [this](std::size_t i, double y) { own_[i].y = y; });
-    return {own_.data(), count};
-  }
-
-  bool side_by_side() const noexcept { return side_by_side_; }
-
- private:
-  Input x_, y_;
-  bool side_by_side_;
-  std::array<glm::dvec2, kBlock> own_;
-};
-
-/// False if one of them is not finite, since then no sum is; or, rarely, if a sum is too large. In
-/// sums that do not wait for each other, as vectors have them.
-bool AllSurelyFinite(std::span<const glm::dvec2> points) noexcept {
-  constexpr std::size_t kSums = 8;
-  std::array<double, kSums> x{}, y{};
-  std::size_t i = 0;
-  for (; i + kSums <= points.size(); i += kSums) {
-    for (std::size_t k = 0; k < kSums; ++k) {
-      x[k] += points[i + k].x;
-      y[k] += points[i + k].y;
-    }
-  }
-  for (; i < points.size(); ++i) x[0] += points[i].x + points[i].y;
-  return std::isfinite(std::accumulate(x.begin(), x.end(), 0.0) +
-                       std::accumulate(y.begin(), y.end(), 0.0));
+/// Whether addresses from `first` on, `step` bytes apart, are those of an array of such values.
+template <class Value>
+bool IsArrayOf(const void* first, std::ptrdiff_t step) noexcept {
+  return step == sizeof(Value) && reinterpret_cast<std::uintptr_t>(first) % alignof(Value) == 0;
 }
 
-bool IsFinite(glm::dvec2 p) noexcept { return std::isfinite(p.x) && std::isfinite(p.y); }
+/// Whether points are an array of pairs and samples one of threes.
+bool AreSideBySide(const moontrace_samples& given) noexcept {
+  return IsArrayOf<glm::dvec2>(given.x, given.x_step) && given.y == given.x + 1 &&
+         given.y_step == given.x_step && given.displacement != nullptr &&
+         IsArrayOf<Sample>(given.displacement, given.displacement_step) &&
+         given.gradient_x == given.displacement + 1 && given.gradient_y == given.displacement + 2 &&
+         given.gradient_x_step == given.displacement_step &&
+         given.gradient_y_step == given.displacement_step;
+}
 
-/// The number of the first point that is not finite, over all blocks.
-struct FirstBad {
-  std::optional<std::size_t> number;
-  void Look(std::span<const glm::dvec2> points, std::size_t first) noexcept {
-    if (number || AllSurelyFinite(points)) return;
-    const auto bad = std::find_if_not(points.begin(), points.end(), IsFinite);
-    if (bad == points.end()) return;
-    number = first + static_cast<std::size_t>(bad - points.begin());
-  }
-  void Tell() const {
-    if (number) throw UsageError("point " + std::to_string(*number) + " is not finite");
-  }
-};
-
-/// Where samples go: straight into the caller's array where all three numbers stand there side by
-/// side, else number by number.
-class SampleOutputs {
- public:
-  explicit SampleOutputs(const moontrace_samples& given)
-      : displacement_(OutputOf(given.displacement, given.displacement_step, given.count,
-                               "samples.displacement")),
-        gradient_x_(
-            OutputOf(given.gradient_x, given.gradient_x_step, given.count, "samples.gradient_x")),
-        gradient_y_(
-            OutputOf(given.gradient_y, given.gradient_y_step, given.count, "samples.gradient_y")) {
-    side_by_side_ = displacement_ && gradient_x_ && gradient_y_ &&
-                    IsArrayOf<Sample>(displacement_->At(0), displacement_->step()) &&
-                    IsBeside(*gradient_x_, 1) && IsBeside(*gradient_y_, 2);
-  }
-
-  /// Room for a block of samples from the number `first` on.
-  std::span<Sample> From(std::size_t first, std::size_t count) noexcept {
-    if (side_by_side_) return {reinterpret_cast<Sample*>(displacement_->At(first)), count};
-    return {own_.data(), count};
-  }
-  void Put(std::span<const Sample> samples, std::size_t first) const noexcept {
-    if (side_by_side_) return;
-    const std::size_t count = samples.size();
-    if (displacement_) {
-      displacement_->SetMany(first, count, [&](std::size_t i) { return samples[i].displacement; });
-    }
-    if (gradient_x_) {
-      gradient_x_->SetMany(first, count, [&](std::size_t i) { return samples[i].gradient.x; });
-    }
-    if (gradient_y_) {
-      gradient_y_->SetMany(first, count, [&](std::size_t i) { return samples[i].gradient.y; });
-    }
-  }
-
-  bool side_by_side() const noexcept { return side_by_side_; }
-
- private:
-  bool IsBeside(const Output& other, std::size_t numbers) const noexcept {
-    return other.step() == displacement_->step() &&
-           other.At(0) == displacement_->At(0) + numbers * sizeof(double);
-  }
-
-  std::optional<Output> displacement_, gradient_x_, gradient_y_;
-  bool side_by_side_ = false;
-  std::array<Sample, kBlock> own_;
-};
-
-void SampleMany(const TextureField& field, const moontrace_samples& given) {
-  Places places(InputOf(given.x, given.x_step, given.count, "samples.x"),
-                InputOf(given.y, given.y_step, given.count, "samples.y"));
-  SampleOutputs outputs(given);
+void SampleSideBySide(const TextureField& field, const moontrace_samples& given) {
+  const auto* points = reinterpret_cast<const glm::dvec2*>(given.x);
+  auto* samples = reinterpret_cast<Sample*>(given.displacement);
   FirstBad bad;
-  const std::size_t most = places.side_by_side() && outputs.side_by_side() ? kStretch : kBlock;
-  for (std::size_t first = 0; first < given.count; first += most) {
-    const std::size_t count = std::min(most, given.count - first);
-    const std::span<const glm::dvec2> points = places.From(first, count);
-    const std::span<Sample> samples = outputs.From(first, count);
-    field.SamplesAt(points, samples);
-    bad.Look(points, first);  // now they are near
-    outputs.Put(samples, first);
+  for (std::size_t first = 0; first < given.count; first += kStretch) {
+    const std::size_t count = std::min(kStretch, given.count - first);
+    field.SamplesAt({points + first, count}, {samples + first, count});
+    bad.LookAtPairs(first, count, given.x + 2 * first);  // now they are near
   }
   bad.Tell();
 }
 
-Surface SurfaceOf(const moontrace_surface* given) {
-  Surface surface;
-  if (given == nullptr) return surface;
-  const moontrace_surface known = Given(given, sizeof(moontrace_surface), "surface");
-  RequireNumber(known.stiffness, "surface.stiffness", 0);
-  RequireNumber(known.force_cap, "surface.force_cap", 0);
-  surface.law = RequireFlag(known.law, "surface.law") ? ForceLaw::kPaper : ForceLaw::kPotential;
-  if (known.stiffness > 0) surface.stiffness = known.stiffness;
-  if (known.force_cap > 0) surface.force_cap = known.force_cap;
-  return surface;
-}
-
-void ForceMany(const SurfaceLaw& law, const TextureField& field, const moontrace_forces& given) {
-  Places places(InputOf(given.x, given.x_step, given.count, "forces.x"),
-                InputOf(given.y, given.y_step, given.count, "forces.y"));
-  const Input z = InputOf(given.z, given.z_step, given.count, "forces.z");
-  const std::optional<Output> x_force =
-      OutputOf(given.force_x, given.force_x_step, given.count, "forces.force_x");
-  const std::optional<Output> y_force =
-      OutputOf(given.force_y, given.force_y_step, given.count, "forces.force_y");
-  const std::optional<Output> z_force =
-      OutputOf(given.force_z, given.force_z_step, given.count, "forces.force_z");
-  std::array<Sample, kBlock> samples;
+void SampleMany(const TextureField& field, const moontrace_samples& given) {
+  const Input x_given = InputOf(given.x, given.x_step, given.count, "samples.x");
+  const Input y_given = InputOf(given.y, given.y_step, given.count, "samples.y");
+  OutColumn displacement(
+      OutputOf(given.displacement, given.displacement_step, given.count, "samples.displacement"));
+  OutColumn gradient_x(
+      OutputOf(given.gradient_x, given.gradient_x_step, given.count, "samples.gradient_x"));
+  OutColumn gradient_y(
+      OutputOf(given.gradient_y, given.gradient_y_step, given.count, "samples.gradient_y"));
+  if (given.count > 0 && AreSideBySide(given)) {
+    SampleSideBySide(field, given);
+    return;
+  }
+  InColumn x_column(x_given), y_column(y_given);
   FirstBad bad;
   for (std::size_t first = 0; first < given.count; first += kBlock) {
     const std::size_t count = std::min(kBlock, given.count - first);
-    const std::span<const glm::dvec2> points = places.From(first, count);
-    field.SamplesAt(points, samples);
-    bad.Look(points, first);
+    const double *x = x_column.From(first, count), *y = y_column.From(first, count);
+    field.SamplesAt(
+        {x, y}, {displacement.From(first), gradient_x.From(first), gradient_y.From(first)}, count);
+    bad.Look(first, count, x, y);
+    displacement.Put(first, count);
+    gradient_x.Put(first, count);
+    gradient_y.Put(first, count);
+  }
+  bad.Tell();
+}
+
+/// What is done at once, with the force.
+struct SampleBlock {
+  std::array<double, kBlock> displacement, gradient_x, gradient_y;
+};
+
+void ForceMany(const SurfaceLaw& law, const TextureField& field, const moontrace_forces& given) {
+  InColumn x_column(InputOf(given.x, given.x_step, given.count, "forces.x"));
+  InColumn y_column(InputOf(given.y, given.y_step, given.count, "forces.y"));
+  InColumn z_column(InputOf(given.z, given.z_step, given.count, "forces.z"));
+  OutColumn x_force(OutputOf(given.force_x, given.force_x_step, given.count, "forces.force_x"));
+  OutColumn y_force(OutputOf(given.force_y, given.force_y_step, given.count, "forces.force_y"));
+  OutColumn z_force(OutputOf(given.force_z, given.force_z_step, given.count, "forces.force_z"));
+  SampleBlock block;
+  FirstBad bad;
+  for (std::size_t first = 0; first < given.count; first += kBlock) {
+    const std::size_t count = std::min(kBlock, given.count - first);
+    const double *x = x_column.From(first, count), *y = y_column.From(first, count);
+    const double* z = z_column.From(first, count);
+    field.SamplesAt({x, y},
+                    {block.displacement.data(), block.gradient_x.data(), block.gradient_y.data()},
+                    count);
+    bad.Look(first, count, x, y, z);
+    double *to_x = x_force.From(first), *to_y = y_force.From(first), *to_z = z_force.From(first);
     for (std::size_t i = 0; i < count; ++i) {
-      const double height = z.Get(first + i);
-      if (!std::isfinite(height) && bad.number.value_or(first + i) >= first + i)
-        bad.number = first + i;
-      const glm::dvec3 force_P = Touch(law, samples[i], {points[i], height}).force_P;
-      if (x_force) x_force->Set(first + i, force_P.x);
-      if (y_force) y_force->Set(first + i, force_P.y);
-      if (z_force) z_force->Set(first + i, force_P.z);
+      const Sample sample{block.displacement[i], {block.gradient_x[i], block.gradient_y[i]}};
+      const glm::dvec3 force_P = Touch(law, sample, {x[i], y[i], z[i]}).force_P;
+      to_x[i] = force_P.x;
+      to_y[i] = force_P.y;
+      to_z[i] = force_P.z;
     }
+    x_force.Put(first, count);
+    y_force.Put(first, count);
+    z_force.Put(first, count);
   }
   bad.Tell();
 }
@@ -276,7 +124,7 @@ int moontrace_sample(const moontrace_page* page, double x, double y, double samp
     const InUse<PageTable> value(page, kPage);
     RequireNumber(x, "x");
     RequireNumber(y, "y");
-    const Sample found = value->field.SampleAt({x, y});
+    const Sample found = value->field->SampleAt({x, y});
     sample[0] = found.displacement;
     sample[1] = found.gradient.x;
     sample[2] = found.gradient.y;
@@ -287,7 +135,7 @@ int moontrace_sample_many(const moontrace_page* page, const moontrace_samples* s
   return Answer([&] {
     const InUse<PageTable> value(page, kPage);
     const moontrace_samples given = Given(samples, sizeof(moontrace_samples), "samples");
-    SampleMany(value->field, given);
+    SampleMany(*value->field, given);
   });
 }
 
@@ -300,7 +148,7 @@ int moontrace_force(const moontrace_page* page, const moontrace_surface* surface
     RequireNumber(x, "x");
     RequireNumber(y, "y");
     RequireNumber(z, "z");
-    const glm::dvec3 force_P = Touch(SurfaceOf(surface), value->field, {x, y, z}).force_P;
+    const glm::dvec3 force_P = Touch(SurfaceOf(surface), *value->field, {x, y, z}).force_P;
     force[0] = force_P.x;
     force[1] = force_P.y;
     force[2] = force_P.z;
@@ -312,6 +160,6 @@ int moontrace_force_many(const moontrace_page* page, const moontrace_surface* su
   return Answer([&] {
     const InUse<PageTable> value(page, kPage);
     const moontrace_forces given = Given(forces, sizeof(moontrace_forces), "forces");
-    ForceMany(LawOf(SurfaceOf(surface), value->field), value->field, given);
+    ForceMany(LawOf(SurfaceOf(surface), *value->field), *value->field, given);
   });
 }

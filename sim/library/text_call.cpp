@@ -139,7 +139,9 @@ int moontrace_page_open(const moontrace_text* set, size_t number, moontrace_page
     made->sheet = known.pages[number];
     const Script& script = *made->text->script;
     PageLinker(script, known.style).Keep(made->sheet);
-    made->field = TextureField(BuildTexture(made->sheet, script, known.style));
+    const Texture texture = BuildTexture(made->sheet, script, known.style);
+    made->field = std::make_shared<const TextureField>(texture);
+    for (const Layer& layer : texture.layers) Include(made->text_P, layer.group->bounds);
     OpenHandle<PageTable>(std::move(made), page);
   });
 }
@@ -152,9 +154,9 @@ int moontrace_page_describe(const moontrace_page* page, moontrace_page_facts* fa
     given.height = value->text->set.page.height;
     given.letters = value->sheet.glyphs.size();
     given.lines = value->sheet.lines;
-    given.greatest_fall = value->field.greatest_fall();
-    given.greatest_rise = value->field.greatest_rise();
-    given.greatest_slope = value->field.greatest_slope();
+    given.greatest_fall = value->field->greatest_fall();
+    given.greatest_rise = value->field->greatest_rise();
+    given.greatest_slope = value->field->greatest_slope();
     Give(given, sizeof given, "facts", facts);
   });
 }

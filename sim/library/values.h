@@ -7,6 +7,7 @@
 #include "sim/library/handles.h"
 #include "textures/field/field.h"
 #include "textures/fonts/script.h"
+#include "textures/objects/solid_contact.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -29,16 +30,27 @@ struct PageValue {
   std::shared_ptr<const TextValue> text;
   std::size_t number = 0;  ///< of its pages
   TextPage sheet;          ///< with the links between its letters
-  TextureField field;
+  std::shared_ptr<const TextureField> field;
+  Box text_P;  ///< all that is raised or engraved, but the paper's own texture [m]
+};
+
+/// A page on a solid.
+struct ObjectValue {
+  std::shared_ptr<const TextureField> field;
+  Solid solid;
+  LabelOnSolid label;
+  Box text_P;  ///< [m]
 };
 
 using ScriptTable = HandleTable<ScriptValue, 1>;
 using TextTable = HandleTable<std::shared_ptr<const TextValue>, 2>;
 using PageTable = HandleTable<PageValue, 3>;
+using ObjectTable = HandleTable<ObjectValue, 6>;
 
 /// In messages.
 inline constexpr const char* kScript = "script";
 inline constexpr const char* kText = "text";
 inline constexpr const char* kPage = "page";
+inline constexpr const char* kObject = "object";
 
 }  // namespace moontrace

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "sim/physics/felt_object.h"
 #include "sim/physics/mesh_label.h"
@@ -39,20 +40,6 @@ ModelPtr Compile(const std::string& prepared, const std::string& original,
   }
   if (!warning.empty()) remarks.push_back("MuJoCo warns: " + warning);
   return m;
-}
-
-std::vector<Label> ReadLabels(const mjModel& m, const std::string& name) {
-  std::vector<Label> labels;
-  for (int i = 0; i < static_cast<int>(m.ntext); ++i) {
-    const char* text_name = mj_id2name(&m, mjOBJ_TEXT, i);
-    if (text_name == nullptr || !IsLabelName(text_name)) continue;
-    labels.push_back(ParseLabel(text_name, m.text_data + m.text_adr[i], name));
-  }
-  if (labels.empty()) {
-    throw InputError(name +
-                     ": no label: add in <custom> a <text name=\"moontrace:GEOM\" data=\"{}\"/>");
-  }
-  return labels;
 }
 
 /// What a label may name: geoms, and bodies for their geoms without a name.
@@ -132,6 +119,21 @@ void FindCarrier(const mjModel& m, const std::string& name, Label& label) {
   throw InputError(place + ": no such geom; " +
                    (nearest.empty() ? "name one of the model's geoms, or a body for its geom"
                                     : "did you mean '" + OneLine(nearest) + "'?"));
+}
+
+std::vector<Label> ReadLabels(const mjModel& m, const std::string& name) {
+  std::vector<Label> labels;
+  for (int i = 0; i < static_cast<int>(m.ntext); ++i) {
+    const char* text_name = mj_id2name(&m, mjOBJ_TEXT, i);
+    if (text_name == nullptr || !IsLabelName(text_name)) continue;
+    labels.push_back(ParseLabel(text_name, m.text_data + m.text_adr[i], name));
+    FindCarrier(m, name, labels.back());
+  }
+  if (labels.empty()) {
+    throw InputError(name +
+                     ": no label: add in <custom> a <text name=\"moontrace:GEOM\" data=\"{}\"/>");
+  }
+  return labels;
 }
 
 /// What the label lies on, checked: it has a chart and the face, and room at that place.
@@ -322,28 +324,10 @@ void HideFromSolvers(mjModel& m, const ProxyPlace& proxy) {
   if (m.nv > 3) m.stat.meaninertia = (m.stat.meaninertia * all - own) / all;
 }
 
-}  // namespace
-
-LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
-                      double tilt, std::size_t label) {
-  LoadedModel loaded;
-  const std::string proxy_xml = ReadTextFile(ResourcePath("models/proxy.xml"), kGreatestFile);
-  const Mjcf mjcf = PrepareMjcf(xml, folder, name, proxy_xml);
-  if (mjcf.proxy_inserted) {
-    loaded.remarks.push_back("no moontrace_proxy in the model: models/proxy.xml was inserted");
-  }
-  loaded.xml = mjcf.xml;
-  loaded.m = Compile(loaded.xml, xml, folder, name, loaded.remarks);
-  loaded.labels = ReadLabels(*loaded.m, name);
-  for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
-  const std::vector<FittedGeom> fitted = FitLabels(*loaded.m, loaded.labels, name, loaded.remarks);
-  if (!fitted.empty()) {
-    loaded.xml = WithGeoms(loaded.xml, fitted, name);
-    std::vector<std::string> again;  // the same warnings
-    loaded.m = Compile(loaded.xml, loaded.xml, folder, name, again);
-  }
+/// What is known of a compiled model's labels and proxy; and turns off what hinders them. The
+/// labels are read and lie on geoms.
+void FindMoon(LoadedModel& loaded, const std::string& name, double tilt, std::size_t label) {
   mjModel& m = *loaded.m;
-  for (Label& each : loaded.labels) FindCarrier(m, name, each);
   if (label >= loaded.labels.size()) {
     throw InputError(fmt::format("{}: label {} of {}: count from 0; take one that is there", name,
                                  label, loaded.labels.size()));
@@ -366,6 +350,47 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
   }
   HideFromSolvers(m, loaded.proxy);
   SkipIdleStages(m);
+}
+
+}  // namespace
+
+LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
+                      double tilt, std::size_t label) {
+  LoadedModel loaded;
+  const std::string proxy_xml = ReadTextFile(ResourcePath("models/proxy.xml"), kGreatestFile);
+  const Mjcf mjcf = PrepareMjcf(xml, folder, name, proxy_xml);
+  if (mjcf.proxy_inserted) {
+    loaded.remarks.push_back("no moontrace_proxy in the model: models/proxy.xml was inserted");
+  }
+  loaded.xml = mjcf.xml;
+  loaded.m = Compile(loaded.xml, xml, folder, name, loaded.remarks);
+  loaded.labels = ReadLabels(*loaded.m, name);
+  const std::vector<FittedGeom> fitted = FitLabels(*loaded.m, loaded.labels, name, loaded.remarks);
+  if (!fitted.empty()) {
+    loaded.xml = WithGeoms(loaded.xml, fitted, name);
+    std::vector<std::string> again;  // the same warnings
+    loaded.m = Compile(loaded.xml, loaded.xml, folder, name, again);
+    for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
+  }
+  FindMoon(loaded, name, tilt, label);
+  return loaded;
+}
+
+LoadedModel AdoptModel(ModelPtr m, std::string xml, const std::string& name, std::size_t label) {
+  if (mj_name2id(m.get(), mjOBJ_BODY, "moontrace_proxy") < 0) {
+    throw InputError(name + ": no body moontrace_proxy; include the models/proxy.xml of Moontrace");
+  }
+  LoadedModel loaded;
+  loaded.m = std::move(m);
+  loaded.xml = std::move(xml);
+  loaded.labels = ReadLabels(*loaded.m, name);
+  if (!FitLabels(*loaded.m, loaded.labels, name, loaded.remarks).empty()) {
+    throw InputError(name +
+                     ": a label on a mesh needs a geom fitted to it, which a compiled model lacks; "
+                     "take the model.xml of a record, which has it");
+  }
+  for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
+  FindMoon(loaded, name, 0, label);
   return loaded;
 }
 

@@ -40,4 +40,8 @@ struct LoadedModel {
 LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
                       double tilt, std::size_t label = 0);
 
+/// The same of a model that is compiled already and has a proxy; `xml` is what it was made of, for
+/// records. Its flags and its solvers' scale are changed as those of a model that is loaded.
+LoadedModel AdoptModel(ModelPtr m, std::string xml, const std::string& name, std::size_t label = 0);
+
 }  // namespace moontrace

@@ -11,11 +11,18 @@ namespace moontrace {
 /// process-wide defaults of MuJoCo: to wait for Enter after an error, which a blind person cannot
 /// see, and to write a log file into the user's folder.
 
+/// What is lent is left to who lends it.
 struct DeleteModel {
-  void operator()(mjModel* m) const noexcept { mj_deleteModel(m); }
+  bool lent = false;
+  void operator()(mjModel* m) const noexcept {
+    if (!lent) mj_deleteModel(m);
+  }
 };
 struct DeleteData {
-  void operator()(mjData* d) const noexcept { mj_deleteData(d); }
+  bool lent = false;
+  void operator()(mjData* d) const noexcept {
+    if (!lent) mj_deleteData(d);
+  }
 };
 using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
 using DataPtr = std::unique_ptr<mjData, DeleteData>;

@@ -101,11 +101,11 @@ constexpr std::size_t kMemoryDoubles = sizeof(TickMemory) / sizeof(double);
 
 }  // namespace
 
-Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
-                  const std::string& name)
+Scene::Impl::Impl(LoadedModel loaded_model, DataPtr data, const SceneOptions& scene_options,
+                  const std::string& name, bool anew)
     : loaded(std::move(loaded_model)),
       options(scene_options),
-      d(MakeData(*loaded.m, name)),
+      d(std::move(data)),
       caller_qfrc(static_cast<std::size_t>(loaded.m->nv), 0.0),
       name_(name) {
   mjModel& m = *loaded.m;
@@ -117,7 +117,13 @@ Scene::Impl::Impl(LoadedModel loaded_model, const SceneOptions& scene_options,
     lift_W = -loaded.proxy.weight_mass *
              glm::dvec3(m.opt.gravity[0], m.opt.gravity[1], m.opt.gravity[2]);
   }
-  SetOptions(scene_options);
+  if (anew) {
+    SetOptions(scene_options);
+    return;
+  }
+  coupling = {options.coupling_stiffness, options.coupling_damping};
+  FindObjects();
+  memory.tip_W = ProxyPosition();
 }
 
 void Scene::Impl::SetOptions(const SceneOptions& new_options) {
@@ -130,10 +136,14 @@ void Scene::Impl::SetOptions(const SceneOptions& new_options) {
   coupling = {options.coupling_stiffness, options.coupling_damping};
   mj_resetData(loaded.m.get(), d.get());
   mj_forward(loaded.m.get(), d.get());
+  FindObjects();
+  Reset({0, 0, 0.02});
+}
+
+void Scene::Impl::FindObjects() {
   objects = FeltObjects(*loaded.m, *d, loaded.labels, options, name_);
   FindPage();
   SetField(nullptr);
-  Reset({0, 0, 0.02});
 }
 
 /// Which object carries the page, and how that lies on it.
@@ -249,13 +259,24 @@ Scene Scene::Load(const std::string& model_path, const SceneOptions& options) {
   LoadedModel loaded =
       LoadModel(ReadTextFile(path, kGreatestModel), folder, path, options.tilt, options.label);
   if (shipped) loaded.remarks.clear();  // what it lacks, it lacks on purpose
-  return Scene(std::make_unique<Impl>(std::move(loaded), options, path));
+  DataPtr data = MakeData(*loaded.m, path);
+  return Scene(std::make_unique<Impl>(std::move(loaded), std::move(data), options, path, true));
 }
 
 Scene Scene::FromXml(const std::string& xml, const std::string& name, const SceneOptions& options) {
   Check(options);
-  return Scene(
-      std::make_unique<Impl>(LoadModel(xml, "", name, options.tilt, options.label), options, name));
+  LoadedModel loaded = LoadModel(xml, "", name, options.tilt, options.label);
+  DataPtr data = MakeData(*loaded.m, name);
+  return Scene(std::make_unique<Impl>(std::move(loaded), std::move(data), options, name, true));
+}
+
+Scene Scene::Bind(mjModel_* m, mjData_* d, std::string xml, const std::string& name,
+                  const SceneOptions& options) {
+  Check(options);
+  LoadedModel loaded =
+      AdoptModel(ModelPtr(m, DeleteModel{true}), std::move(xml), name, options.label);
+  return Scene(std::make_unique<Impl>(std::move(loaded), DataPtr(d, DeleteData{true}), options,
+                                      name, false));
 }
 
 void Scene::SetOptions(const SceneOptions& options) {

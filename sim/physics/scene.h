@@ -25,9 +25,9 @@ struct PagePoint {
   glm::dmat3 moves{1.0};    ///< columns: how it moves as x, y, z of P grow [m/m]
 };
 
-/// A MuJoCo model that carries Moon: owns model and data, knows the geoms with labels, the proxy
-/// and the handle. One of the labels is the page P; the tip feels all of them. One thread at a
-/// time; two scenes share nothing.
+/// A MuJoCo model that carries Moon: owns model and data, but where they are lent; knows the geoms
+/// with labels, the proxy and the handle. One of the labels is the page P; the tip feels all of
+/// them. One thread at a time; two scenes share nothing.
 class Scene {
  public:
   /// Loads an MJCF file; an empty path means the shipped `models/page.xml`. A model without a body
@@ -40,6 +40,12 @@ class Scene {
   /// The same from MJCF text (a record's model.xml); `name` stands in messages.
   static Scene FromXml(const std::string& xml, const std::string& name,
                        const SceneOptions& options);
+  /// On a model and data of the caller's, who keeps them: both outlive their use here. The model
+  /// has a proxy; `xml` is what it was made of, for records. Begins in the state that `d` is in,
+  /// for which mj_fwdPosition has been called. The model is changed as Load changes its own: time
+  /// step, flags, the solvers' scale. No tilt. Throws as Load.
+  static Scene Bind(mjModel_* m, mjData_* d, std::string xml, const std::string& name,
+                    const SceneOptions& options);
 
   /// Other options for the model that is loaded, which begins anew as Load leaves it: on flat
   /// paper, the proxy above it. Tick, tilt and label are the model's own by now and stay. Throws

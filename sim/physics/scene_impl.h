@@ -45,7 +45,9 @@ struct StepForces {
 };
 
 struct Scene::Impl {
-  Impl(LoadedModel loaded_model, const SceneOptions& scene_options, const std::string& name);
+  /// `anew`: from the state to which MuJoCo resets, else from that of `data`.
+  Impl(LoadedModel loaded_model, DataPtr data, const SceneOptions& scene_options,
+       const std::string& name, bool anew);
 
   void SetOptions(const SceneOptions& new_options);
   void SetField(const TextureField* new_field);
@@ -103,6 +105,7 @@ struct Scene::Impl {
 
  private:
   std::string name_;  ///< of the model, in messages
+  void FindObjects();
   void FindPage();
   Pose PoseOfLabel(const Pose& X_WG, glm::dvec3 p_W) const noexcept;
   glm::dvec3 ToRoundPage(glm::dvec3 p_W) const noexcept;

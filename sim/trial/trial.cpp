@@ -111,6 +111,11 @@ class TrialPush {
   double sum_ = 0, work_ = 0;  ///< [N], [J]
 };
 
+/// MuJoCo runs in `work`.
+void Around(const TrialSetup& setup, const std::function<void()>& work) {
+  setup.around ? setup.around(work) : work();
+}
+
 /// The loop: device, scene, push, device, score. Everything it needs exists before it starts.
 void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, const TextureField& field,
               HandOnDevice& hand, TraceScorer& scorer, LinkMeter& links, LiftCounter lifts,
@@ -124,7 +129,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, const Tex
   for (std::size_t n = 0; n < ticks; ++n) {
     if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
     const DeviceState input = hand.Read(scene, n > 0 ? &output : nullptr, field);
-    output = scene.Tick(input);
+    Around(setup, [&] { output = scene.Tick(input); });
     const GuidanceResult pushed = push.Add(scene, output);
     if (setup.watch) setup.watch(input.time, output, pushed);
     hand.Write(output.force_W, output.stored);
@@ -183,13 +188,19 @@ GuidancePlan PlanOf(const TrialGuidance& guidance, const std::vector<IntendedStr
 }
 
 TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
-  const std::shared_ptr<const TextureField> field =
-      setup.field != nullptr ? setup.field
-                             : std::make_shared<const TextureField>(
-                                   PageField(*setup.page, *setup.script, setup.style, setup.blank));
+  TrialSetup with_field = setup;
+  if (setup.field == nullptr) {
+    with_field.field = std::make_shared<const TextureField>(
+        PageField(*setup.page, *setup.script, setup.style, setup.blank));
+  }
   Scene scene = Scene::Load(setup.model_path, setup.scene);
   if (setup.device) scene.SetOptions(HeldOn(*setup.device, setup.scene, scene.proxy_mass()));
-  scene.SetField(field.get());
+  return RunTrial(with_field, scene, record);
+}
+
+TrialResult RunTrial(const TrialSetup& setup, Scene& scene, const RecordRequest* record) {
+  const TextureField& field = *setup.field;
+  scene.SetField(&field);
   for (const LaidLabel& other : setup.others) scene.SetLabel(other);
   const std::vector<IntendedStroke> strokes =
       IntendedStrokes(*setup.page, *setup.script, setup.style);
@@ -204,7 +215,7 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   on_device.on_page = on_page;
   HandOnDevice hand(on_device, X_WP);
   if (!plan.path_W.points.empty()) {
-    scene.Reset(FromWorld(X_WP, plan.path_W.points.front().p_D));
+    Around(setup, [&] { scene.Reset(FromWorld(X_WP, plan.path_W.points.front().p_D)); });
   }
 
   TrialResult result;
@@ -217,10 +228,10 @@ TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record) {
   }
   result.carried_press = scene.carried_press();
   TraceScorer scorer(strokes, setup.page->glyphs.size());
-  const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, *field, scene);
+  const std::unique_ptr<Recorder> recorder = StartRecorder(record, setup, field, scene);
   const auto start = std::chrono::steady_clock::now();
   LinkMeter link_meter(strokes, *links);
-  RunTicks(setup, plan, scene, *field, hand, scorer, link_meter, LiftCounter(strokes, *setup.page),
+  RunTicks(setup, plan, scene, field, hand, scorer, link_meter, LiftCounter(strokes, *setup.page),
            TrialPush(setup, strokes), recorder.get(), result);
   result.score = scorer.Finish();
   if (setup.style.links.reach != LinkReach::kNone) result.links_left = link_meter.left();

@@ -27,6 +27,8 @@
 
 namespace moontrace {
 
+class Scene;
+
 /// The push of a trial: what people asked for, and the gains that follow from it. None with `mode`
 /// off or help 0.
 struct TrialGuidance {
@@ -66,6 +68,8 @@ struct TrialSetup {
   std::function<void(double done)> alive;
   TickWatch watch;                                           ///< none: costs nothing
   double longest = std::numeric_limits<double>::infinity();  ///< ends then, if not before [s]
+  /// Called with each piece of work in which MuJoCo runs, which it does; none: it is just done.
+  std::function<void(const std::function<void()>& work)> around;
 };
 
 /// How the trial is to be recorded (sim/trial/record.h).
@@ -78,6 +82,10 @@ struct RecordRequest {
 /// Page -> field -> scene -> plan -> hand -> ticks -> score, and the record if asked for. Throws
 /// InputError (model, friction, sizes), LackError (record folder), Interrupted.
 TrialResult RunTrial(const TrialSetup& setup, const RecordRequest* record = nullptr);
+/// The same in a scene that is there already, which begins anew as Scene::Reset has it. The setup
+/// has a field, which the scene carries from then on; its `model_path` does not count, and its
+/// `scene` and `device` are those that this scene was made for.
+TrialResult RunTrial(const TrialSetup& setup, Scene& scene, const RecordRequest* record = nullptr);
 
 /// The hand that comes with the program (devices/hand.toml).
 HandModel ShippedHand();

@@ -61,10 +61,11 @@ class Caller {
  public:
   explicit Caller(Bytes bytes) : bytes_(bytes) {}
   ~Caller() {
-    for (void* handle : handles_) {  // two of the three refuse
+    for (void* handle : handles_) {  // all but one refuse
       moontrace_script_close(static_cast<moontrace_script*>(handle));
       moontrace_text_close(static_cast<moontrace_text*>(handle));
       moontrace_page_close(static_cast<moontrace_page*>(handle));
+      moontrace_object_close(static_cast<moontrace_object*>(handle));
     }
   }
   Caller(const Caller&) = delete;
@@ -86,6 +87,7 @@ class Caller {
     moontrace_script_close(static_cast<moontrace_script*>(handle));
     moontrace_text_close(static_cast<moontrace_text*>(handle));
     moontrace_page_close(static_cast<moontrace_page*>(handle));
+    moontrace_object_close(static_cast<moontrace_object*>(handle));
     handle = nullptr;
     return reinterpret_cast<Kind**>(&handle);
   }
@@ -234,8 +236,54 @@ class Caller {
     Answered(moontrace_force_many(HandleAs<moontrace_page>(), nullptr, &forces));
   }
 
+  /// A solid is made of a page, asked, and kept or closed.
+  void UseObject() {
+    const char* const kinds[] = {"plane",   "box",       "cylinder", "sphere",
+                                 "capsule", "ellipsoid", "cone"};
+    const char* const faces[] = {nullptr, "top", "front", "left", "round", "inside"};
+    const auto what = bytes_.Take<std::uint8_t>();
+    moontrace_shape shape{};
+    Size(shape);
+    if (shape.size > sizeof shape) shape.size = sizeof shape;
+    shape.kind = kinds[what % 7];
+    shape.face = faces[what / 7 % 6];
+    shape.corner = what >> 6;
+    for (double& half : shape.half) half = bytes_.Number();
+    shape.u = bytes_.Number();
+    shape.v = bytes_.Number();
+    shape.turn = bytes_.Number();
+    const moontrace_page* page = HandleAs<moontrace_page>();
+    moontrace_object* object = nullptr;
+    Answered(moontrace_object_open(page, &shape, &object));
+    void*& to = Handle();
+    *Into<moontrace_object>(to) = object;
+    AskObject(HandleAs<moontrace_object>());
+  }
+
+  void AskObject(const moontrace_object* object) {
+    double five[5], three[3];
+    const double x = bytes_.Number(), y = bytes_.Number(), z = bytes_.Number();
+    Answered(moontrace_object_place(object, x, y, z, three));
+    const int answer = moontrace_object_sample(object, x, y, z, five);
+    Answered(answer);
+    if (answer == MOONTRACE_DONE) Require(five[0] == five[0] && five[4] == five[4]);
+    Answered(moontrace_object_force(object, nullptr, x, y, z, three));
+    moontrace_object_samples samples{};
+    samples.size = sizeof samples;
+    samples.count = 1;
+    samples.x = samples.y = samples.z = &x;
+    samples.height = five;
+    Answered(moontrace_object_sample_many(object, &samples));
+    moontrace_object_facts facts{};
+    Size(facts);
+    if (facts.size > sizeof facts) facts.size = sizeof facts;
+    Answered(moontrace_object_describe(object, &facts));
+  }
+
   void Call() {
-    switch (bytes_.Take<std::uint8_t>() % 8) {
+    switch (bytes_.Take<std::uint8_t>() % 9) {
+      case 8:
+        return UseObject();
       case 0:
       case 1:
       case 2:

@@ -52,6 +52,24 @@ class Python(unittest.TestCase):
         self.assertTrue(numpy.array_equal(out[:, 1:], expected))
         self.assertFalse(out[:, 0].any())
 
+    def test_an_object_carries_the_page(self):
+        text, page = page_of_an_i()
+        mug = moontrace.Object(page, "cylinder", (0.04, 0.05, 0))
+        self.assertEqual(mug.face, "round")
+        self.assertAlmostEqual(mug.greatest_scale, 1)  # its side is true to scale
+        letter = page.letters[0]
+        # across the letter's middle; 0.1 mm deep in the wall the front pushes towards -y
+        places = numpy.array([mug.place(letter.x + 0.0001 * i, letter.y + 0.01, -0.0001) for i in range(200)])
+        samples = mug.samples(places)
+        self.assertAlmostEqual(samples[:, 0].min(), -text.depth, delta=0.00005)
+        self.assertTrue(numpy.allclose(samples[:, 4], -0.0001, atol=1e-12))
+        self.assertEqual(tuple(samples[70]), mug.sample(*places[70]))
+        forces = mug.forces(places)
+        self.assertEqual(tuple(forces[70]), mug.force(*places[70]))
+        self.assertLess(forces[:, 1].min(), -0.09)  # 1000 N/m times 0.1 mm
+        with self.assertRaises(moontrace.Error):
+            moontrace.Object(page, "cylinder", (0.001, 0.001, 0))
+
     def test_forces_along_a_path_have_an_energy(self):
         # Once round a closed path within the surface, the potential law does no work: the sum of the
         # middle forces times the steps is zero but for the steps' own error, which goes as their

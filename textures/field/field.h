@@ -11,6 +11,14 @@
 
 namespace moontrace {
 
+/// Points and samples as columns: an array for each of their numbers [m, m/m]. None is null.
+struct PointColumns {
+  const double *x = nullptr, *y = nullptr;
+};
+struct SampleColumns {
+  double *displacement = nullptr, *gradient_x = nullptr, *gradient_y = nullptr;
+};
+
 /// The compiled texture: flat, immutable, made for the tick. A query does not grow with the page.
 class TextureField {
  public:
@@ -28,6 +36,9 @@ class TextureField {
   /// follow each other, as along the rows of a picture: what lies near is found once, and the
   /// points of a cell are worked out side by side. Any thread.
   void SamplesAt(std::span<const glm::dvec2> points_P, std::span<Sample> samples) const noexcept;
+  /// The same where each number has an array of its own, all of `count` numbers. Any thread.
+  void SamplesAt(const PointColumns& points_P, const SampleColumns& samples,
+                 std::size_t count) const noexcept;
 
   /// Greatest slope and curvature over all elements: s_max [m/m], (s/r)_max [1/m]; zero when empty.
   /// Layers and paper add. Where an embossed crease is rounded the surface may be steeper, by the

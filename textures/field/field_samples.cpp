@@ -95,23 +95,89 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
   }
 }
 
+/// Points and samples whose numbers stand side by side.
+class SideBySide {
+ public:
+  SideBySide(std::span<const glm::dvec2> points, std::span<Sample> samples) noexcept
+      : points_(points), samples_(samples) {}
+  std::size_t count() const noexcept { return points_.size(); }
+  glm::dvec2 PointAt(std::size_t i) const noexcept { return points_[i]; }
+  void Clear(std::size_t i) const noexcept { samples_[i] = {}; }
+  void Clear(std::size_t first, std::size_t count) const noexcept {
+    std::fill_n(samples_.data() + first, count, Sample{});
+  }
+  void Set(std::size_t i, const Sample& sample) const noexcept { samples_[i] = sample; }
+  void Add(std::size_t i, const Sample& sample) const noexcept {
+    samples_[i].displacement += sample.displacement;
+    samples_[i].gradient += sample.gradient;
+  }
+  /// Those of a run, the first of which has the number `first`.
+  void Set(std::size_t first, std::size_t count, double sign, const Run& run) const noexcept {
+    for (std::size_t k = 0; k < count; ++k) {
+      Set(first + k, {sign * run.height[k], sign * glm::dvec2(run.slope_x[k], run.slope_y[k])});
+    }
+  }
+
+ private:
+  std::span<const glm::dvec2> points_;
+  std::span<Sample> samples_;
+};
+
+/// Those that have an array for each number.
+class InColumns {
+ public:
+  InColumns(const PointColumns& points, const SampleColumns& samples, std::size_t count) noexcept
+      : points_(points), samples_(samples), count_(count) {}
+  std::size_t count() const noexcept { return count_; }
+  glm::dvec2 PointAt(std::size_t i) const noexcept { return {points_.x[i], points_.y[i]}; }
+  void Clear(std::size_t i) const noexcept { Set(i, Sample()); }
+  void Clear(std::size_t first, std::size_t count) const noexcept {
+    std::fill_n(samples_.displacement + first, count, 0.0);
+    std::fill_n(samples_.gradient_x + first, count, 0.0);
+    std::fill_n(samples_.gradient_y + first, count, 0.0);
+  }
+  void Set(std::size_t i, const Sample& sample) const noexcept {
+    samples_.displacement[i] = sample.displacement;
+    samples_.gradient_x[i] = sample.gradient.x;
+    samples_.gradient_y[i] = sample.gradient.y;
+  }
+  void Add(std::size_t i, const Sample& sample) const noexcept {
+    samples_.displacement[i] += sample.displacement;
+    samples_.gradient_x[i] += sample.gradient.x;
+    samples_.gradient_y[i] += sample.gradient.y;
+  }
+  void Set(std::size_t first, std::size_t count, double sign, const Run& run) const noexcept {
+    const auto copy = [=](const double* from, double* to) {
+      for (std::size_t k = 0; k < count; ++k) to[k] = sign * from[k];
+    };
+    copy(run.height.data(), samples_.displacement + first);
+    copy(run.slope_x.data(), samples_.gradient_x + first);
+    copy(run.slope_y.data(), samples_.gradient_y + first);
+  }
+
+ private:
+  PointColumns points_;
+  SampleColumns samples_;
+  std::size_t count_;
+};
+
 /// Sets the samples to what a layer that stands in rows gives.
+template <class Arrays>
 class RowLayer {
  public:
-  RowLayer(const CompiledLayer& layer, std::span<const glm::dvec2> points,
-           std::span<Sample> samples) noexcept
-      : layer_(layer), points_(points), samples_(samples) {}
+  RowLayer(const CompiledLayer& layer, const Arrays& arrays) noexcept
+      : layer_(layer), arrays_(arrays) {}
 
   void Set() noexcept {
     std::size_t i = 0;
-    while (i < points_.size()) i = SetRun(i);
+    while (i < arrays_.count()) i = SetRun(i);
   }
 
  private:
   /// Sets what the layer gives at the i-th point and at those after it that meet the same cell, or
   /// the same gap; returns the next point's number.
   std::size_t SetRun(std::size_t i) noexcept {
-    const glm::dvec2 p = points_[i];
+    const glm::dvec2 p = arrays_.PointAt(i);
     const std::uint32_t band = BandOf(layer_, p.y);
     if (band >= layer_.band_count) return Skip(i, {{-kFar, p.y}, {kFar, p.y}});
     const std::vector<std::uint32_t>& of_band = layer_.rows.of_band;
@@ -144,8 +210,8 @@ class RowLayer {
 
   /// Nothing at the points up to the next outside the gap, whose number it returns.
   std::size_t Skip(std::size_t i, const Box& gap) const noexcept {
-    do samples_[i++] = {};
-    while (i < points_.size() && IsIn(gap, points_[i]));
+    do arrays_.Clear(i++);
+    while (i < arrays_.count() && IsIn(gap, arrays_.PointAt(i)));
     return i;
   }
 
@@ -158,7 +224,7 @@ class RowLayer {
     sure.max.y = std::min(sure.max.y, in_band.max.y - letter.origin.y);
     const glm::dvec2 size = 1.0 / block.cells_per_m;
     do i = SetCells(letter, size, sure, i);
-    while (i < points_.size() && IsIn(sure, points_[i] - letter.origin));
+    while (i < arrays_.count() && IsIn(sure, arrays_.PointAt(i) - letter.origin));
     return i;
   }
 
@@ -182,17 +248,16 @@ class RowLayer {
   std::size_t SetCells(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
                        std::size_t i) noexcept {
     const Block& block = *letter.block;
-    const std::size_t first = i, end = std::min(points_.size(), first + kMost);
-    SureCell at = CellAt(block, size, of_letter, points_[i] - letter.origin);
+    const std::size_t first = i, end = std::min(arrays_.count(), first + kMost);
+    SureCell at = CellAt(block, size, of_letter, arrays_.PointAt(i) - letter.origin);
     const Cell cell = at.cell;
     do {
       i = Take(letter.origin, at.sure, first, i, end);
-      if (i == end || !IsIn(of_letter, points_[i] - letter.origin)) break;
-      at = CellAt(block, size, of_letter, points_[i] - letter.origin);
+      if (i == end || !IsIn(of_letter, arrays_.PointAt(i) - letter.origin)) break;
+      at = CellAt(block, size, of_letter, arrays_.PointAt(i) - letter.origin);
     } while (at.cell.code == cell.code);
     if (cell.empty()) {
-      std::fill(samples_.begin() + static_cast<std::ptrdiff_t>(first),
-                samples_.begin() + static_cast<std::ptrdiff_t>(i), Sample{});
+      arrays_.Clear(first, i - first);
     } else {
       SetPoints(block, cell, first, i - first);
     }
@@ -203,17 +268,16 @@ class RowLayer {
   /// which begins with the point `first`; returns the number of the first that does not, or `end`.
   std::size_t Take(glm::dvec2 origin, const Box box, std::size_t first, std::size_t i,
                    std::size_t end) noexcept {
-    const glm::dvec2* point = &points_[i];
-    const glm::dvec2* const last = points_.data() + end;
+    const Arrays points = arrays_;  // nothing that is written is among them
     double *x = &run_.x[i - first], *y = &run_.y[i - first];
-    glm::dvec2 local = *point - origin;
+    glm::dvec2 local = points.PointAt(i) - origin;
     do {
       *x++ = local.x;
       *y++ = local.y;
-      if (++point == last) break;
-      local = *point - origin;
+      if (++i == end) break;
+      local = points.PointAt(i) - origin;
     } while (IsIn(box, local));
-    return static_cast<std::size_t>(point - points_.data());
+    return i;
   }
 
   /// Sets the run's points, the first of which has the number `first`.
@@ -225,52 +289,55 @@ class RowLayer {
     }
     if (!block.plain || count == 1) {
       for (std::size_t k = 0; k < count; ++k) {
-        Set(first + k, SampleBlockAt(layer_, block, {run_.x[k], run_.y[k]}));
+        const Magnitude magnitude = SampleBlockAt(layer_, block, {run_.x[k], run_.y[k]});
+        arrays_.Set(first + k, {layer_.sign * magnitude.height, layer_.sign * magnitude.gradient});
       }
       return;
     }
     RunPlain(CellElements(layer_, block, cell), layer_.profiles[block.profile], run_);
-    for (std::size_t k = 0; k < count; ++k) {
-      Set(first + k, {run_.height[k], {run_.slope_x[k], run_.slope_y[k]}});
-    }
-  }
-
-  void Set(std::size_t i, const Magnitude& magnitude) noexcept {
-    samples_[i] = {layer_.sign * magnitude.height, layer_.sign * magnitude.gradient};
+    arrays_.Set(first, count, layer_.sign, run_);
   }
 
   const CompiledLayer& layer_;
-  std::span<const glm::dvec2> points_;
-  std::span<Sample> samples_;
+  const Arrays arrays_;
   double band_height_ = 1 / layer_.bands_per_m;  ///< [m]
   Run run_;
 };
+
+template <class Arrays>
+void SampleAll(const std::vector<CompiledLayer>& layers, const PaperField& paper,
+               const Arrays& arrays) noexcept {
+  const bool in_rows = !layers.empty() && layers.front().rows.length > 0;
+  if (in_rows) {
+    RowLayer<Arrays>(layers.front(), arrays).Set();
+  } else {
+    arrays.Clear(0, arrays.count());
+  }
+  for (std::size_t i = in_rows ? 1 : 0; i < layers.size(); ++i) {
+    const CompiledLayer& layer = layers[i];
+    for (std::size_t k = 0; k < arrays.count(); ++k) {
+      const glm::dvec2 p_P = arrays.PointAt(k);
+      if (i > 0 && IsBare(layer, p_P)) continue;
+      const Magnitude magnitude = SampleLayerAt(layer, p_P);
+      arrays.Add(k, {layer.sign * magnitude.height, layer.sign * magnitude.gradient});
+    }
+  }
+  if (paper.empty()) return;
+  for (std::size_t k = 0; k < arrays.count(); ++k) {
+    arrays.Add(k, paper.SampleAt(arrays.PointAt(k)));
+  }
+}
 
 }  // namespace
 
 void TextureField::SamplesAt(std::span<const glm::dvec2> points_P,
                              std::span<Sample> samples) const noexcept {
-  const bool in_rows = !layers_.empty() && layers_.front().rows.length > 0;
-  if (in_rows) {
-    RowLayer(layers_.front(), points_P, samples).Set();
-  } else {
-    std::fill_n(samples.begin(), points_P.size(), Sample{});
-  }
-  for (std::size_t i = in_rows ? 1 : 0; i < layers_.size(); ++i) {
-    const CompiledLayer& layer = layers_[i];
-    for (std::size_t k = 0; k < points_P.size(); ++k) {
-      if (i > 0 && IsBare(layer, points_P[k])) continue;
-      const Magnitude magnitude = SampleLayerAt(layer, points_P[k]);
-      samples[k].displacement += layer.sign * magnitude.height;
-      samples[k].gradient += layer.sign * magnitude.gradient;
-    }
-  }
-  if (paper_.empty()) return;
-  for (std::size_t k = 0; k < points_P.size(); ++k) {
-    const Sample paper = paper_.SampleAt(points_P[k]);
-    samples[k] = {samples[k].displacement + paper.displacement,
-                  samples[k].gradient + paper.gradient};
-  }
+  SampleAll(layers_, paper_, SideBySide(points_P, samples));
+}
+
+void TextureField::SamplesAt(const PointColumns& points_P, const SampleColumns& samples,
+                             std::size_t count) const noexcept {
+  SampleAll(layers_, paper_, InColumns(points_P, samples, count));
 }
 
 }  // namespace moontrace

@@ -8,6 +8,8 @@ letters and pictures. Calls libmoontrace.so.0 by ctypes; needs no compiler.
     heights = page.height_map(0.0002)    # an array, row 0 at the page's foot
     forces = page.forces(path)           # of an array with x, y, z in each row [m]; newtons
     page.draw("page.svg")
+    mug = moontrace.Object(page, "cylinder", (0.04, 0.05))
+    mug.force(0.0, -0.0395, 0.0)         # of a tip on its front; moontrace_shape says the frame
 
 Units are SI: metres and newtons. The origin is the page's lower left corner, x goes along the text,
 y up the page, z out of the paper; z = 0 is the flat paper. Arrays need NumPy, all else does not.
@@ -24,7 +26,7 @@ try:
 except ImportError:  # one point at a time works without
     numpy = None
 
-__all__ = ["Error", "Letter", "Page", "Script", "Text", "page", "version"]
+__all__ = ["Error", "Letter", "Object", "Page", "Script", "Text", "page", "version"]
 
 
 class Error(Exception):
@@ -39,7 +41,7 @@ FAULT, BAD_CALL, BAD_INPUT, LACKING = 1, 2, 3, 4
 
 Letter = collections.namedtuple("Letter", "sign x y line word source_begin source_end")
 
-_INTERFACE = 1
+_INTERFACE = 2
 _U32, _SIZE, _STEP = ctypes.c_uint32, ctypes.c_size_t, ctypes.c_ssize_t
 _DOUBLE, _TEXT, _HANDLE = ctypes.c_double, ctypes.c_char_p, ctypes.c_void_p
 
@@ -78,6 +80,12 @@ _Samples = _struct("_Samples", (_U32, "reserved"), (_SIZE, "count"),
                    *_arrays("x y displacement gradient_x gradient_y"))
 _Forces = _struct("_Forces", (_U32, "reserved"), (_SIZE, "count"),
                   *_arrays("x y z force_x force_y force_z"))
+_Shape = _struct("_Shape", (_U32, "corner"), (_TEXT, "kind face"), (_DOUBLE * 3, "half"),
+                 (_DOUBLE, "u v turn"))
+_ObjectFacts = _struct("_ObjectFacts", (_U32, "reserved"), (_TEXT, "face"), (
+    _DOUBLE, "text_width text_height least_scale greatest_scale greatest_depth"))
+_ObjectSamples = _struct("_ObjectSamples", (_U32, "reserved"), (_SIZE, "count"), *_arrays(
+    "x y z displacement gradient_x gradient_y gradient_z height"))
 
 
 def _load():
@@ -102,7 +110,13 @@ for _name, _kinds in {
         "page_close": (_HANDLE,), "sample": (_HANDLE, _DOUBLE, _DOUBLE, _HANDLE),
         "sample_many": (_HANDLE, _HANDLE),
         "force": (_HANDLE, _HANDLE, _DOUBLE, _DOUBLE, _DOUBLE, _HANDLE),
-        "force_many": (_HANDLE, _HANDLE, _HANDLE)}.items():
+        "force_many": (_HANDLE, _HANDLE, _HANDLE),
+        "object_open": (_HANDLE, _HANDLE, _HANDLE), "object_describe": (_HANDLE, _HANDLE),
+        "object_place": (_HANDLE, _DOUBLE, _DOUBLE, _DOUBLE, _HANDLE),
+        "object_sample": (_HANDLE, _DOUBLE, _DOUBLE, _DOUBLE, _HANDLE),
+        "object_sample_many": (_HANDLE, _HANDLE),
+        "object_force": (_HANDLE, _HANDLE, _DOUBLE, _DOUBLE, _DOUBLE, _HANDLE),
+        "object_force_many": (_HANDLE, _HANDLE, _HANDLE), "object_close": (_HANDLE,)}.items():
     _function = getattr(_library, "moontrace_" + _name)
     _function.argtypes = _kinds
     _function.restype = _TEXT if _name in ("version", "message") else ctypes.c_int
@@ -114,7 +128,7 @@ def _require(answer):
 
 
 _require(_library.moontrace_check(_INTERFACE))
-_Three = _DOUBLE * 3
+_Three, _Five = _DOUBLE * 3, _DOUBLE * 5
 
 
 def version():
@@ -217,16 +231,7 @@ class Page(_Open):
     def forces(self, points, out=None, **surface):
         """The same for an array whose rows are x, y, z, such as a path: three forces in each row of
         `out`, or of a new array."""
-        points = _rows(points, 3)
-        out = _room(out, len(points))
-        given, many = _Surface(**surface), _Forces(count=len(points))
-        for i, name in enumerate("xyz"):
-            for field, array in ((name, points), ("force_" + name, out)):
-                for part, value in _named(field, _column(array, i)).items():
-                    setattr(many, part, value)
-        _require(_library.moontrace_force_many(self._handle, ctypes.byref(given),
-                                               ctypes.byref(many)))
-        return out
+        return _forces(_library.moontrace_force_many, self._handle, points, out, surface)
 
     def height_map(self, step):
         """Displacements of the whole page, `step` metres apart [m]: rows from its foot to its head,
@@ -248,6 +253,56 @@ class Page(_Open):
     def draw(self, path, print_letters=False):
         """Draws the page in its true size, as .svg, .pdf or .png."""
         _require(_library.moontrace_page_draw(self._handle, os.fsencode(path), int(print_letters)))
+
+
+class Object(_Open):
+    """A page on a solid: "plane", "box", "cylinder", "sphere", "capsule" or "ellipsoid", of the sizes
+    that moontrace_shape.half has [m]. `place` takes its other fields by name: face, u, v, turn,
+    corner. Points are of the solid's frame."""
+
+    def __init__(self, page, kind, half, **place):
+        given = _Shape(kind=kind.encode(), half=_Three(*half),
+                       **{name: value.encode() if isinstance(value, str) else value
+                          for name, value in place.items()})
+        super().__init__(_library.moontrace_object_close, _library.moontrace_object_open,
+                         page._handle, ctypes.byref(given))
+        facts = _facts(_library.moontrace_object_describe, self._handle, _ObjectFacts)
+        self.face, self.greatest_depth = facts.face.decode(), facts.greatest_depth
+        self.text_width, self.text_height = facts.text_width, facts.text_height
+        self.least_scale, self.greatest_scale = facts.least_scale, facts.greatest_scale
+
+    def place(self, x, y, z=0):
+        """Where a place over the page, z above it, lies in the solid's frame [m]."""
+        three = _Three()
+        _require(_library.moontrace_object_place(self._handle, x, y, z, three))
+        return tuple(three)
+
+    def sample(self, x, y, z):
+        """At a point: displacement along the smooth normal, its gradient in space (three numbers),
+        and the point's height above the smooth surface."""
+        five = _Five()
+        _require(_library.moontrace_object_sample(self._handle, x, y, z, five))
+        return tuple(five)
+
+    def samples(self, points):
+        """The same for an array whose rows are x, y, z: five numbers in each row."""
+        points = _rows(points, 3)
+        out = numpy.empty((len(points), 5))
+        many = _ObjectSamples(count=len(points))
+        _set_columns(many, points, "x y z")
+        _set_columns(many, out, "displacement gradient_x gradient_y gradient_z height")
+        _require(_library.moontrace_object_sample_many(self._handle, ctypes.byref(many)))
+        return out
+
+    def force(self, x, y, z, **surface):
+        """The force on a tip at a point; `surface` as of Page.force."""
+        three, given = _Three(), _Surface(**surface)
+        _require(_library.moontrace_object_force(self._handle, ctypes.byref(given), x, y, z, three))
+        return tuple(three)
+
+    def forces(self, points, out=None, **surface):
+        """The same for an array whose rows are x, y, z, as Page.forces."""
+        return _forces(_library.moontrace_object_force_many, self._handle, points, out, surface)
 
 
 def page(words, script="moon", **style):
@@ -279,6 +334,22 @@ def _room(out, count):
 
 def _column(array, number):
     return array.ctypes.data + number * array.strides[1], array.strides[0]
+
+
+def _set_columns(many, array, names):
+    for number, name in enumerate(names.split()):
+        for part, value in _named(name, _column(array, number)).items():
+            setattr(many, part, value)
+
+
+def _forces(call, handle, points, out, surface):
+    points = _rows(points, 3)
+    out = _room(out, len(points))
+    given, many = _Surface(**surface), _Forces(count=len(points))
+    _set_columns(many, points, "x y z")
+    _set_columns(many, out, "force_x force_y force_z")
+    _require(call(handle, ctypes.byref(given), ctypes.byref(many)))
+    return out
 
 
 def _named(name, column):

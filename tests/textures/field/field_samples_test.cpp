@@ -21,8 +21,18 @@ bool Same(const Sample& a, const Sample& b) {
 void ExpectSame(const TextureField& field, const std::vector<glm::dvec2>& points) {
   std::vector<Sample> samples(points.size());
   field.SamplesAt(points, samples);
+  // and the same in columns
+  std::vector<double> x, y, height(points.size()), slope_x(points.size()), slope_y(points.size());
+  for (const glm::dvec2 point : points) {
+    x.push_back(point.x);
+    y.push_back(point.y);
+  }
+  field.SamplesAt({x.data(), y.data()}, {height.data(), slope_x.data(), slope_y.data()},
+                  points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ASSERT_TRUE(Same(samples[i], field.SampleAt(points[i])))
+    const Sample expected = field.SampleAt(points[i]);
+    ASSERT_TRUE(Same(samples[i], expected)) << i << ": " << points[i].x << ", " << points[i].y;
+    ASSERT_TRUE(Same({height[i], {slope_x[i], slope_y[i]}}, expected))
         << i << ": " << points[i].x << ", " << points[i].y;
   }
 }

@@ -1,0 +1,26 @@
+# find_package(moontrace [COMPONENTS mujoco]): the target moontrace::moontrace, and where a library for a
+# MuJoCo is installed moontrace::mujoco, after find_package(mujoco) that of its version.
+include(${CMAKE_CURRENT_LIST_DIR}/moontraceTargets.cmake)
+file(GLOB moontrace_for_mujoco ${CMAKE_CURRENT_LIST_DIR}/moontrace-mujoco-*.cmake)
+list(FILTER moontrace_for_mujoco EXCLUDE REGEX "-[a-z]+\\.cmake$")  # parts of the others, by build type
+if(mujoco_VERSION)
+  list(FILTER moontrace_for_mujoco INCLUDE REGEX "/moontrace-mujoco-${mujoco_VERSION}\\.cmake$")
+endif()
+list(LENGTH moontrace_for_mujoco moontrace_count)
+if(moontrace_count EQUAL 1)
+  include(${moontrace_for_mujoco})
+  string(REGEX REPLACE ".*/moontrace-(mujoco-.*)\\.cmake" "\\1" moontrace_for_mujoco ${moontrace_for_mujoco})
+  if(NOT TARGET moontrace::mujoco)
+    add_library(moontrace::mujoco ALIAS moontrace::${moontrace_for_mujoco})
+  endif()
+  set(moontrace_mujoco_FOUND TRUE)
+endif()
+if("mujoco" IN_LIST moontrace_FIND_COMPONENTS AND NOT moontrace_mujoco_FOUND)
+  set(moontrace_NOT_FOUND_MESSAGE
+    "${moontrace_count} libraries of Moontrace fit the MuJoCo found (${mujoco_VERSION}): call find_package(mujoco) before, and install the library of that version")
+  if(moontrace_FIND_REQUIRED_mujoco)
+    set(moontrace_FOUND FALSE)
+  endif()
+endif()
+unset(moontrace_for_mujoco)
+unset(moontrace_count)
