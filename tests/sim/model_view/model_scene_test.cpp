@@ -154,7 +154,8 @@ TEST_F(ModelSceneTest, WithoutLabelsItIsMujocosOwnPicture) {
   mjv_updateScene(m.get(), d.get(), &option, nullptr, &camera, mjCAT_ALL, &scene);
   const mjrRect rect = {0, 0, kWidth, kHeight};
   mjr_render(rect, &scene, &context);
-  std::vector<unsigned char> bottom_up(3 * kWidth * kHeight);
+  constexpr std::size_t kRow = std::size_t{3} * kWidth;
+  std::vector<unsigned char> bottom_up(kRow * kHeight);
   mjr_readPixels(bottom_up.data(), nullptr, rect, &context);
   mjr_freeContext(&context);
   mjv_freeScene(&scene);
@@ -163,8 +164,8 @@ TEST_F(ModelSceneTest, WithoutLabelsItIsMujocosOwnPicture) {
   std::size_t other = 0;
   for (std::size_t row = 0; row < picture.height; ++row) {
     for (std::size_t i = 0; i < 3 * picture.width; ++i) {
-      const unsigned char plain = bottom_up[3 * kWidth * (kHeight - 1 - row) + i];
-      if (plain != picture.rgb[3 * kWidth * row + i]) ++other;
+      const unsigned char plain = bottom_up[kRow * (kHeight - 1 - row) + i];
+      if (plain != picture.rgb[kRow * row + i]) ++other;
     }
   }
   EXPECT_EQ(other, 0U);
