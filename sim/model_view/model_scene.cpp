@@ -160,7 +160,7 @@ void ModelScene::State::DrawLabel(Shown& shown, const Sight& sight, mjrRect rect
   if (!Serves(shown.relief.of, *wanted)) {
     shown.relief = MakeRelief(label.chart, *shown.field, *wanted);
   }
-  const double luminance = geom->texid >= 0 ? 1 : LuminanceOf(geom->rgba);
+  const double luminance = MayHaveTexture(*geom) ? 1 : LuminanceOf(geom->rgba);
   ShadeRelief(shown.relief, X_WG, sight, DepthIsReversed(),
               {scene.lights, static_cast<std::size_t>(scene.nlight)}, geom->emission,
               TintFor(luminance, high_contrast), points, triangles);

@@ -113,6 +113,15 @@ bool Directional(const Light& light) noexcept {
   }
 }
 
+template <class Geom>
+bool Textured(const Geom& geom) noexcept {
+  if constexpr (requires { geom.texid; }) {
+    return geom.texid >= 0;
+  } else {
+    return geom.matid >= 0;
+  }
+}
+
 /// Newer functions that follow a ray also give the normal.
 template <class Ray, class... Arguments>
 double Follow(Ray ray, Arguments... arguments) {
@@ -219,6 +228,7 @@ double HalfWidthOf(const mjvGLCamera& camera, double aspect) noexcept {
 }
 bool IsOrthographic(const mjvGLCamera& camera) noexcept { return Orthographic(camera); }
 bool IsDirectional(const mjvLight& light) noexcept { return Directional(light); }
+bool MayHaveTexture(const mjvGeom& geom) noexcept { return Textured(geom); }
 
 RayHit FirstOnRay(const mjModel& m, const mjData& d, const double from[3], const double along[3]) {
   const mjtByte shown[mjNGROUP] = {1, 1, 1, 0, 0, 0};  // as mjv_defaultOption has it

@@ -64,6 +64,9 @@ bool IsOrthographic(const mjvGLCamera& camera) noexcept;
 /// Whether a light comes from one direction, not from one point.
 bool IsDirectional(const mjvLight& light) noexcept;
 
+/// Whether a drawn geom may have a texture: newer ones only know their material.
+bool MayHaveTexture(const mjvGeom& geom) noexcept;
+
 /// The first geom that a ray meets, of those in the shown groups, and how far it is [in lengths of
 /// `along`]; -1, -1: none.
 struct RayHit {
