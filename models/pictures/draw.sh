@@ -11,6 +11,13 @@ trap 'rm -rf "$work"' EXIT
 "$program" view 'The moon is bright tonight, and the sea is still.' \
   --size-mm 10 --line-pitch-mm 20 --seconds 16 --picture "$here/page.png"
 
+# The models with labels. What each shows is said as well, and stands in models/README.md.
+models=$(dirname "$here")
+for model in sign mug globe dice door panel; do
+  "$program" view --model "$models/$model.xml" --width-px 640 --picture "$here/$model.png"
+done
+"$program" view --model "$models/mug.xml" --seconds 11.5 --width-px 680 --picture "$here/mug-traced.png"
+
 # A lesson, some seconds of it: a tutor goes to the first letters, and gives help.
 export XDG_RUNTIME_DIR=$work
 "$program" learn --device simulated --learner anna --records "$work/records.sqlite" --tutor \

@@ -121,6 +121,7 @@ SessionRequest RequestOf(const LoopCommandOptions& options) {
 void AddOptions(CLI::App& app, LoopCommandOptions& options) {
   AddLoopOptions(app, options);
   AddOptions(app, options.view);
+  AddCamera(app, options.view);
 }
 
 void AddLoopOptions(CLI::App& app, LoopCommandOptions& options) {
@@ -139,6 +140,7 @@ void AddLoopOptions(CLI::App& app, LoopCommandOptions& options) {
 int Run(const LoopCommandOptions& options, Console& console) {
   LoopCommandOptions shown = options;
   shown.layout.centred = options.view.asked();  // as view has it
+  CheckCamera(options.view, options.feel.model);
   const auto aims = AimsFor(shown.live.device, shown.view);
   const std::unique_ptr<ViewFeed> view = ViewFeed::Open(shown.view, aims, console);
   return RunLoop(shown, view.get(), aims, console);

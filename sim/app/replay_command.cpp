@@ -155,16 +155,17 @@ int Run(const ReplayOptions& options, Console& console) {
   const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
   std::optional<TrialView> view;
   TickWatch watch;
-  if (feed) {
-    view.emplace(*feed, console);
-    view->Begin(page.seen, {parameters.text, parameters.style.size, {}, {}});
-    watch = [&view](double time, const TickResult& felt, const GuidanceResult& push) {
-      view->Look(time, felt, push);
-    };
-  }
   const std::string model = options.folder + "/model.xml";
   const auto others =
       OtherLabels(Scene::FromXml(record.model_xml, model, record.options), model, console);
+  if (feed) {
+    view.emplace(*feed, console);
+    const bool shipped = record.model_xml == Scene::Load("", SceneOptions()).model_xml();
+    if (!shipped) view->ShowModel(others);
+    view->Begin(page.seen, {parameters.text, parameters.style.size, {}, {}});
+    watch = [&view](double time, const TickResult& felt, const GuidanceResult& push,
+                    const Scene& scene) { view->Look(time, felt, push, scene); };
+  }
   const ReplayResult replay =
       Replay(record, *page.field, page.push ? &*page.push : nullptr, watch, others);
   // An altered record is bad input, whatever the replay gives: bit-equal to what was altered is no

@@ -72,6 +72,7 @@ TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t 
   setup.guidance = GuidanceOf(options.guide);
   setup.device = trace.device;
   if (!options.picture.empty()) setup.path_spacing = trace.text.set.style.width / 20;
+  setup.longest = options.longest.value_or(setup.longest);
   setup.stop = console.stop();
   const auto pages = static_cast<double>(trace.text.set.pages.size());
   setup.alive = [&console, page, pages](double done) {
@@ -89,9 +90,8 @@ void Watch(TrialSetup& setup, TrialView& view, const Trace& trace, std::size_t p
   view.Begin(MakeViewPage(set, page, *setup.script, text, setup.field, setup.blank,
                           static_cast<std::uint32_t>(page)),
              {text, setup.style.size, say::PanelPage(page, set.pages.size()), {}});
-  setup.watch = [&view](double time, const TickResult& felt, const GuidanceResult& push) {
-    view.Look(time, felt, push);
-  };
+  setup.watch = [&view](double time, const TickResult& felt, const GuidanceResult& push,
+                        const Scene& scene) { view.Look(time, felt, push, scene); };
 }
 
 /// DIR as it is for a single page, otherwise DIR-1, DIR-2 ...
@@ -168,6 +168,7 @@ void AddOptions(CLI::App& app, TraceOptions& options) {
   AddFlag(app, "--csv", options.csv, say::help::kCsv);
   AddPicture(app, options.picture, say::help::kPicture);
   AddOptions(app, options.view);
+  AddCamera(app, options.view);
   AddOptions(app, options.live);
   AddOptions(app, options.output);
 }
@@ -207,6 +208,7 @@ Traced TraceText(const TraceOptions& options, ViewFeed* feed, Console& console) 
   WarnOfDirect(options, trace, console);
   std::optional<TrialView> view;
   if (feed != nullptr) view.emplace(*feed, console);
+  if (view && !options.feel.model.empty()) view->ShowModel(trace.text.others);
   std::optional<PagePictures> pictures;
   if (!options.picture.empty()) pictures.emplace(options.picture, trace.text.set.pages.size());
   for (std::size_t page = 0; page < trace.text.set.pages.size(); ++page) {
@@ -276,7 +278,10 @@ int TraceAllLabels(const TraceOptions& options, Console& console) {
 /// A text on one label, or on the shipped page.
 int TraceOneLabel(const TraceOptions& options, Console& console) {
   const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
-  const Traced traced = TraceText(options, feed.get(), console);
+  Traced traced = TraceText(options, feed.get(), console);
+  while (options.repeats && feed && feed->window() && !feed->ended()) {
+    traced = TraceText(options, feed.get(), console);
+  }
   if (options.feel.scene.friction > 0.1) {
     console.Remark(say::FrictionHampers(options.feel.scene.friction));
   }
@@ -303,6 +308,7 @@ int Run(const TraceOptions& options, Console& console) {
     throw UsageError(say::NeedsOther("--csv", "--record"));
   }
   if (!options.picture.empty()) CheckPicturePath(options.picture);
+  CheckCamera(options.view, options.feel.model);
   CheckTogether(options.view);
   const bool simulated = IsSimulated(options.live.device);
   if (simulated) {

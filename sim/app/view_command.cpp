@@ -37,21 +37,45 @@ void CheckPicture(const ViewCommandOptions& options) {
   CheckPicturePath(options.picture);
 }
 
+/// What a picture shows.
+struct Shot {
+  std::vector<ViewMoment> moments;
+  std::shared_ptr<const ViewModel> model;  ///< null: none was named
+};
+
 /// What the simulated stylus does on the first page within `seconds`, in its own time.
-std::vector<ViewMoment> Traced(const ViewCommandOptions& options, const TextSetup& text,
-                               double seconds, Console& console) {
+Shot Traced(const ViewCommandOptions& options, const TextSetup& text, double seconds,
+            Console& console) {
   TrialSetup setup = TrialOf(text, 0, options.feel, options.press, options.seed);
   setup.stop = console.stop();
   setup.longest = seconds;
-  std::vector<ViewMoment> moments;
+  Shot shot;
+  ScenePose pose;  // the last counts
   double next = 0;
-  setup.watch = [&](double time, const TickResult& felt, const GuidanceResult& push) {
+  setup.watch = [&](double time, const TickResult& felt, const GuidanceResult& push,
+                    const Scene& scene) {
     if (time < next - 0.5 * setup.scene.tick) return;  // times are rounded
     next += kMomentEvery;
-    moments.push_back(MomentOf(time, felt, push));
+    shot.moments.push_back(MomentOf(time, felt, push));
+    if (options.feel.model.empty()) return;
+    if (shot.model == nullptr) shot.model = MakeViewModel(scene, text.others, text.text);
+    TakePose(scene, pose);
   };
   RunTrial(setup);
-  return moments;
+  if (shot.model != nullptr) {
+    shot.moments.back().pose = std::make_shared<const ScenePose>(std::move(pose));
+  }
+  return shot;
+}
+
+/// As a model stands by itself.
+Shot AtRest(const ViewCommandOptions& options, const TextSetup& text, const TextureField& field) {
+  const std::string& model = options.feel.model;
+  if (model.empty()) return {};
+  Scene scene = Scene::Load(model, OnLabel(text, 0, options.feel.scene));
+  scene.SetField(&field);
+  for (const LaidLabel& other : text.others) scene.SetLabel(other);
+  return {{}, MakeViewModel(scene, text.others, text.text)};
 }
 
 int DrawPicture(const ViewCommandOptions& given, Console& console) {
@@ -62,28 +86,57 @@ int DrawPicture(const ViewCommandOptions& given, Console& console) {
       {options.text, options.style, options.layout, options.feel, "view", say::help::kDefaultText},
       console);
   SayReplacements(text.set, [&console](const std::string& line) { console.Remark(line); });
-  std::vector<ViewMoment> moments;
-  if (options.live.seconds) moments = Traced(options, text, *options.live.seconds, console);
-  ViewerOptions look;
-  look.high_contrast = options.view.contrast;
-  look.large_text = options.view.large_text;
-  const bool touching = !moments.empty() && moments.back().in_contact;
   auto field = std::make_shared<const TextureField>(
       PageField(text.set.pages.front(), text.script, text.set.style, false));
+  const Shot shot = options.live.seconds ? Traced(options, text, *options.live.seconds, console)
+                                         : AtRest(options, text, *field);
+  const ViewerOptions look = ViewerOf(options.view);
+  const bool touching = !shot.moments.empty() && shot.moments.back().in_contact;
   const auto page = MakeViewPage(text.set, 0, text.script, text.text, std::move(field), false, 0);
-  WriteViewPicture(options.picture, look, page, moments, LoopPanel(),
-                   LoopPanelValues(text, {}, options.feel.scene.tilt, 0,
-                                   moments.empty() ? "" : say::PanelState(false, touching)));
+  // of a model that rests nothing is to be changed
+  const bool panel = shot.model == nullptr || !shot.moments.empty();
+  const auto values = LoopPanelValues(text, {}, options.feel.scene.tilt, 0,
+                                      shot.moments.empty() ? "" : say::PanelState(false, touching));
+  const std::vector<std::string> seen = WriteViewPicture(
+      options.picture, look, page, shot.moments, panel ? LoopPanel() : std::vector<PanelControl>(),
+      panel ? values : std::vector<PanelValue>(), shot.model);
   if (options.output.json) {
     Json json = TypesetJson(text.set, text.script);
     json["picture"] = options.picture;
-    json["moments"] = moments.size();
+    json["moments"] = shot.moments.size();
+    if (!seen.empty()) json["seen"] = seen;
     console.Json(Dump(json));
     return exit_code::kGood;
   }
   console.Result(say::ViewPictureIn());
   console.Path(options.picture);
+  for (const std::string& sentence : seen) console.Result(sentence);
   return exit_code::kGood;
+}
+
+/// Mouse and simulated hand of a loop move in a plane: on a round label the hand of a trial does.
+bool IsRound(const FeelOptions& feel) {
+  if (feel.model.empty()) return false;
+  FeelOptions chosen = feel;
+  ChooseLabel(chosen);
+  return !Scene::Load(chosen.model, chosen.scene).page_is_flat();
+}
+
+int ShowTraced(const ViewCommandOptions& given, Console& console) {
+  TraceOptions options;
+  options.output = given.output;
+  options.text = given.text;
+  options.style = given.style;
+  options.layout = given.layout;
+  options.feel = given.feel;
+  options.press = given.press;
+  options.seed = given.seed;
+  options.view = given.view;
+  options.view.window = given.view.frames.empty();
+  options.longest = given.live.seconds;
+  options.repeats = !given.live.seconds;
+  console.Remark(say::RoundIsTraced());
+  return Run(options, console);
 }
 
 }  // namespace
@@ -95,10 +148,16 @@ void AddOptions(CLI::App& app, ViewCommandOptions& options) {
   BeginGroup(app, help_group::kView);
   AddPath(app, "--picture", "F.png", options.picture, say::help::kViewPicture);
   AddLookOptions(app, options.view);
+  AddCamera(app, options.view);
 }
 
 int Run(const ViewCommandOptions& given, Console& console) {
+  CheckCamera(given.view, given.feel.model);
   if (!given.picture.empty()) return DrawPicture(given, console);
+  const std::string& device = given.live.device;
+  if (IsSimulated(device) && IsRound(given.feel)) {
+    return ShowTraced(given, console);
+  }
   LoopCommandOptions options = given;
   options.view.window = options.view.frames.empty();
   auto aims = AimsFor(options.live.device, options.view);

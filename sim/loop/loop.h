@@ -110,6 +110,9 @@ class Loop {
   /// The newest tick, if there was one since the last call. One thread at a time: a viewer's. The
   /// loop never waits for it.
   bool TakeSnapshot(LoopSnapshot& snapshot) noexcept { return mail_.snapshot.Take(snapshot); }
+  /// Where everything in the scene stands, if it has come since the last call, which asked for it:
+  /// of a tick between the two. One thread at a time: a viewer's. The loop never waits for it.
+  bool TakePose(ScenePose& pose) { return mail_.pose.Take(pose); }
   /// The next event, the next sample. One thread at a time each.
   bool TakeEvent(LoopEvent& event) noexcept { return mail_.events.Pop(event); }
   bool TakeSample(LoopSample& sample) noexcept { return mail_.samples.Pop(sample); }

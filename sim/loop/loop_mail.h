@@ -8,6 +8,7 @@
 #include "lessons/guide/guidance.h"
 #include "sim/loop/loop_types.h"
 #include "sim/loop/spsc_queue.h"
+#include "sim/physics/scene_pose.h"
 
 namespace moontrace {
 
@@ -44,6 +45,7 @@ struct LoopMail {
   std::atomic<bool> stop{false};                        ///< to the tick
   std::atomic<bool> go_on{false};                       ///< to the tick
   Mailbox<LoopSnapshot> snapshot;                       ///< from the tick
+  PoseMail pose;                                        ///< from the tick
   SpscQueue<LoopSample> samples;                        ///< from the tick
   SpscQueue<LoopEvent> events;                          ///< from the tick
 };

@@ -48,6 +48,7 @@ LoopTick::LoopTick(Scene scene, const TextureField& field, std::unique_ptr<Devic
       tick_(scene_.options().tick),
       tip_(limits_) {
   scene_.SetField(field_);
+  mail_.pose.Fit(scene_);
   reported_at_.fill(-kReportEvery);
 }
 
@@ -337,6 +338,7 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe,
   snapshot.heat = safe.heat;
   snapshot.safety_counts = safety_.counts();
   mail_.snapshot.Put(snapshot);
+  mail_.pose.Put(scene_);
   if (device_ == nullptr || !begun_) return;
   LoopSample sample;
   sample.time = time_;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <type_traits>
 
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
@@ -85,6 +86,49 @@ unsigned char* BytesOf(Model& m, int texture) noexcept {
     return m.tex_data + m.tex_adr[texture];
   } else {
     return m.tex_rgb + m.tex_adr[texture];
+  }
+}
+
+template <class Camera>
+double HalfWidth(const Camera& camera, double aspect) noexcept {
+  if constexpr (requires { camera.frustum_width; }) {
+    if (camera.frustum_width > 0) return camera.frustum_width;
+  }
+  return 0.5 * aspect * (static_cast<double>(camera.frustum_top) - camera.frustum_bottom);
+}
+
+template <class Camera>
+bool Orthographic(const Camera& camera) noexcept {
+  if constexpr (requires { camera.orthographic; }) return camera.orthographic != 0;
+  return false;
+}
+
+/// Lights of 3.3 and later have a type.
+template <class Light>
+bool Directional(const Light& light) noexcept {
+  if constexpr (requires { light.directional; }) {
+    return light.directional != 0;
+  } else {
+    return light.type == 1;  // mjLIGHT_DIRECTIONAL
+  }
+}
+
+template <class Geom>
+bool Textured(const Geom& geom) noexcept {
+  if constexpr (requires { geom.texid; }) {
+    return geom.texid >= 0;
+  } else {
+    return geom.matid >= 0;
+  }
+}
+
+/// Newer functions that follow a ray also give the normal.
+template <class Ray, class... Arguments>
+double Follow(Ray ray, Arguments... arguments) {
+  if constexpr (std::is_invocable_v<Ray, Arguments...>) {
+    return ray(arguments...);
+  } else {
+    return ray(arguments..., nullptr);
   }
 }
 
@@ -177,6 +221,27 @@ void Connect(mjvGeom& geom, int type, double width, const double from[3], const 
 #else
   mjv_makeConnector(&geom, type, width, from[0], from[1], from[2], to[0], to[1], to[2]);
 #endif
+}
+
+double HalfWidthOf(const mjvGLCamera& camera, double aspect) noexcept {
+  return HalfWidth(camera, aspect);
+}
+bool IsOrthographic(const mjvGLCamera& camera) noexcept { return Orthographic(camera); }
+bool IsDirectional(const mjvLight& light) noexcept { return Directional(light); }
+bool MayHaveTexture(const mjvGeom& geom) noexcept { return Textured(geom); }
+
+RayHit FirstOnRay(const mjModel& m, const mjData& d, const double from[3], const double along[3]) {
+  const mjtByte shown[mjNGROUP] = {1, 1, 1, 0, 0, 0};  // as mjv_defaultOption has it
+  RayHit hit;
+  hit.distance = Follow(&mj_ray, &m, &d, from, along, &shown[0], mjtByte{1}, -1, &hit.geom);
+  return hit;
+}
+
+double DistanceOnRay(const mjModel& m, const mjData& d, int geom, const double from[3],
+                     const double along[3]) {
+  const std::ptrdiff_t i = geom;
+  return Follow(&mju_rayGeom, d.geom_xpos + 3 * i, d.geom_xmat + 9 * i, m.geom_size + 3 * i, from,
+                along, m.geom_type[i]);
 }
 
 }  // namespace moontrace

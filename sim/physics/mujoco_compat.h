@@ -63,4 +63,26 @@ unsigned char* TextureBytes(mjModel& m, int texture) noexcept;
 /// lines in pixels.
 void Connect(mjvGeom& geom, int type, double width, const double from[3], const double to[3]);
 
+/// Half of a picture's width on the near plane of a camera that draws it [m]; `aspect`: its width
+/// over its height.
+double HalfWidthOf(const mjvGLCamera& camera, double aspect) noexcept;
+/// Whether a camera draws without perspective, as those of 3.1 and later can.
+bool IsOrthographic(const mjvGLCamera& camera) noexcept;
+/// Whether a light comes from one direction, not from one point.
+bool IsDirectional(const mjvLight& light) noexcept;
+
+/// Whether a drawn geom may have a texture: newer ones only know their material.
+bool MayHaveTexture(const mjvGeom& geom) noexcept;
+
+/// The first geom that a ray meets, of those in the shown groups, and how far it is [in lengths of
+/// `along`]; -1, -1: none.
+struct RayHit {
+  int geom = -1;
+  double distance = -1;
+};
+RayHit FirstOnRay(const mjModel& m, const mjData& d, const double from[3], const double along[3]);
+/// How far a ray runs to one geom [in lengths of `along`]; -1: it misses.
+double DistanceOnRay(const mjModel& m, const mjData& d, int geom, const double from[3],
+                     const double along[3]);
+
 }  // namespace moontrace

@@ -146,15 +146,21 @@ void Scene::Impl::FindObjects() {
   SetField(nullptr);
 }
 
-/// Which object carries the page, and how that lies on it.
-void Scene::Impl::FindPage() {
+Scene::Impl::Carrier Scene::Impl::CarrierOf(std::size_t label) const noexcept {
+  Carrier carrier;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     for (std::size_t k = 0; k < objects[i].numbers.size(); ++k) {
-      if (objects[i].numbers[k] != options.label) continue;
-      page_object = i;
-      page_number = k;
+      if (objects[i].numbers[k] == label) carrier = {i, k};
     }
   }
+  return carrier;
+}
+
+/// Which object carries the page, and how that lies on it.
+void Scene::Impl::FindPage() {
+  const Carrier carrier = CarrierOf(options.label);
+  page_object = carrier.object;
+  page_number = carrier.number;
   reactions.assign(objects.size(), {0, 0, 0});
   sides.assign(objects.size(), {});
   touched = page_object;
@@ -329,6 +335,14 @@ double Scene::carried_press() const {
 }
 const mjModel_* Scene::model() const { return impl_->loaded.m.get(); }
 mjData_* Scene::data() { return impl_->d.get(); }
+const mjData_* Scene::data() const { return impl_->d.get(); }
+int Scene::geom_of(std::size_t number) const {
+  return impl_->objects[impl_->CarrierOf(number).object].geom;
+}
+const LabelOnSolid& Scene::laid(std::size_t number) const {
+  const Impl::Carrier carrier = impl_->CarrierOf(number);
+  return impl_->objects[carrier.object].labels[carrier.number];
+}
 
 std::vector<double> Scene::State() const {
   std::vector<double> state;

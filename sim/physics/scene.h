@@ -110,8 +110,13 @@ class Scene {
   std::vector<double> State() const;
   void SetState(const std::vector<double>& state);
 
+  /// Where label `number` lies: MuJoCo's number of its geom, and its chart with what is felt there.
+  int geom_of(std::size_t number) const;
+  const LabelOnSolid& laid(std::size_t number) const;
+
   const mjModel_* model() const;
   mjData_* data();
+  const mjData_* data() const;
 
   Scene(Scene&&) noexcept;
   Scene& operator=(Scene&&) noexcept;

@@ -63,6 +63,11 @@ struct Scene::Impl {
   void PlaceProxy(glm::dvec3 p_W, glm::dvec3 v_W) noexcept;
   void SetLabel(const LaidLabel& laid);
 
+  /// That carries a label, and which of its labels that is.
+  struct Carrier {
+    std::size_t object = 0, number = 0;
+  };
+  Carrier CarrierOf(std::size_t label) const noexcept;
   const FeltObject& page() const noexcept { return objects[page_object]; }
   const LabelOnSolid& page_label() const noexcept { return page().labels[page_number]; }
   /// The page's pose; of a round one, of the plane that touches it below `p_W`.

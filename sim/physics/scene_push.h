@@ -10,10 +10,12 @@
 
 namespace moontrace {
 
-/// Called for each tick of a trial or replay, with simulated time [s], what was felt, and the push
-/// within it. An exception from it ends the trial.
-using TickWatch =
-    std::function<void(double time, const TickResult& felt, const GuidanceResult& push)>;
+class Scene;
+
+/// Called for each tick of a trial or replay, with simulated time [s], what was felt, the push
+/// within it, and the scene behind it. An exception from it ends the trial.
+using TickWatch = std::function<void(double time, const TickResult& felt,
+                                     const GuidanceResult& push, const Scene& scene)>;
 
 /// A guiding push on top of what a scene's ticks answer: for simulated trials and their replay,
 /// which must be identical. The tip's velocity is the device's, else its travel in one tick over

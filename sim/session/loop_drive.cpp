@@ -51,7 +51,10 @@ class Driver : private LoopListener {
 
   /// False: nobody has said a word, or could.
   bool Run() {
-    if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
+    if (options_.view != nullptr) {
+      options_.view->ShowModel(session_.view_model());
+      options_.view->SetPanel(LoopPanel());
+    }
     if (options_.companion != nullptr) SayAll(options_.companion->Begin(walk_));
     const auto begin = std::chrono::steady_clock::now();
     while (!quit_) {

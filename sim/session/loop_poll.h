@@ -49,6 +49,8 @@ class LoopPoll {
   /// Tells what has happened since the last look. May wait for a lost device's answer
   /// (Loop::WhyGone).
   void Look(LoopListener& listener);
+  /// See Loop.
+  bool TakePose(ScenePose& pose) const { return loop_.TakePose(pose); }
   /// As of the last look.
   const LoopSnapshot& newest() const { return newest_; }
   /// What was said once and happened again since, with its counts, as of the last look; empty:

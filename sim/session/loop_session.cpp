@@ -86,6 +86,7 @@ Scene LoopSession::SetFirst(bool blank) {
     const Box& text_P = scene->options().text_P;
     scene->Reset({0.5 * (text_P.min + text_P.max), 0.02});
   }
+  if (!model.empty()) view_model_ = MakeViewModel(*scene, others_, text->text);
   const std::optional<PaperTexture>& paper = text->set.style.texture.paper;
   if (paper) form_.paper = paper->kind;
   tilt_ = asked.tilt;

@@ -9,6 +9,7 @@
 
 #include "sim/console/console.h"
 #include "sim/loop/loop.h"
+#include "sim/model_view/view_model.h"
 #include "sim/physics/pose.h"
 #include "sim/session/felt_page.h"
 #include "sim/session/live_device.h"
@@ -76,6 +77,8 @@ class LoopSession {
   /// and works on it as on a level one. Throws InputError: the device lies in the page's plane.
   void Tilt(double tilt);
   double tilt() const { return tilt_; }
+  /// The model that was named, as a view shows it; null: none was.
+  std::shared_ptr<const ViewModel> view_model() const { return view_model_; }
   /// How long the simulated hand takes for the page once [s]; 0 of a device.
   double round() const { return round_; }
 
@@ -98,6 +101,7 @@ class LoopSession {
   double tilt_ = 0;  ///< [rad]
   Pose X_WP_;
   std::vector<LaidLabel> others_;  ///< of the model, felt beside the page
+  std::shared_ptr<const ViewModel> view_model_;
   double force_bound_ = 0, carried_press_ = 0, coupling_stiffness_ = 0;
   double round_ = 0;
   std::unique_ptr<Loop> loop_;  ///< last: its threads use the rest

@@ -10,18 +10,6 @@
 
 namespace moontrace {
 
-namespace {
-
-ViewerOptions ViewerOf(const ViewOptions& options) {
-  ViewerOptions viewer;
-  viewer.frames = options.frames;
-  viewer.high_contrast = options.contrast;
-  viewer.large_text = options.large_text;
-  return viewer;
-}
-
-}  // namespace
-
 std::unique_ptr<ViewFeed> ViewFeed::OpenOfTrial(const ViewOptions& options, Console& console) {
   if (options.frames.empty()) return Open(options, nullptr, console);
   CheckTogether(options);
@@ -59,6 +47,9 @@ void ViewFeed::Look(const FeltPage& page, const LoopPoll& poll, bool print) {
   }
   ViewMoment moment = MomentOf(poll.newest());
   moment.lateness_us = poll.lateness_us();
+  if (ScenePose pose; model_ && poll.TakePose(pose)) {
+    moment.pose = std::make_shared<const ScenePose>(std::move(pose));
+  }
   viewer_.Add(moment);
 }
 
@@ -113,6 +104,7 @@ ViewerReport FinishTelling(ViewFeed& feed, const ViewOptions& options, Console& 
     console.Result(say::FramesIn());
     console.Path(options.frames);
   }
+  for (const std::string& sentence : report.seen) console.Result(sentence);
   return report;
 }
 
@@ -129,10 +121,12 @@ void SayView(ViewFeed& feed, const ViewOptions& options, Console& console) {
 
 Json ViewJson(ViewFeed& feed) {
   const ViewerReport report = feed.Finish();
-  return {{"frames", report.frames},
-          {"median_frame_ms", report.median_frame_ms},
-          {"slowest_frame_ms", report.slowest_frame_ms},
-          {"median_change_ms", report.median_change_ms}};
+  Json json = {{"frames", report.frames},
+               {"median_frame_ms", report.median_frame_ms},
+               {"slowest_frame_ms", report.slowest_frame_ms},
+               {"median_change_ms", report.median_change_ms}};
+  if (!report.seen.empty()) json["seen"] = report.seen;
+  return json;
 }
 
 std::shared_ptr<const ViewPage> ViewPageOf(const FeltPage& page) {

@@ -41,6 +41,11 @@ class ViewFeed {
   /// An instant between; in order of time, before the newest.
   void Add(const LoopSample& sample);
 
+  /// From now on this model is shown; none: pages. Throws InputError as Viewer.
+  void ShowModel(std::shared_ptr<const ViewModel> model) {
+    model_ = model != nullptr;
+    if (model_) viewer_.ShowModel(std::move(model));
+  }
   void Show(std::shared_ptr<const ViewPage> page) { viewer_.Show(std::move(page)); }
   void Add(const ViewMoment& moment) { viewer_.Add(moment); }
   /// Of a trial, without a window: see Viewer.
@@ -76,6 +81,7 @@ class ViewFeed {
 
   Viewer viewer_;
   bool window_;
+  bool model_ = false;                  ///< is shown
   std::optional<std::uint64_t> shown_;  ///< FeltPage::shown
   bool print_ = true;                   ///< of the page that is shown
   std::vector<PanelValue> values_;

@@ -24,6 +24,8 @@ std::string ViewWordsHelp();
 std::string ViewColoursHelp();
 std::string PictureIsSimulated();
 std::string OnlyInView(std::string_view option);
+/// Why the simulated stylus traces what was to be felt.
+std::string RoundIsTraced();
 /// The folder's path follows on a line of its own.
 std::string FramesIn();
 std::string FramesNotWhole();
@@ -48,6 +50,12 @@ inline constexpr const char* kFrames =
     "draw it, without a display, as pictures into this folder, 30 a second.";
 inline constexpr const char* kContrast =
     "of the view: grooves black on white, strong colours for the rest.";
+inline constexpr const char* kPictureWidth =
+    "width of these pictures and of --picture in points; the height is 9/16 of it. Default 1280.";
+inline constexpr const char* kCamera =
+    "what of a model is looked at: a camera of its own, a label, geom or body, whole, or tip, "
+    "which "
+    "is followed. Default the label that is felt.";
 inline constexpr const char* kLargeText = "of the view: large letters in panel and plots.";
 inline constexpr const char* kViewPicture =
     "one picture of the view as .png, without a display, and nothing more; with --seconds N of a "

@@ -17,22 +17,34 @@ TrialView::TrialView(ViewFeed& feed, Console& console) : feed_(feed), console_(c
   feed_.SetPanel(TrialPanel());
 }
 
+void TrialView::ShowModel(std::vector<LaidLabel> others) { others_ = std::move(others); }
+
 void TrialView::Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts) {
   page_ = page->number;
   texts_ = std::move(texts);
-  feed_.Show(WithPaperAround(*page));
+  feed_.Show(others_ ? page : WithPaperAround(*page));
+  model_shown_ = false;
   begin_ = std::chrono::steady_clock::now();
   shown_ = looked_ = -1;
   frames_ = 0;
 }
 
-void TrialView::Look(double time, const TickResult& felt, const GuidanceResult& push) {
+void TrialView::Look(double time, const TickResult& felt, const GuidanceResult& push,
+                     const Scene& scene) {
   if (over_) return;
+  if (others_ && !std::exchange(model_shown_, true)) {
+    feed_.ShowModel(MakeViewModel(scene, *others_, texts_.text));
+  }
   const bool frame = !feed_.window() && time >= static_cast<double>(frames_ + 1) / kFramesPerSecond;
   if (!frame && time < shown_ + kShowEvery) return;
   shown_ = time;
   ViewMoment moment = MomentOf(time, felt, push);
   moment.page = page_;
+  if (others_) {
+    ScenePose pose;
+    TakePose(scene, pose);
+    moment.pose = std::make_shared<const ScenePose>(std::move(pose));
+  }
   feed_.Add(moment);
   if (frame) DrawFrame(time);
   if (feed_.window()) KeepTime(time);

@@ -2,7 +2,10 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <vector>
 
+#include "sim/physics/label_place.h"
 #include "sim/physics/scene_push.h"
 #include "sim/session/view_feed.h"
 #include "sim/session/view_panels.h"
@@ -17,10 +20,12 @@ class TrialView {
  public:
   TrialView(ViewFeed& feed, Console& console);
 
+  /// The trials from now on are on labels of a model, which is shown; `others` as they were given.
+  void ShowModel(std::vector<LaidLabel> others);
   /// Another page; its time begins at 0.
   void Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts);
   /// A tick, see TickWatch.
-  void Look(double time, const TickResult& felt, const GuidanceResult& push);
+  void Look(double time, const TickResult& felt, const GuidanceResult& push, const Scene& scene);
 
  private:
   void DrawFrame(double time);
@@ -33,6 +38,8 @@ class TrialView {
   Console& console_;
   std::uint32_t page_ = 0;
   TrialTexts texts_;
+  std::optional<std::vector<LaidLabel>> others_;  ///< none: pages are shown
+  bool model_shown_ = false;                      ///< as it is in this trial
   std::chrono::steady_clock::time_point begin_;
   double shown_ = 0, looked_ = 0;  ///< when last [s]
   std::size_t frames_ = 0;         ///< of this page, drawn

@@ -51,7 +51,7 @@ ReplayResult Replay(const Record& record, const TextureField& field, const Guida
     again.output = scene.Tick(again.input);
     GuidanceResult pushed;
     if (pushing) pushed = pushing->Add(scene.X_WP(), again.output);
-    if (watch) watch(again.input.time, again.output, pushed);
+    if (watch) watch(again.input.time, again.output, pushed, scene);
     const std::size_t column = FirstDifference(ToColumns(again), ToColumns(record.rows[tick]));
     if (column == kAfterOutputs) continue;
     result.first_difference = tick;

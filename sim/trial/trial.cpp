@@ -131,7 +131,7 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, const Tex
     const DeviceState input = hand.Read(scene, n > 0 ? &output : nullptr, field);
     Around(setup, [&] { output = scene.Tick(input); });
     const GuidanceResult pushed = push.Add(scene, output);
-    if (setup.watch) setup.watch(input.time, output, pushed);
+    if (setup.watch) setup.watch(input.time, output, pushed, scene);
     hand.Write(output.force_W, output.stored);
 
     const Plan::Span& span = clock.At(input.time);

@@ -17,7 +17,7 @@ using KeyName = WindowEvent::Key;
 constexpr double kLightest = 0.2, kFirmest = 3, kPressStep = 0.1;  // [N]
 constexpr double kZoomStep = 0.8;                                  // of a key or a notch
 constexpr double kPanStep = 0.1;                                   // of the picture, of a key
-constexpr double kLeanPerPoint = 0.005, kMostLean = 1.2;           // [rad]
+constexpr double kTurnStep = 0.06;                                 // of half a turn, of a key
 constexpr std::size_t kLongestLine = 400;                          // [bytes]
 
 void AppendUtf8(std::string& text, char32_t c) {
@@ -98,9 +98,9 @@ void ViewInput::Key(const WindowEvent& event, double now) {
   ViewPanel& panel = painter_.panel();
   const auto move = [&](int by, glm::dvec2 direction) {
     if (panel.has_focus()) return panel.ChangeFocused(by, now);
-    PageCamera camera = painter_.camera();
-    camera.at_P += kPanStep * camera.height * direction;
-    painter_.SetCamera(camera);
+    if (painter_.shows_model()) return painter_.TurnBy(-kTurnStep * direction);
+    const glm::dvec2 step = kPanStep * direction / glm::dvec2(painter_.aspect(), 1);
+    painter_.Drag({0.5, 0.5}, glm::dvec2(0.5, 0.5) - step);
   };
   switch (event.key) {
     case KeyName::kEnter:
@@ -144,9 +144,10 @@ glm::dvec2 ViewInput::ShareAt(glm::dvec2 at) const {
 void ViewInput::Aim(bool over_page) {
   if (!pointer_ || (!over_page && !over_page_)) return;
   over_page_ = over_page;
+  const std::optional<glm::dvec2> p_P = painter_.PointUnder(ShareAt(at_));
   PointerAim aim;
-  aim.p_P = PointUnder(painter_.camera(), painter_.aspect(), ShareAt(at_));
-  aim.press = over_page && held_ == Button::kLeft ? press_ : 0;
+  aim.p_P = aimed_P_ = p_P.value_or(aimed_P_);
+  aim.press = over_page && p_P && held_ == Button::kLeft ? press_ : 0;
   aim.over_page = over_page;
   pointer_(aim);
 }
@@ -172,17 +173,14 @@ void ViewInput::Mouse(const WindowEvent& event, double now) {
 }
 
 void ViewInput::Drag(const WindowEvent& event) {
-  const bool pans = held_ == Button::kRight || (held_ == Button::kLeft && !pointer_);
-  PageCamera camera = painter_.camera();
-  if (pans) {
-    camera.at_P += PointUnder(camera, painter_.aspect(), ShareAt(at_)) -
-                   PointUnder(camera, painter_.aspect(), ShareAt(event.at));
-  } else if (held_ == Button::kMiddle) {
-    camera.lean = std::clamp(camera.lean + kLeanPerPoint * (at_.y - event.at.y), 0.0, kMostLean);
-  } else {
-    return;
+  const bool free = held_ == Button::kLeft && !pointer_;
+  const bool turns = held_ == Button::kMiddle || (free && painter_.shows_model());
+  if (turns) {
+    painter_.TurnBy((event.at - at_) /
+                    static_cast<double>(std::max(painter_.layout().page.height, 1)));
+  } else if (held_ == Button::kRight || free) {
+    painter_.Drag(ShareAt(at_), ShareAt(event.at));
   }
-  painter_.SetCamera(camera);
 }
 
 void ViewInput::Wheel(const WindowEvent& event) {

@@ -14,8 +14,8 @@ namespace moontrace {
 /// What mouse and keyboard in the window mean: lines for the text face, an aim for the stylus,
 /// another view. Keys: letters and Enter say a line, Escape says "stop", Space "pause" and "go" in
 /// turn, Tab and the arrows lead through the panel, Page up and down zoom, Home shows the whole
-/// page. Mouse: aims (without `pointer` it drags the page), wheel presses, with Control it zooms,
-/// right drags the page, middle leans it.
+/// page. Mouse: aims (without `pointer` it drags the page, turns round a model), wheel presses,
+/// with Control it zooms, right drags the page, middle leans it or turns round the model.
 class ViewInput {
  public:
   ViewInput(ViewPainter& painter, std::function<void(const PointerAim&)> pointer);
@@ -40,6 +40,7 @@ class ViewInput {
   std::string typed_;
   bool paused_ = false;
   glm::dvec2 at_{0, 0};                                    // of the mouse [points]
+  glm::dvec2 aimed_P_{0, 0};                               // last, on the page [m]
   WindowEvent::Button held_ = WindowEvent::Button::kNone;  // that began on the page
   bool in_panel_ = false;                                  // a drag that began there
   bool over_page_ = false;

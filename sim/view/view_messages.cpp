@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include "sim/console/wording.h"
+#include "textures/base/text_file.h"
+
 namespace moontrace::say {
 
 std::string ViewObeys(ViewWord word) {
@@ -38,6 +41,30 @@ std::string ViewObeys(ViewWord word) {
       return "The view has text of the usual size.";
   }
   return {};
+}
+
+std::string ViewWholeModel() { return "The view shows the whole model."; }
+
+std::string ViewLooksAt(std::string_view name) {
+  return fmt::format("The view looks at {}.", OneLine(name, 60));
+}
+
+std::string ViewNames(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 40;
+  std::vector<std::string> told;
+  told.reserve(std::min(names.size(), kMost));
+  for (const std::string& name : names) {
+    if (told.size() < kMost) told.push_back(OneLine(name, 60));
+  }
+  std::string line = fmt::format("view NAME looks at: {}", Joined(told, ", "));
+  if (names.size() > kMost) line += fmt::format(", and {} more", names.size() - kMost);
+  return line.append(".");
+}
+
+std::string ViewRefuses(std::string_view why) {
+  std::string line(why);
+  if (!line.empty()) line[0] = line[0] == 't' ? 'T' : line[0];
+  return line.ends_with('?') ? line : line.append(".");
 }
 
 std::string ViewLost() { return "the display was lost: the view is over, all else goes on"; }

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "sim/view/view_words.h"
 
@@ -10,6 +12,11 @@ namespace moontrace::say {
 
 /// What the view does from now on.
 std::string ViewObeys(ViewWord word);
+std::string ViewWholeModel();
+/// Of a model: what it looks at, what it could look at, why it does not.
+std::string ViewLooksAt(std::string_view name);
+std::string ViewNames(const std::vector<std::string>& names);
+std::string ViewRefuses(std::string_view why);
 /// The display went away while the view was open.
 std::string ViewLost();
 /// The view had to stop drawing, `why` being one line.

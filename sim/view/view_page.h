@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lessons/measure/intended_strokes.h"
+#include "sim/physics/scene_pose.h"
 #include "textures/field/element.h"
 #include "textures/field/field.h"
 #include "textures/fonts/script.h"
@@ -59,6 +60,8 @@ struct ViewMoment {
   std::optional<glm::dvec2> bead_P;             ///< where the push leads [m]
   double lateness_us = 0;                       ///< of the tick, after its deadline [us]
   double heat = 0;                              ///< of the warmest motor, share of what it bears
+  /// Where a model's bodies stand; null: as before, or a page is shown.
+  std::shared_ptr<const ScenePose> pose;
 };
 
 }  // namespace moontrace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/view/canvas.h"
+#include "sim/view/model_part.h"
 #include "sim/view/page_overlay.h"
 #include "sim/view/page_renderer.h"
 #include "sim/view/surface_worker.h"
@@ -59,7 +60,9 @@ struct ViewPainter::State {
   bool window;
   int width, height;
   ViewLook look;
-  std::optional<PageRenderer> renderer;
+  std::optional<PageRenderer> renderer;  // of a page, or ...
+  std::optional<ModelPart> part;         // ... of a model
+  std::shared_ptr<const ViewModel> model;
   std::optional<Canvas> canvas;
   ViewPanel panel;
   ViewHistory history;
@@ -101,6 +104,14 @@ void ViewPainter::State::MakeRenderer() {
   RendererSize size{std::max(width, 1), std::max(height, 1)};
   if (window) size = {RoundUp(size.width), RoundUp(size.height)};
   renderer.reset();  // its memory first
+  if (model != nullptr) {
+    ModelPart larger(model, size.width, size.height);
+    if (part) larger.Continue(*part);
+    part.emplace(std::move(larger));
+    if (page) part->ShowPage(*page);
+    part->scene().Aim(window);
+    return;
+  }
   renderer.emplace(size);
   renderer->Aim(window);
   wished.reset();  // the new one has no surface
@@ -117,8 +128,9 @@ void ViewPainter::State::MakeCanvas() {
 
 /// Brings renderer and layout up to date with size and look.
 void ViewPainter::State::Arrange() {
-  const bool fits =
-      renderer && renderer->size().width >= width && renderer->size().height >= height;
+  const bool fits = model != nullptr ? part && part->Holds(width, height)
+                                     : renderer && renderer->size().width >= width &&
+                                           renderer->size().height >= height;
   if (!fits) MakeRenderer();
   if (!canvas || letter != (look.large_text ? kLargeLetter : kLetter)) MakeCanvas();
   panel.Prepare(letter, ColorsOf(look));
@@ -127,11 +139,11 @@ void ViewPainter::State::Arrange() {
   const int plots_width = look.plots ? kPlotsWidth * (letter + kLetter) / 2 : 0;
   layout = LayoutOf(width, height, look.panel ? panel.width() : 0, plots_width, text_height);
   const PageShade shade = look.high_contrast ? HighContrastShade() : PageShade{};
-  renderer->SetDesk(shade.desk);
+  if (renderer) renderer->SetDesk(shade.desk);
 }
 
 void ViewPainter::State::WishSurface() {
-  if (!page || layout.page.empty()) return;
+  if (!page || part || layout.page.empty()) return;
   SurfaceWish wish;
   wish.page = page;
   wish.width = static_cast<std::size_t>(layout.page.width);
@@ -151,7 +163,7 @@ void ViewPainter::State::WishSurface() {
 
 void ViewPainter::State::TakeSurface() {
   std::optional<SurfaceWorker::Surface> surface = worker.Take();
-  if (!surface) return;
+  if (!surface || !renderer) return;
   renderer->SetSurface(surface->raster, surface->of.view_P);
   drawn = surface->of.number;
   drawn_page = surface->of.page;
@@ -227,7 +239,9 @@ void ViewPainter::State::DrawOver(const ViewMarks& marks) {
   panel.Draw(layout.panel, *canvas);
   canvas->End(false);
   canvas->Begin(width, height, panel.mouse());
-  if (page && !layout.page.empty()) {
+  if (part && !layout.page.empty()) {
+    part->DrawPrint(layout.page, *canvas);
+  } else if (page && !layout.page.empty()) {
     DrawPageOverlay(marks, camera, layout.page, *canvas);
   } else {
     canvas->Fill(layout.page, ColorsOf(look).back);
@@ -251,12 +265,22 @@ void ViewPainter::Show(std::shared_ptr<const ViewPage> page) {
   const bool first = !s.page;
   s.page = std::move(page);
   s.history.Show(s.page);
+  if (s.part && s.page) s.part->ShowPage(*s.page);
   if (s.page && (first || (!s.camera_moved && !s.StillFits())))
     s.camera = FirstView(*s.page, aspect());
   s.changed = true;
 }
 
+void ViewPainter::ShowModel(std::shared_ptr<const ViewModel> model) {
+  State& s = *state_;
+  s.model = std::move(model);
+  s.part.reset();
+  s.MakeRenderer();
+  s.changed = true;
+}
+
 void ViewPainter::Add(const ViewMoment& moment) {
+  if (state_->part) state_->part->Add(moment);
   state_->history.Add(moment);
   state_->changed = true;
 }
@@ -301,6 +325,7 @@ bool ViewPainter::cramped() const {
          (s.window && s.layout.text.empty());
 }
 
+bool ViewPainter::shows_model() const { return state_->part.has_value(); }
 const PageCamera& ViewPainter::camera() const { return state_->camera; }
 
 void ViewPainter::SetLook(const ViewLook& look) {
@@ -337,12 +362,59 @@ void ViewPainter::SetCamera(const PageCamera& camera) {
   state_->camera_moved = state_->changed = true;
 }
 
+void ViewPainter::Drag(glm::dvec2 from, glm::dvec2 to) {
+  State& s = *state_;
+  if (s.part) {
+    s.part->Shift((to - from) * glm::dvec2(aspect(), 1), aspect());
+    s.changed = true;
+    return;
+  }
+  PageCamera camera = s.camera;
+  camera.at_P +=
+      moontrace::PointUnder(camera, aspect(), from) - moontrace::PointUnder(camera, aspect(), to);
+  SetCamera(camera);
+}
+
+void ViewPainter::TurnBy(glm::dvec2 by) {
+  constexpr double kLean = 3.5, kMostLean = 1.2;  // [rad]
+  State& s = *state_;
+  if (s.part) {
+    s.part->Turn(by, aspect());
+    s.changed = true;
+    return;
+  }
+  PageCamera camera = s.camera;
+  camera.lean = std::clamp(camera.lean - kLean * by.y, 0.0, kMostLean);
+  SetCamera(camera);
+}
+
 void ViewPainter::ZoomBy(double factor, glm::dvec2 share) {
-  SetCamera(Zoomed(state_->camera, aspect(), share, factor));
+  State& s = *state_;
+  if (!s.part) return SetCamera(Zoomed(s.camera, aspect(), share, factor));
+  s.part->Zoom(share, factor, aspect());
+  s.changed = true;
+}
+
+void ViewPainter::LookAt(const ViewTarget& target) {
+  State& s = *state_;
+  if (!s.part) return;
+  s.part->LookAt(target, aspect());
+  s.changed = true;
+}
+
+std::optional<glm::dvec2> ViewPainter::PointUnder(glm::dvec2 share) {
+  State& s = *state_;
+  if (s.part) return s.part->PointUnder(share, aspect());
+  return moontrace::PointUnder(s.camera, aspect(), share);
+}
+
+std::vector<std::string> ViewPainter::Seen() {
+  return state_->part ? state_->part->Seen(aspect()) : std::vector<std::string>();
 }
 
 void ViewPainter::ShowWholePage() {
   State& s = *state_;
+  if (s.part) return LookAt({});
   s.follow = false;
   if (s.page) s.camera = CameraOn(s.page->sheet_P, aspect());
   s.camera_moved = false;
@@ -351,6 +423,7 @@ void ViewPainter::ShowWholePage() {
 
 void ViewPainter::SetFollow(bool follow) {
   state_->follow = follow;
+  if (state_->part) state_->part->SetFollow(follow);
   state_->camera_moved = state_->camera_moved || follow;
   state_->changed = true;
 }
@@ -367,10 +440,17 @@ void ViewPainter::Draw() {
   s.Follow();
   s.WishSurface();
   s.TakeSurface();
-  s.renderer->Aim(s.window);
   const PixelBox& box = s.layout.page;
   ViewMarks marks;
-  if (s.page && !box.empty()) {
+  if (s.part) {
+    s.part->scene().Aim(s.window);
+    const ModelPart::Letters letters{static_cast<double>(s.letter),
+                                     static_cast<double>(s.canvas->TextHeight(true))};
+    if (!box.empty()) s.part->Draw(s.page.get(), s.history, s.look, box, letters);
+  } else {
+    s.renderer->Aim(s.window);
+  }
+  if (s.page && !s.part && !box.empty()) {
     // while the grooves are still those of the page before, marks would be of other letters
     if (s.drawn_page == s.page) {
       marks = MarksOf(*s.page, s.history, s.camera, aspect(), s.look.print, box.height, s.letter,
@@ -387,7 +467,9 @@ void ViewPainter::Draw() {
   }
 }
 
-Raster ViewPainter::Picture() { return state_->renderer->Picture(); }
+Raster ViewPainter::Picture() {
+  return state_->part ? state_->part->scene().Picture() : state_->renderer->Picture();
+}
 
 void ViewPainter::Await() {
   state_->Follow();

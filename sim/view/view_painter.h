@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/model_view/view_model.h"
 #include "sim/picture/raster.h"
 #include "sim/view/page_camera.h"
 #include "sim/view/view_history.h"
@@ -27,6 +28,8 @@ class ViewPainter {
   ViewPainter& operator=(const ViewPainter&) = delete;
 
   void Show(std::shared_ptr<const ViewPage> page);
+  /// From now on this model is shown; pages lie on its label.
+  void ShowModel(std::shared_ptr<const ViewModel> model);
   void Add(const ViewMoment& moment);
   /// The lower edge: the last line shown, the line being typed, and what the mouse does.
   /// Lines that come together stand whole, over the page, as long as it takes to read them; then
@@ -46,11 +49,23 @@ class ViewPainter {
   /// Where the panel's mouse is answered.
   void PanelEvent(const WindowEvent& event, double now);
 
-  const PageCamera& camera() const;
   double aspect() const;  ///< of the page's part
+  bool shows_model() const;
+  const PageCamera& camera() const;  ///< on a page
   void SetCamera(const PageCamera& camera);
+  /// What is under a share of the page's part comes to be under another.
+  void Drag(glm::dvec2 from, glm::dvec2 to);
+  /// Leans a page, turns round a model; `by` in heights of the page's part.
+  void TurnBy(glm::dvec2 by);
   void ZoomBy(double factor, glm::dvec2 share);
+  /// Or the whole model.
   void ShowWholePage();
+  /// At a label, geom, body or camera of the model that is shown.
+  void LookAt(const ViewTarget& target);
+  /// The point of the page under a share of its part [m]; none: it is not there.
+  std::optional<glm::dvec2> PointUnder(glm::dvec2 share);
+  /// What is seen of a model, in sentences.
+  std::vector<std::string> Seen();
   void SetFollow(bool follow);
 
   /// Whether Draw would show anything new.

@@ -132,6 +132,13 @@ void Timed(ViewMailbox& mailbox, Clock::time_point start, ViewPainter& painter) 
   if (change) mailbox.changes.Add(*change);
 }
 
+/// A notice has no full stop.
+void Tell(const std::vector<std::string>& sentences, ViewMailbox& mailbox) {
+  for (const std::string& sentence : sentences) {
+    mailbox.Notice(sentence.substr(0, sentence.find_last_not_of('.') + 1));
+  }
+}
+
 void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>& mailbox) {
   ViewWindow window(options.title, options.width, options.height,
                     [mailbox] { mailbox->Fail(say::ViewLost()); });
@@ -152,7 +159,9 @@ void RunWindow(const ViewerOptions& options, const std::shared_ptr<ViewMailbox>&
     if (!news.lines.empty()) {
       window.SetTitle(fmt::format("{} - {}", options.title, news.lines.back()));
     }
+    const bool tell = news.tell;
     Deliver(std::move(news), painter);
+    if (tell) Tell(painter.Seen(), *mailbox);
     if (Now() < next) continue;
     next = std::max(next + kFrame, Now());
     if (!window.shown()) continue;
@@ -234,6 +243,13 @@ void RunTimed(const ViewerOptions& options, ViewPainter& painter, ViewMailbox& m
   }
 }
 
+/// Of a model, for the end.
+void KeepSeen(ViewPainter& painter, ViewMailbox& mailbox) {
+  std::vector<std::string> seen = painter.Seen();
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.seen = std::move(seen);
+}
+
 void RunFrames(const ViewerOptions& options, ViewMailbox& mailbox) {
   const HeadlessGl gl;
   ViewPainter painter(false, options.width, options.height, LookOf(options));
@@ -243,17 +259,20 @@ void RunFrames(const ViewerOptions& options, ViewMailbox& mailbox) {
   } else {
     RunTimed(options, painter, mailbox);
   }
+  KeepSeen(painter, mailbox);
 }
 
 }  // namespace
 
 void Deliver(ViewNews news, ViewPainter& painter) {
+  if (news.model) painter.ShowModel(std::move(news.model));
   if (news.page) painter.Show(std::move(news.page));
   for (const ViewMoment& moment : news.moments) painter.Add(moment);
   if (news.controls) painter.SetControls(std::move(*news.controls));
   if (news.values) painter.panel().SetValues(std::move(*news.values));
   painter.ShowLines(std::move(news.lines));
   for (const ViewWord word : news.words) Do(word, painter);
+  if (news.look_at) painter.LookAt(*news.look_at);
 }
 
 ViewLook LookOf(const ViewerOptions& options) {

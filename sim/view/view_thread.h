@@ -22,12 +22,15 @@ namespace moontrace {
 
 /// What the viewer's thread was given since it last looked.
 struct ViewNews {
+  std::shared_ptr<const ViewModel> model;
   std::shared_ptr<const ViewPage> page;
   std::deque<ViewMoment> moments;
   std::optional<std::vector<PanelControl>> controls;
   std::optional<std::vector<PanelValue>> values;
   std::vector<std::string> lines;  ///< lines of the text face
   std::vector<ViewWord> words;
+  std::optional<ViewTarget> look_at;
+  bool tell = false;  ///< what is seen
 };
 
 /// The newest 4096 times, for their median.
@@ -59,6 +62,7 @@ struct ViewMailbox {
   std::deque<ViewLine> lines;       ///< said in the window
   std::deque<std::string> notices;  ///< what the view has to say of itself
   TimeLog frames, changes;
+  std::vector<std::string> seen;  ///< of a model, when it was finished
 
   /// For the thread.
   ViewNews TakeNews();

@@ -30,17 +30,30 @@ constexpr std::array kWords = {Entry{ViewWord::kZoomIn, "zoom in"},
                                Entry{ViewWord::kLargeTextOn, "large text on"},
                                Entry{ViewWord::kLargeTextOff, "large text off"}};
 
+/// Without the spaces around it.
+std::string_view Trimmed(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(" \t") - begin + 1);
+}
+
 }  // namespace
 
 std::optional<ViewWord> ViewWordOf(std::string_view line) {
-  const std::size_t begin = line.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return std::nullopt;
-  const std::size_t end = line.find_last_not_of(" \t");
-  const std::string text = LowerCase(std::string(line.substr(begin, end - begin + 1)));
+  const std::string text = LowerCase(std::string(Trimmed(line)));
   for (const Entry& entry : kWords) {
     if (text == entry.text) return entry.word;
   }
   return std::nullopt;
+}
+
+std::optional<std::string> ViewedNameOf(std::string_view line) {
+  constexpr std::string_view kWord = "view";
+  const std::string_view text = Trimmed(line);
+  if (LowerCase(std::string(text.substr(0, kWord.size()))) != kWord) return std::nullopt;
+  const std::string_view rest = text.substr(kWord.size());
+  if (!rest.empty() && rest[0] != ' ' && rest[0] != '\t') return std::nullopt;
+  return std::string(Trimmed(rest));  // names have capitals
 }
 
 const std::vector<std::string>& ViewWords() {

@@ -29,6 +29,9 @@ enum class ViewWord {
 /// "zoom in" and so on; spaces around and capitals do not count. None: no word of the view.
 std::optional<ViewWord> ViewWordOf(std::string_view line);
 
+/// "view mug" asks to look at "mug", "view" alone for what there is: empty. None: neither.
+std::optional<std::string> ViewedNameOf(std::string_view line);
+
 /// All words, for help.
 const std::vector<std::string>& ViewWords();
 

@@ -43,6 +43,8 @@ struct Viewer::State {
   std::shared_ptr<ViewMailbox> mailbox = std::make_shared<ViewMailbox>();
   std::thread thread;
   std::chrono::seconds patience = kWindowPatience;
+  std::string camera;                      // ViewerOptions::camera
+  std::shared_ptr<const ViewModel> model;  // that is shown
 };
 
 Viewer::Viewer(const ViewerOptions& options) : state_(std::make_shared<State>()) {
@@ -50,6 +52,7 @@ Viewer::Viewer(const ViewerOptions& options) : state_(std::make_shared<State>())
     MakeFolder(options.frames);
     state_->patience = kFramesPatience;
   }
+  state_->camera = options.camera;
   ViewMailbox& mailbox = *state_->mailbox;
   state_->thread = std::thread([options, box = state_->mailbox] { RunViewer(options, box); });
   std::unique_lock<std::mutex> lock(mailbox.mutex);
@@ -86,6 +89,16 @@ void Viewer::Finish() {
   } else {
     state_->thread.detach();  // it stands still with its display, and keeps what it needs
   }
+}
+
+void Viewer::ShowModel(std::shared_ptr<const ViewModel> model) {
+  std::optional<ViewTarget> target;
+  if (!state_->camera.empty()) target = FindTarget(*model, state_->camera);
+  state_->model = model;
+  ViewMailbox& mailbox = *state_->mailbox;
+  const std::lock_guard<std::mutex> lock(mailbox.mutex);
+  mailbox.news.model = std::move(model);
+  mailbox.news.look_at = target;
 }
 
 void Viewer::Show(std::shared_ptr<const ViewPage> page) {
@@ -143,11 +156,28 @@ std::optional<std::string> Viewer::NextNotice() {
 
 std::optional<std::string> Viewer::Obey(std::string_view line) {
   const std::optional<ViewWord> word = ViewWordOf(line);
-  if (!word) return std::nullopt;
+  const std::optional<std::string> name =
+      state_->model == nullptr ? std::nullopt : ViewedNameOf(line);
+  if (!word && !name) return std::nullopt;
+  std::optional<ViewTarget> target;
+  if (name && !name->empty()) {
+    try {
+      target = FindTarget(*state_->model, *name);
+    } catch (const InputError& error) {
+      return say::ViewRefuses(error.what());
+    }
+  }
   ViewMailbox& mailbox = *state_->mailbox;
   const std::lock_guard<std::mutex> lock(mailbox.mutex);
-  mailbox.news.words.push_back(*word);
-  return say::ViewObeys(*word);
+  if (word) {
+    mailbox.news.words.push_back(*word);
+    const bool whole = *word == ViewWord::kWholePage && state_->model != nullptr;
+    return whole ? say::ViewWholeModel() : say::ViewObeys(*word);
+  }
+  mailbox.news.tell = true;
+  if (!target) return say::ViewNames(TargetNames(*state_->model));
+  mailbox.news.look_at = target;
+  return say::ViewLooksAt(*name);
 }
 
 bool Viewer::closed() const {
@@ -168,20 +198,26 @@ ViewerReport Viewer::report() const {
   report.median_frame_ms = mailbox.frames.Median();
   report.slowest_frame_ms = mailbox.frames.slowest();
   report.median_change_ms = mailbox.changes.Median();
+  report.seen = mailbox.seen;
   return report;
 }
 
-void WriteViewPicture(const std::string& path, const ViewerOptions& options,
-                      const std::shared_ptr<const ViewPage>& page,
-                      const std::vector<ViewMoment>& moments,
-                      const std::vector<PanelControl>& controls,
-                      const std::vector<PanelValue>& values) {
+std::vector<std::string> WriteViewPicture(const std::string& path, const ViewerOptions& options,
+                                          const std::shared_ptr<const ViewPage>& page,
+                                          const std::vector<ViewMoment>& moments,
+                                          const std::vector<PanelControl>& controls,
+                                          const std::vector<PanelValue>& values,
+                                          const std::shared_ptr<const ViewModel>& model) {
   CheckPicturePath(path);
+  ViewNews news;
+  if (model != nullptr && !options.camera.empty()) {
+    news.look_at = FindTarget(*model, options.camera);
+  }
   const HeadlessGl gl;
   ViewLook look = LookOf(options);
   look.plots = !moments.empty();  // else they are of nothing
   ViewPainter painter(false, options.width, options.height, look);
-  ViewNews news;
+  news.model = model;
   news.page = page;
   news.moments.assign(moments.begin(), moments.end());
   if (!controls.empty()) news.controls = controls;
@@ -190,6 +226,7 @@ void WriteViewPicture(const std::string& path, const ViewerOptions& options,
   painter.Await();
   painter.Draw();
   WritePicture(path, painter.Picture());
+  return painter.Seen();
 }
 
 }  // namespace moontrace

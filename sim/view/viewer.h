@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/model_view/view_model.h"
 #include "sim/view/panel.h"
 #include "sim/view/view_page.h"
 #include "sim/view/viewer_options.h"
@@ -24,6 +25,9 @@ class Viewer {
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
+  /// From now on this model is shown, and pages lie on its label. Throws InputError: it has nothing
+  /// of the name ViewerOptions::camera.
+  void ShowModel(std::shared_ptr<const ViewModel> model);
   /// From now on this page is shown.
   void Show(std::shared_ptr<const ViewPage> page);
   /// The newest instant; those between are not lost to plots and to the tip's path, as long as
@@ -45,7 +49,8 @@ class Viewer {
   /// What the view has to say of itself, a sentence: too small for its panel, minimised.
   std::optional<std::string> NextNotice();
   /// A word that concerns the view alone ("zoom in", "whole page", "print off"): done, and answered
-  /// by one sentence; none: no such word. The words: ViewWords.
+  /// by one sentence; none: no such word. The words: ViewWords. Of a model also "view NAME", and
+  /// "view", which is answered by what can be looked at, and by a notice what is seen.
   std::optional<std::string> Obey(std::string_view line);
   /// The window was closed by its user.
   bool closed() const;
@@ -63,11 +68,14 @@ class Viewer {
 };
 
 /// One picture of a page, without a display: what a viewer of this size shows, with panel and
-/// values where given, without plots where there are no moments. Throws LackError as Viewer.
-void WriteViewPicture(const std::string& path, const ViewerOptions& options,
-                      const std::shared_ptr<const ViewPage>& page,
-                      const std::vector<ViewMoment>& moments,
-                      const std::vector<PanelControl>& controls,
-                      const std::vector<PanelValue>& values);
+/// values where given, without plots where there are no moments. Of a model where one is given, on
+/// whose label the page lies; then what is seen is given back, in sentences. Throws LackError as
+/// Viewer, InputError as ShowModel.
+std::vector<std::string> WriteViewPicture(const std::string& path, const ViewerOptions& options,
+                                          const std::shared_ptr<const ViewPage>& page,
+                                          const std::vector<ViewMoment>& moments,
+                                          const std::vector<PanelControl>& controls,
+                                          const std::vector<PanelValue>& values,
+                                          const std::shared_ptr<const ViewModel>& model = nullptr);
 
 }  // namespace moontrace

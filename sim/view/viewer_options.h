@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/vec2.hpp>
 #include <string>
+#include <vector>
 
 namespace moontrace {
 
@@ -29,6 +30,7 @@ struct ViewerOptions {
   std::string title = "Moontrace";
   int width = 1280, height = 720;  ///< of the picture, or of the window when it opens [pixels]
   bool high_contrast = false, large_text = false;
+  std::string camera = {};  ///< what of a model is looked at first, as FindTarget has it
   /// Is given every move of mouse or pen over the page, by the viewer's thread; none: the mouse
   /// only looks.
   std::function<void(const PointerAim&)> pointer = {};
@@ -38,7 +40,8 @@ struct ViewerOptions {
 struct ViewerReport {
   std::size_t frames = 0;
   double median_frame_ms = 0, slowest_frame_ms = 0;  ///< drawing one frame
-  double median_change_ms = 0;  ///< from a change of view or page until it is shown whole
+  double median_change_ms = 0;         ///< from a change of view or page until it is shown whole
+  std::vector<std::string> seen = {};  ///< of a model at the end, in sentences
 };
 
 }  // namespace moontrace

@@ -44,7 +44,7 @@ void Keep(const TickResult& felt, double time, TraceValue& trace) {
 std::unique_ptr<TraceValue> TraceOf(SceneState& state, const moontrace_trace_options& given) {
   auto trace = std::make_unique<TraceValue>();
   TrialSetup setup = SetupOf(state, given);
-  setup.watch = [&trace](double time, const TickResult& felt, const GuidanceResult&) {
+  setup.watch = [&trace](double time, const TickResult& felt, const GuidanceResult&, const Scene&) {
     Keep(felt, time, *trace);
   };
   std::optional<RecordRequest> request;

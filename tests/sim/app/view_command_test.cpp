@@ -12,6 +12,7 @@
 #include "sim/view/view_words.h"
 #include "sim/view/viewer.h"
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -227,6 +228,46 @@ TEST_F(ViewCommand, HelpTellsItsOptions) {
     EXPECT_NE(other.out.find("--view"), std::string::npos) << command;
     EXPECT_NE(other.out.find("--frames"), std::string::npos) << command;
   }
+}
+
+TEST_F(ViewCommand, DrawsAModelAndTellsWhatIsSeen) {
+  const std::vector<std::string> args = {"view", "--model", SourcePath("models/mug.xml"),
+                                         "--width-px", "320"};
+  const Outcome outcome = RunLine(With(args, {"--picture", In("a.png")}));
+  if (!CanDraw(outcome)) return;
+  ExpectTextFace(outcome.out);
+  EXPECT_EQ(SizeOfPng(ReadAll(In("a.png"))), std::make_pair(320, 180));
+  EXPECT_NE(outcome.out.find("MORNING TEA on mug, a cylinder: "), std::string::npos);
+  EXPECT_NE(outcome.out.find("HOT on handle, a capsule: all of it is seen, "), std::string::npos);
+  const Outcome own = RunLine(With(args, {"--picture", In("b.png"), "--camera", "reader"}));
+  ASSERT_EQ(own.code, 0) << own.err;
+  EXPECT_NE(own.out.find("Seen by the camera reader, "), std::string::npos);
+  EXPECT_NE(ReadAll(In("a.png")), ReadAll(In("b.png")));
+  const Outcome traced =
+      RunLine(With(args, {"--picture", In("c.png"), "--seconds", "1", "--json"}));
+  ASSERT_EQ(traced.code, 0) << traced.err;
+  EXPECT_NE(traced.Json()["seen"].back().get<std::string>().find("The tip "), std::string::npos);
+}
+
+TEST_F(ViewCommand, AnUnknownThingToLookAtIsOneLine) {
+  const std::vector<std::string> args = {"view",      "--model",   SourcePath("models/mug.xml"),
+                                         "--picture", In("a.png"), "--camera"};
+  const Outcome outcome = RunLine(With(args, {"handel"}));
+  EXPECT_EQ(outcome.code, exit_code::kInput);
+  EXPECT_EQ(Lines(outcome.err).back(),
+            "the model has nothing named 'handel' to look at: did you mean handle?");
+  EXPECT_FALSE(fs::exists(In("a.png")));
+  const Outcome page = RunLine({"view", "moon", "--picture", In("a.png"), "--camera", "reader"});
+  EXPECT_EQ(page.code, exit_code::kUsage);
+  EXPECT_EQ(page.err, "--camera needs --model beside it\n");
+}
+
+TEST_F(ViewCommand, ARoundLabelIsTracedInTheView) {
+  const Outcome outcome = RunLine({"view", "--model", SourcePath("models/mug.xml"), "--frames",
+                                   In("f"), "--width-px", "320", "--seconds", "0.2"});
+  if (!CanDraw(outcome)) return;
+  EXPECT_NE(outcome.err.find("the simulated stylus traces it"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(fs::exists(In("f/frame-00005.png")));
 }
 
 }  // namespace

@@ -70,5 +70,12 @@ TEST(ViewText, OfMoreThanThereIsRoomForTheNewestStays) {
   EXPECT_EQ(newest({"Old.", ""}), Texts({"Old."}));
 }
 
+TEST(ViewWords, ANameMayFollowView) {
+  EXPECT_EQ(ViewedNameOf(" View  Left Hand "), "Left Hand");
+  EXPECT_EQ(ViewedNameOf("view"), "");
+  EXPECT_EQ(ViewedNameOf("views"), std::nullopt);
+  EXPECT_EQ(ViewedNameOf("review mug"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace moontrace

@@ -17,6 +17,7 @@
 #include "sim/view/view_painter.h"
 #include "sim/view/view_thread.h"
 #include "tests/sim/display_fixture.h"
+#include "tests/sim/model_view_fixture.h"
 #include "tests/sim/view_fixture.h"
 #include "textures/base/error.h"
 
@@ -339,6 +340,89 @@ TEST_F(ViewPainterTest, SmallestPicturesAreDrawn) {
     small.Draw();
     EXPECT_EQ(small.Picture().width, static_cast<std::size_t>(size));
   }
+}
+
+TEST_F(ViewerTest, AModelIsLookedAtByItsNames) {
+  const LabelledModel labelled = LabelledFrom(CanXml());
+  ViewerOptions options = SmallFrames();
+  options.offline = true;
+  Viewer viewer(options);
+  EXPECT_EQ(viewer.Obey("view can"), std::nullopt);  // of a page that is no word
+  viewer.ShowModel(labelled.model);
+  viewer.Show(PageOf("moon"));
+  viewer.DrawFrame();
+  EXPECT_EQ(viewer.Obey(" view wall "), "The view looks at wall.");
+  viewer.DrawFrame();
+  EXPECT_EQ(viewer.Obey("view wal"),
+            "The model has nothing named 'wal' to look at: did you mean wall?");
+  EXPECT_EQ(viewer.Obey("view"),
+            "view NAME looks at: can, plate, wall, world, turntable, reader, whole, tip.");
+  EXPECT_EQ(viewer.Obey("whole page"), "The view shows the whole model.");
+  viewer.DrawFrame();
+  const std::string label = BytesOf(folder_ / "frame-00001.png");
+  const std::string wall = BytesOf(folder_ / "frame-00002.png");
+  EXPECT_NE(label, wall);
+  EXPECT_NE(wall, BytesOf(folder_ / "frame-00003.png"));
+  viewer.Finish();
+  ASSERT_FALSE(viewer.report().seen.empty());
+  EXPECT_EQ(viewer.report().seen[0].substr(0, 4), "Seen");
+}
+
+TEST_F(ViewerTest, AModelIsShownAsItStandsAtEachMoment) {
+  const LabelledModel labelled = LabelledFrom(CanXml());
+  ViewerOptions options = SmallFrames();
+  options.offline = true;
+  Viewer viewer(options);
+  viewer.ShowModel(labelled.model);
+  viewer.Show(PageOf("moon"));
+  const auto draw_at = [&](double turn, double time) {
+    auto pose = std::make_shared<ScenePose>(labelled.model->start);
+    pose->qpos[0] = turn;
+    ViewMoment moment;
+    moment.time = time;
+    moment.pose = pose;
+    viewer.Add(moment);
+    viewer.DrawFrame();
+  };
+  draw_at(0, 0);
+  draw_at(0.5, 1);
+  draw_at(0, 2);
+  viewer.Finish();
+  EXPECT_NE(BytesOf(folder_ / "frame-00001.png"), BytesOf(folder_ / "frame-00002.png"));
+  EXPECT_FALSE(BytesOf(folder_ / "frame-00003.png").empty());
+}
+
+// Kept as it was: where MuJoCo drew shadows their texture stayed in use, and no letter was seen.
+TEST_F(ViewerTest, PrintStandsOnAModelWithShadows) {
+  std::string xml = CanXml();
+  const std::string none = R"(shadowsize="0")";
+  xml.replace(xml.find(none), none.size(), R"(shadowsize="256")");
+  xml.insert(xml.find("<camera"), R"(<light pos="0 -1 1" dir="0 1 -1"/>)");
+  const LabelledModel labelled = LabelledFrom(xml);
+  ViewerOptions options = SmallFrames();
+  options.width = 640;
+  options.height = 480;
+  options.offline = true;
+  Viewer viewer(options);
+  viewer.ShowModel(labelled.model);
+  viewer.Show(labelled.view_page);
+  viewer.DrawFrame();
+  viewer.Obey("print off");
+  viewer.DrawFrame();
+  viewer.Finish();
+  EXPECT_TRUE(BytesOf(folder_ / "frame-00001.png") != BytesOf(folder_ / "frame-00002.png"));
+}
+
+TEST_F(ViewerTest, AnUnknownCameraIsRefusedBeforeAnythingIsDrawn) {
+  const LabelledModel labelled = LabelledFrom(CanXml());
+  ViewerOptions options = SmallFrames();
+  options.camera = "reade";
+  const std::string path = folder_.string() + ".png";
+  EXPECT_THROW(WriteViewPicture(path, options, PageOf("moon"), {}, {}, {}, labelled.model),
+               InputError);
+  EXPECT_FALSE(fs::exists(path));
+  Viewer viewer(options);
+  EXPECT_THROW(viewer.ShowModel(labelled.model), InputError);
 }
 
 }  // namespace
