@@ -141,7 +141,8 @@ bool Serves(const ReliefArea& made, const ReliefArea& wanted) {
   return fine && Contains(made.box_P, wanted.box_P.min) && Contains(made.box_P, wanted.box_P.max);
 }
 
-LabelRelief MakeRelief(const LabelChart& chart, const TextureField& field, const ReliefArea& area) {
+LabelRelief MakeRelief(const LabelChart& chart, const TextureField& field, const ReliefArea& area,
+                       double lift) {
   LabelRelief relief;
   relief.of = area;
   const glm::dvec2 size = area.box_P.max - area.box_P.min;
@@ -155,7 +156,7 @@ LabelRelief MakeRelief(const LabelChart& chart, const TextureField& field, const
                             std::vector<std::uint32_t>& numbers) {
     if (numbers[i] != kNone) return numbers[i];
     const glm::dvec2 p_P(row_P[i].x, y);
-    const glm::dvec3 p_O = chart.ToObject({p_P, std::max(sample.displacement, 0.0)});
+    const glm::dvec3 p_O = chart.ToObject({p_P, lift + std::max(sample.displacement, 0.0)});
     const LabelChart::Point at = chart.At(p_O);
     const glm::dvec3 smooth_O = chart.Above(p_O).normal_O;
     const glm::dvec3 slope_O = sample.gradient.x * at.dx_O + sample.gradient.y * at.dy_O;

@@ -45,7 +45,9 @@ struct LabelRelief {
   std::vector<ReliefPoint> points;
   std::vector<std::uint32_t> triangles;  ///< three points each
 };
-LabelRelief MakeRelief(const LabelChart& chart, const TextureField& field, const ReliefArea& area);
+/// `lift` [m] over the chart, where the geom that is seen lies off it.
+LabelRelief MakeRelief(const LabelChart& chart, const TextureField& field, const ReliefArea& area,
+                       double lift = 0);
 
 /// How deep and high places are tinted beside their light, so that a groove is seen that light
 /// falls straight into.

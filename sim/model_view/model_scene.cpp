@@ -152,13 +152,13 @@ const mjvGeom* ModelScene::State::DrawnGeom(int geom) const {
 
 void ModelScene::State::DrawLabel(Shown& shown, const Sight& sight, mjrRect rect) {
   const ViewModel::Label& label = view->labels[shown.label];
-  const mjvGeom* geom = DrawnGeom(label.geom);
+  const mjvGeom* geom = DrawnGeom(label.drawn);
   if (geom == nullptr || !(shown.area_P.min.x < shown.area_P.max.x)) return;
   const Pose X_WG = PoseOfGeom(*d, label.geom);
   const auto wanted = SeenOf(label.chart, label.solid, shown.area_P, X_WG, sight, rect.height);
   if (!wanted) return;
   if (!Serves(shown.relief.of, *wanted)) {
-    shown.relief = MakeRelief(label.chart, *shown.field, *wanted);
+    shown.relief = MakeRelief(label.chart, *shown.field, *wanted, label.lift);
   }
   const double luminance = MayHaveTexture(*geom) ? 1 : LuminanceOf(geom->rgba);
   ShadeRelief(shown.relief, X_WG, sight, DepthIsReversed(),

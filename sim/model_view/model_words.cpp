@@ -25,13 +25,14 @@ struct Looked {
   std::vector<int> hiders;  ///< a geom for each point that is hidden
 };
 
-/// The geom that stands before a point of another; -1: none. Stylus and proxy hide little.
-int HiddenBy(const ViewModel& model, const mjData& d, int geom, glm::dvec3 eye_W, glm::dvec3 p_W) {
+/// The geom that stands before a point of a label; -1: none. Stylus and proxy hide little.
+int HiddenBy(const ViewModel& model, const mjData& d, const ViewModel::Label& label,
+             glm::dvec3 eye_W, glm::dvec3 p_W) {
   constexpr double kNear = 0.03;  // of the way: round geoms are drawn with flat facets
   const glm::dvec3 way = p_W - eye_W;
   const double from[3] = {eye_W.x, eye_W.y, eye_W.z}, along[3] = {way.x, way.y, way.z};
   const RayHit hit = FirstOnRay(*model.m, d, from, along);
-  if (hit.geom < 0 || hit.geom == geom || hit.distance > 1 - kNear) return -1;
+  if (hit.geom < 0 || hit.geom == label.geom || hit.distance > 1 - kNear) return -1;
   const int body = model.m->geom_bodyid[hit.geom];
   return body == model.proxy_body || body == model.handle_body ? -1 : hit.geom;
 }
@@ -53,7 +54,7 @@ Looked LookFor(const ViewModel& model, const mjData& d, const Sight& sight,
         ++looked.away;
       } else if (!at || at->x < 0 || at->y < 0 || at->x > 1 || at->y > 1) {
         ++looked.beside;
-      } else if (const int hider = HiddenBy(model, d, label.geom, sight.eye_W, p_W); hider >= 0) {
+      } else if (const int hider = HiddenBy(model, d, label, sight.eye_W, p_W); hider >= 0) {
         looked.hiders.push_back(hider);
       } else {
         ++looked.seen;
@@ -73,8 +74,9 @@ std::string PlaceInPicture(glm::dvec2 share) {
   return fmt::format("at the {} {}", up, across);
 }
 
-std::string GeomInWords(const mjModel& m, int geom) {
-  const std::string name = NameOf(m, mjOBJ_GEOM, geom);
+/// `other_name`: where the geom has none.
+std::string GeomInWords(const mjModel& m, int geom, const std::string& other_name = {}) {
+  const std::string own = NameOf(m, mjOBJ_GEOM, geom), &name = own.empty() ? other_name : own;
   const std::string kind = KindOfGeom(m, geom);
   const char* article = std::string_view("aeiou").find(kind[0]) < 5 ? "an" : "a";
   if (name.empty()) return fmt::format("{} {}", article, kind);
@@ -83,7 +85,7 @@ std::string GeomInWords(const mjModel& m, int geom) {
 
 std::string LabelInWords(const ViewModel& model, const ViewModel::Label& label,
                          const Looked& looked) {
-  const std::string on = GeomInWords(*model.m, label.geom);
+  const std::string on = GeomInWords(*model.m, label.drawn, label.name);
   const std::string text = OneLine(label.text, 40);
   if (looked.seen == 0) {
     std::string why = "beside the picture";
@@ -125,7 +127,7 @@ std::string OthersInWords(const ViewModel& model, const mjData& d, const Sight& 
     const int body = m.geom_bodyid[geom];
     const bool labelled =
         std::any_of(model.labels.begin(), model.labels.end(),
-                    [geom](const ViewModel::Label& label) { return label.geom == geom; });
+                    [geom](const ViewModel::Label& label) { return label.drawn == geom; });
     if (labelled || body == model.proxy_body || body == model.handle_body) continue;
     if (m.geom_group[geom] > 2) continue;  // not drawn
     const glm::dvec3 p_W = PoseOfGeom(d, geom).p;
@@ -140,12 +142,14 @@ std::string OthersInWords(const ViewModel& model, const mjData& d, const Sight& 
   }
   std::string line;
   for (const std::string& one : told) line += (line.empty() ? "" : "; ") + one;
-  if (more > 0) line += fmt::format("{}{} more shapes", line.empty() ? "" : "; ", more);
+  if (more > 0)
+    line += fmt::format("{}{} more shape{}", line.empty() ? "" : "; ", more, more == 1 ? "" : "s");
   return line;
 }
 
 std::string TipInWords(const ViewModel& model, const Sight& sight, const SeenTip& tip) {
-  const std::string on = GeomInWords(*model.m, model.labels[model.page].geom);
+  const ViewModel::Label& page = model.labels[model.page];
+  const std::string on = GeomInWords(*model.m, page.drawn, page.name);
   const auto at = sight.ShareOf(tip.p_W);
   const bool inside = at && at->x >= 0 && at->y >= 0 && at->x <= 1 && at->y <= 1;
   const std::string where = inside ? PlaceInPicture(*at) : "beside the picture";

@@ -68,6 +68,8 @@ std::shared_ptr<const ViewModel> MakeViewModel(const Scene& scene,
     shown.name = NameOf(label);
     shown.text = i == view->page ? std::string(text) : label.text;
     shown.geom = scene.geom_of(i);
+    shown.drawn = label.named;
+    shown.lift = label.error;
     shown.solid = SolidOf(*view->m, shown.geom).value_or(Solid());
     shown.chart = scene.laid(i).chart;
     if (i == view->page) shown.text_P = scene.options().text_P;
@@ -95,7 +97,7 @@ ViewTarget FindTarget(const ViewModel& model, std::string_view name) {
   }
   const int geom = mj_name2id(&m, mjOBJ_GEOM, given.c_str());
   for (std::size_t i = 0; geom >= 0 && i < model.labels.size(); ++i) {
-    if (model.labels[i].geom == geom) return {Kind::kLabel, static_cast<int>(i)};
+    if (model.labels[i].drawn == geom) return {Kind::kLabel, static_cast<int>(i)};
   }
   if (geom >= 0) return {Kind::kGeom, geom};
   if (const int body = mj_name2id(&m, mjOBJ_BODY, given.c_str()); body >= 0) {

@@ -19,7 +19,9 @@ struct ViewModel {
   struct Label {
     std::string name;  ///< as NameOf has it
     std::string text;
-    int geom = -1;
+    int geom = -1;    ///< that it lies on
+    int drawn = -1;   ///< that is seen there: another one where a solid was fitted to a mesh
+    double lift = 0;  ///< of what is drawn over it, so far the mesh may lie off [m]
     Solid solid;
     LabelChart chart;
     std::shared_ptr<const TextureField> field;  ///< null: blank, or that of the page

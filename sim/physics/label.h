@@ -16,7 +16,9 @@ namespace moontrace {
 struct Label {
   std::string geom;    ///< its name, or BODY or BODY/N for a geom without one, see GeomNamed
   std::string fitted;  ///< name of the geom that was fitted to a mesh for it; else empty
+  double error = 0;    ///< of that fit, greatest distance from the mesh [m]
   int carrier = -1;    ///< MuJoCo's number of the geom that it lies on, once it is found
+  int named = -1;      ///< and of the geom that it names
   int number = 0;
   std::string text;  ///< may be empty: the program's text goes there
   /// The page's lower left corner on the face, from its middle [m]: of a top face in the geom's own

@@ -335,6 +335,7 @@ std::vector<FittedGeom> FitLabels(const mjModel& m, std::vector<Label>& labels,
                        BodyNameOf(m, fitted.geom), fitted.solid.solid, fitted.X_BO});
     }
     label.fitted = geoms[carrier].name;
+    label.error = fitted.solid.error;
     label.face = face;
     label.middle = fitted.solid.on_face;
     label.turn += fitted.solid.turn;

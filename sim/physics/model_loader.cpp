@@ -103,8 +103,9 @@ void CheckAt(const Label& label, const Solid& solid, const std::string& place) {
 
 /// Sets what the label lies on. Throws InputError: there is no such geom.
 void FindCarrier(const mjModel& m, const std::string& name, Label& label) {
-  label.carrier = label.fitted.empty() ? GeomNamed(m, label.geom)
-                                       : mj_name2id(&m, mjOBJ_GEOM, label.fitted.c_str());
+  label.named = GeomNamed(m, label.geom);
+  label.carrier =
+      label.fitted.empty() ? label.named : mj_name2id(&m, mjOBJ_GEOM, label.fitted.c_str());
   if (label.carrier >= 0) return;
   const std::string place = PlaceOf(label, name);
   const int body = mj_name2id(&m, mjOBJ_BODY, label.geom.c_str());
@@ -117,7 +118,7 @@ void FindCarrier(const mjModel& m, const std::string& name, Label& label) {
   }
   const std::string nearest = NearestWord(label.geom, Names(m));
   throw InputError(place + ": no such geom; " +
-                   (nearest.empty() ? "name one of the model's geoms, or a body for its geom"
+                   (nearest.empty() ? "name a geom of the model, or its body"
                                     : "did you mean '" + OneLine(nearest) + "'?"));
 }
 
@@ -370,8 +371,8 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
     loaded.xml = WithGeoms(loaded.xml, fitted, name);
     std::vector<std::string> again;  // the same warnings
     loaded.m = Compile(loaded.xml, loaded.xml, folder, name, again);
-    for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
   }
+  for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
   FindMoon(loaded, name, tilt, label);
   return loaded;
 }
