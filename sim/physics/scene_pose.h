@@ -25,7 +25,7 @@ class PoseMail {
   void Fit(const Scene& scene) { TakePose(scene, pose_); }
   /// The tick: gives the scene's, if somebody waits for one.
   void Put(const Scene& scene) noexcept {
-    if (state_.load(std::memory_order_relaxed) != kWanted) return;
+    if (state_.load(std::memory_order_acquire) != kWanted) return;
     TakePose(scene, pose_);
     state_.store(kThere, std::memory_order_release);
   }
