@@ -96,10 +96,6 @@ struct TraceOptions {
   std::string record;
   bool csv = false;
   std::string picture;
-  /// Not of the command line: ends a page then, if not before [s]; over again until the window is
-  /// closed.
-  std::optional<double> longest;
-  bool repeats = false;
 
   ViewOptions view;
   LiveOptions live;  ///< device empty or "simulated": the rest counts for nothing and is refused

@@ -72,7 +72,6 @@ TrialSetup SetupOf(const TraceOptions& options, const Trace& trace, std::size_t 
   setup.guidance = GuidanceOf(options.guide);
   setup.device = trace.device;
   if (!options.picture.empty()) setup.path_spacing = trace.text.set.style.width / 20;
-  setup.longest = options.longest.value_or(setup.longest);
   setup.stop = console.stop();
   const auto pages = static_cast<double>(trace.text.set.pages.size());
   setup.alive = [&console, page, pages](double done) {
@@ -278,10 +277,7 @@ int TraceAllLabels(const TraceOptions& options, Console& console) {
 /// A text on one label, or on the shipped page.
 int TraceOneLabel(const TraceOptions& options, Console& console) {
   const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
-  Traced traced = TraceText(options, feed.get(), console);
-  while (options.repeats && feed && feed->window() && !feed->ended()) {
-    traced = TraceText(options, feed.get(), console);
-  }
+  const Traced traced = TraceText(options, feed.get(), console);
   if (options.feel.scene.friction > 0.1) {
     console.Remark(say::FrictionHampers(options.feel.scene.friction));
   }

@@ -114,31 +114,6 @@ int DrawPicture(const ViewCommandOptions& given, Console& console) {
   return exit_code::kGood;
 }
 
-/// Mouse and simulated hand of a loop move in a plane: on a round label the hand of a trial does.
-bool IsRound(const FeelOptions& feel) {
-  if (feel.model.empty()) return false;
-  FeelOptions chosen = feel;
-  ChooseLabel(chosen);
-  return !Scene::Load(chosen.model, chosen.scene).page_is_flat();
-}
-
-int ShowTraced(const ViewCommandOptions& given, Console& console) {
-  TraceOptions options;
-  options.output = given.output;
-  options.text = given.text;
-  options.style = given.style;
-  options.layout = given.layout;
-  options.feel = given.feel;
-  options.press = given.press;
-  options.seed = given.seed;
-  options.view = given.view;
-  options.view.window = given.view.frames.empty();
-  options.longest = given.live.seconds;
-  options.repeats = !given.live.seconds;
-  console.Remark(say::RoundIsTraced());
-  return Run(options, console);
-}
-
 }  // namespace
 
 void AddOptions(CLI::App& app, ViewCommandOptions& options) {
@@ -154,10 +129,6 @@ void AddOptions(CLI::App& app, ViewCommandOptions& options) {
 int Run(const ViewCommandOptions& given, Console& console) {
   CheckCamera(given.view, given.feel.model);
   if (!given.picture.empty()) return DrawPicture(given, console);
-  const std::string& device = given.live.device;
-  if (IsSimulated(device) && IsRound(given.feel)) {
-    return ShowTraced(given, console);
-  }
   LoopCommandOptions options = given;
   options.view.window = options.view.frames.empty();
   auto aims = AimsFor(options.live.device, options.view);

@@ -82,6 +82,8 @@ constexpr auto kWords = std::to_array<TypedWord>({
     {58, "bookmark", In("B"), true, "NAME", "sets one here, as two presses do"},
     {59, "bookmarks", In("B"), true, "", "all of them"},
     {60, "forget", In("B"), true, "NAME", "takes that bookmark away"},
+    {61, "labels", In("O"), true, "", "the labels of a model"},
+    {62, "next label", In("O"), true, "", "to the next of them; find and a name goes to that"},
 });
 
 bool Begins(std::string_view whole, std::string_view begin) {

@@ -165,10 +165,11 @@ std::string Loop::WhyLost() const {
 
 void Loop::ChangePage(PageChange change) {
   PostedPage posted;
-  posted.field = change.field.get();
-  posted.substeps = tick_.scene().CheckField(posted.field);
+  const std::size_t label = change.label.value_or(tick_.scene().options().label);
+  posted.ready = tick_.scene().MakeReady(label, change.field.get(), change.text_P);
   posted.page = change.page;
   posted.anchor = change.anchor;
+  posted.place_P = change.place_P;
   posted.tilt = change.tilt;
   posted.device = std::move(change.device);
   mail_.wanted_page.store(&posted, std::memory_order_release);

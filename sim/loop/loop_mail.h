@@ -8,18 +8,19 @@
 #include "lessons/guide/guidance.h"
 #include "sim/loop/loop_types.h"
 #include "sim/loop/spsc_queue.h"
+#include "sim/physics/scene.h"
 #include "sim/physics/scene_pose.h"
 
 namespace moontrace {
 
 /// A page change, passed to the tick and back.
 struct PostedPage {
-  const TextureField* field = nullptr;
-  int substeps = 1;  ///< Scene::CheckField of it
+  ReadyPage ready;  ///< as Scene::MakeReady gives it
   std::uint32_t page = 0;
   std::optional<PageAnchor> anchor;
-  std::optional<double> tilt;      ///< PageChange::tilt
-  std::unique_ptr<Device> device;  ///< in: the new one or none; out: the one it replaced
+  std::optional<DevicePlace> place_P;  ///< PageChange::place_P
+  std::optional<double> tilt;          ///< PageChange::tilt
+  std::unique_ptr<Device> device;      ///< in: the new one or none; out: the one it replaced
 };
 
 /// A plan of a push, passed to the tick and back; nullptr: no push from now on.

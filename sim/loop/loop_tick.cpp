@@ -97,8 +97,9 @@ LoopTick::Wanted LoopTick::Want(const TickResult& felt, bool silent) noexcept {
   const GuidanceResult push = push_.Advance(!silent, felt.tip_P, v_P_, tick_);
   target_P_ = push.target_P;
   Wanted wanted;
-  wanted.push = fade_ * ForceToDevice(place_, TurnToWorld(scene_.X_WP(), push.force_P));
-  wanted.force = fade_ * ForceToDevice(place_, felt.force_W) + wanted.push;
+  wanted.push = fade_ * ForceToDevice(place_, TurnToWorld(Base(), push.force_P));
+  const glm::dvec3 force = options_.on_page ? felt.force_W * moves_ : felt.force_W;
+  wanted.force = fade_ * ForceToDevice(place_, force) + wanted.push;
   for (int axis = 0; axis < 3; ++axis) {
     if (!limits_.pushes[axis]) wanted.force[axis] = wanted.push[axis] = 0;
   }
@@ -117,8 +118,11 @@ glm::dvec3 LoopTick::PushFelt(const Wanted& wanted, const SafetyResult& safe) co
     const double whole = wanted.force[axis];
     if (whole != 0) push_D[axis] *= std::clamp(safe.force[axis] / whole, 0.0, 1.0);
   }
-  return TurnFromWorld(scene_.X_WP(), place_.R_WD * push_D);
+  return TurnFromWorld(Base(), place_.R_WD * push_D);
 }
+
+/// The page in the frame that DevicePlace is in.
+Pose LoopTick::Base() const noexcept { return options_.on_page ? Pose() : scene_.X_WP(); }
 
 void LoopTick::Release() noexcept {
   if (device_ != nullptr) device_->Write({0, 0, 0});
@@ -144,7 +148,7 @@ void LoopTick::TakeMail() noexcept {
 /// The page's far edge at another height: the device is turned against the page, about the middle
 /// of its workspace.
 void LoopTick::Tilt(double tilt) noexcept {
-  if (!limits_.measures.z || !std::isfinite(tilt)) return;
+  if (!limits_.measures.z || options_.on_page || !std::isfinite(tilt)) return;
   const double angle = scene_.options().tilt - tilt;
   const double c = std::cos(angle), s = std::sin(angle);
   const glm::dmat3 about_x(1, 0, 0, 0, c, s, 0, -s, c);  // column by column
@@ -155,24 +159,20 @@ void LoopTick::Tilt(double tilt) noexcept {
 /// The swap itself, at zero force: the last command was zero and this tick begins a ramp-in.
 void LoopTick::TakePage() noexcept {
   PostedPage& posted = *posted_;
+  const bool known = begun_ && AllFinite(state_);
   const DevicePlace before = place_;
+  const glm::dvec3 tip_P = FromWorld(Base(), ToWorld(before, state_).p_D);  // on the page before
   if (posted.tilt) Tilt(*posted.tilt);
-  place_ = home_;
-  if ((posted.anchor || posted.tilt) && begun_ && AllFinite(state_)) {
-    const Pose X_WP = scene_.X_WP();
-    const glm::dvec3 tip_P = FromWorld(X_WP, ToWorld(before, state_).p_D);
-    const glm::dvec3 now = FromWorld(X_WP, ToWorld(place_, state_).p_D);
-    glm::dvec3 under(now.x, now.y, tip_P.z);
-    if (posted.anchor) {
-      const PageAnchor& anchor = *posted.anchor;
-      under = glm::dvec3(anchor.to_P + anchor.ratio * (glm::dvec2(tip_P) - anchor.from_P), tip_P.z);
-    }
-    place_.origin_W += TurnToWorld(X_WP, under - now);
+  field_ = posted.ready.laid.field;
+  page_ = posted.page;
+  scene_.Swap(posted.ready);
+  if (posted.place_P) {
+    TakeLabel(posted, known ? &tip_P : nullptr);
+  } else {
+    place_ = home_;
+    if ((posted.anchor || posted.tilt) && known) Anchor(posted.anchor, tip_P);
   }
   push_.Take(nullptr);
-  field_ = posted.field;
-  page_ = posted.page;
-  scene_.SwapField(posted.field, posted.substeps);
   flowing_ = false;
   if (posted.device != nullptr) {
     if (device_ != nullptr) device_->Write({0, 0, 0});
@@ -185,6 +185,43 @@ void LoopTick::TakePage() noexcept {
   posted_ = nullptr;
   Report(LoopEventKind::kPageChanged);
   mail_.done_page.store(&posted, std::memory_order_release);
+}
+
+/// Moves the device over the page, so that the tip comes to where the anchor wants it; without one
+/// to `tip_P`'s height over where it is.
+void LoopTick::Anchor(const std::optional<PageAnchor>& anchor, glm::dvec3 tip_P) noexcept {
+  const Pose base = Base();
+  const glm::dvec3 now = FromWorld(base, ToWorld(place_, state_).p_D);
+  glm::dvec3 under(now.x, now.y, tip_P.z);
+  if (anchor) {
+    under =
+        glm::dvec3(anchor->to_P + anchor->ratio * (glm::dvec2(tip_P) - anchor->from_P), tip_P.z);
+  }
+  place_.origin_W += TurnToWorld(base, under - now);
+}
+
+/// Another label is the page. `tip_P`: the tip on the page before; null: not known.
+void LoopTick::TakeLabel(const PostedPage& posted, const glm::dvec3* tip_P) noexcept {
+  if (options_.on_page) {
+    place_ = home_ = *posted.place_P;
+    if (posted.anchor && tip_P != nullptr) Anchor(posted.anchor, *tip_P);
+    return;
+  }
+  if (!posted.anchor) return;
+  const PagePoint to = scene_.PointOn({posted.anchor->to_P, 0});
+  const glm::dvec3 to_D = (to.p_W - place_.origin_W) * place_.R_WD / place_.scale;
+  bool reached = true;
+  for (int i = 0; i < 3; ++i) reached &= std::abs(to_D[i]) <= limits_.workspace_D[i];
+  if (reached) return;
+  place_ = home_;
+  place_.origin_W = home_.origin_W = scene_.PointOn(posted.place_P->origin_W).p_W;
+  Report(LoopEventKind::kModelMoved);
+  if (tip_P == nullptr) return;
+  // until it is lifted, the hand is over the label's plane: in nothing
+  constexpr double kOver = 0.005;  // [m]
+  const glm::dvec3 up = glm::normalize(to.moves[2]);
+  const double height = glm::dot(ToWorld(place_, state_).p_D - to.p_W, up);
+  place_.origin_W += std::max(0.0, kOver - height) * up;
 }
 
 DeviceStatus LoopTick::Read() noexcept {
@@ -206,14 +243,20 @@ TickResult LoopTick::Feel() noexcept {
   if (!read.velocity_known) read.v_D = tip_.v();
   read.p_D = tip_.p();
   read.velocity_known = true;
-  DeviceState world = ToWorld(place_, read);
-  v_P_ = TurnFromWorld(scene_.X_WP(), world.v_D);
+  DeviceState tip = ToWorld(place_, read);
+  const Pose base = Base();
+  v_P_ = TurnFromWorld(base, tip.v_D);
   if (!limits_.measures.z) {
-    const SceneOptions& options = scene_.options();
-    world = Pressed(world, scene_.X_WP(), flowing_ ? &last_ : nullptr,
-                    pressing_.PressOf(state_.p_D.z, limits_.stiffness), options, *field_);
+    tip = Pressed(tip, base, flowing_ ? &last_ : nullptr,
+                  pressing_.PressOf(state_.p_D.z, limits_.stiffness), scene_.options(), *field_);
   }
-  return scene_.Tick(world, delivered_);
+  if (options_.on_page) {
+    const PagePoint point = scene_.PointOn(tip.p_D);
+    moves_ = point.moves;
+    tip.p_D = point.p_W;
+    tip.v_D = moves_ * tip.v_D;
+  }
+  return scene_.Tick(tip, delivered_);
 }
 
 void LoopTick::HandleButtons(double time, SafetyInput& input) noexcept {
@@ -262,7 +305,7 @@ void LoopTick::Restart() noexcept {
 /// Whether the tip feels neither the page as it lies nor the page back in its place: it is in the
 /// air, or it cannot be lifted (a stick without an axis for that) and is on plain paper of both.
 bool LoopTick::FeelsNothing(const TickResult& felt) const noexcept {
-  const glm::dvec3 home_P = FromWorld(scene_.X_WP(), ToWorld(home_, state_).p_D);
+  const glm::dvec3 home_P = FromWorld(Base(), ToWorld(home_, state_).p_D);
   if (limits_.measures.z) return std::min(felt.tip_P.z, home_P.z) > kLiftedHeight;
   if (state_.p_D.z > 0) return true;
   const glm::dvec2 back_P(home_P);
@@ -327,14 +370,14 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe,
   snapshot.proxy_P = felt.proxy_P;
   snapshot.force_D = safe.force;
   // of a device without motors: what the page would do
-  snapshot.force_P = glm::any(limits_.pushes)
-                         ? TurnFromWorld(scene_.X_WP(), place_.R_WD * safe.force)
-                         : felt.force_P;
+  snapshot.force_P =
+      glm::any(limits_.pushes) ? TurnFromWorld(Base(), place_.R_WD * safe.force) : felt.force_P;
   snapshot.guidance_P = push_P;
   snapshot.target_P = target_P_;
   snapshot.guided = push_.guided();
   snapshot.guidance_done = push_.done();
   snapshot.depth = felt.depth;
+  snapshot.geom = felt.geom;
   snapshot.heat = safe.heat;
   snapshot.safety_counts = safety_.counts();
   mail_.snapshot.Put(snapshot);

@@ -77,7 +77,10 @@ class LoopTick {
     glm::dvec3 push{0, 0, 0};  ///< within it
   };
   void TakeMail() noexcept;
+  Pose Base() const noexcept;
   void TakePage() noexcept;
+  void TakeLabel(const PostedPage& posted, const glm::dvec3* tip_P) noexcept;
+  void Anchor(const std::optional<PageAnchor>& anchor, glm::dvec3 tip_P) noexcept;
   void Tilt(double tilt) noexcept;
   DeviceStatus Read() noexcept;
   TickResult Feel() noexcept;
@@ -106,6 +109,7 @@ class LoopTick {
   LoopPush push_;
   glm::dvec2 target_P_{0, 0};  ///< of the push [m]
   glm::dvec3 v_P_{0, 0, 0};    ///< of the tip [m/s]
+  glm::dmat3 moves_{1.0};      ///< PagePoint::moves at the tip, where LoopOptions::on_page
   Pressing pressing_;
   Safety safety_;
   double tick_ = 0.001;  ///< [s]

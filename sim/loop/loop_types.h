@@ -40,6 +40,10 @@ struct LoopOptions {
   double rate = 1000;  ///< kSlowestRate to kFastestRate [Hz]; the scene's tick is its inverse
   double press = 1;    ///< for devices that do not measure z [N]
   bool hold_to_feel = false;  ///< force only while the first button is held
+  /// The device's frame is laid on the page, wherever that is and however it is bent, in place of
+  /// the world: of the simulated hand, and of what moves in the page's plane. DevicePlace is in
+  /// frame P then.
+  bool on_page = false;
 };
 
 /// What happened. A safety event is reported when it begins, at most once a second.
@@ -52,6 +56,7 @@ enum class LoopEventKind : std::uint8_t {
   kPageChanged,  ///< another page is felt from now on
   kThrough,      ///< the tip was pressed through the paper
   kPageBack,     ///< after a change under the hand: the page lies where it lay, the tip is lifted
+  kModelMoved,   ///< the label that is felt now was out of the device's reach
 };
 struct LoopEvent {
   LoopEventKind kind = LoopEventKind::kSafety;
@@ -93,6 +98,7 @@ struct LoopSnapshot {
   bool guided = false;                          ///< a plan of a push is in use
   bool guidance_done = false;                   ///< it has been followed to its end
   double depth = 0;                             ///< > 0 in contact [m]
+  int geom = -1;                                ///< TickResult::geom
   glm::dvec3 heat{0, 0, 0};                     ///< SafetyResult::heat
   std::array<std::uint64_t, kSafetyEvents> safety_counts{};
 };
@@ -110,7 +116,15 @@ struct PageAnchor {
 struct PageChange {
   std::shared_ptr<const TextureField> field;  ///< may be looked at elsewhere too
   std::uint32_t page = 0;                     ///< any number; samples and events carry it
-  std::optional<PageAnchor> anchor;           ///< without: the page lies where the first one lay
+  Box text_P{};                               ///< what its text covers [m], SceneOptions::text_P
+  /// The label of the model that it lies on; none: that of the page before. What was felt there
+  /// stays, and must outlive the loop.
+  std::optional<std::size_t> label;
+  /// Behind a change of the label: where the device stands to that page, frame P. One that is laid
+  /// on the page (LoopOptions::on_page) stands so, the anchor holds. Another stays where it is in
+  /// the world, if it reaches the anchor's `to_P` there; otherwise the model is moved so.
+  std::optional<DevicePlace> place_P;
+  std::optional<PageAnchor> anchor;  ///< without: the page lies where the first one lay
   /// The page raised at its far edge from now on [rad], as SceneOptions::tilt; none: as it is. The
   /// tip keeps its height over the paper. Of a device that does not measure z, which lies in the
   /// page's plane, it changes nothing.

@@ -55,12 +55,21 @@ const char* KindOfGeom(const mjModel& m, int geom) {
   }
 }
 
+namespace {
+
+ModelPtr CopyOf(const mjModel* m) {
+  ModelPtr copy(mj_copyModel(nullptr, m));
+  if (!copy) throw InputError("the model takes too much memory to be shown; make it smaller");
+  return copy;
+}
+
+}  // namespace
+
 std::shared_ptr<const ViewModel> MakeViewModel(const Scene& scene,
                                                const std::vector<LaidLabel>& others,
                                                std::string_view text) {
   auto view = std::make_shared<ViewModel>();
-  view->m.reset(mj_copyModel(nullptr, scene.model()));
-  if (!view->m) throw InputError("the model takes too much memory to be shown; make it smaller");
+  view->m = CopyOf(scene.model());
   view->page = scene.options().label;
   for (std::size_t i = 0; i < scene.labels().size(); ++i) {
     const Label& label = scene.labels()[i];
@@ -85,6 +94,27 @@ std::shared_ptr<const ViewModel> MakeViewModel(const Scene& scene,
   view->handle_body = mj_name2id(&m, mjOBJ_BODY, "moontrace_handle");
   if (view->handle_body >= 0) view->mocap = m.body_mocapid[view->handle_body];
   TakePose(scene, view->start);
+  return view;
+}
+
+std::shared_ptr<const ViewModel> WithPage(const ViewModel& model, const LaidLabel& before,
+                                          const Label& label, const LaidLabel& page,
+                                          std::string_view text) {
+  auto view = std::make_shared<ViewModel>();
+  view->m = CopyOf(model.m.get());
+  view->labels = model.labels;
+  view->page = page.label;
+  view->proxy_body = model.proxy_body;
+  view->handle_body = model.handle_body;
+  view->mocap = model.mocap;
+  view->start = model.start;
+  view->labels[before.label].field = before.field;
+  view->labels[before.label].text_P = before.text_P;
+  ViewModel::Label& shown = view->labels[page.label];
+  shown.text = text;
+  shown.field = nullptr;  // the page's
+  shown.text_P = page.text_P;
+  shown.chart = LabelChart(shown.solid, PlaceOn(label, shown.solid, page.text_P));
   return view;
 }
 

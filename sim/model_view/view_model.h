@@ -40,6 +40,12 @@ std::shared_ptr<const ViewModel> MakeViewModel(const Scene& scene,
                                                const std::vector<LaidLabel>& others,
                                                std::string_view text);
 
+/// The same where another label is the page. `before`: what is felt on the one that was; `label`
+/// and `page`: of the one that is, which has `text`.
+std::shared_ptr<const ViewModel> WithPage(const ViewModel& model, const LaidLabel& before,
+                                          const Label& label, const LaidLabel& page,
+                                          std::string_view text);
+
 /// What one can look at.
 struct ViewTarget {
   enum class Kind { kWhole, kTip, kCamera, kLabel, kGeom, kBody };

@@ -142,6 +142,8 @@ void Scene::Impl::SetOptions(const SceneOptions& new_options) {
 
 void Scene::Impl::FindObjects() {
   objects = FeltObjects(*loaded.m, *d, loaded.labels, options, name_);
+  reactions.assign(objects.size(), {0, 0, 0});
+  sides.assign(objects.size(), {});
   FindPage();
   SetField(nullptr);
 }
@@ -157,12 +159,10 @@ Scene::Impl::Carrier Scene::Impl::CarrierOf(std::size_t label) const noexcept {
 }
 
 /// Which object carries the page, and how that lies on it.
-void Scene::Impl::FindPage() {
+void Scene::Impl::FindPage() noexcept {
   const Carrier carrier = CarrierOf(options.label);
   page_object = carrier.object;
   page_number = carrier.number;
-  reactions.assign(objects.size(), {0, 0, 0});
-  sides.assign(objects.size(), {});
   touched = page_object;
   page_geom = page().geom;
   pushes = std::any_of(objects.begin(), objects.end(),
@@ -181,15 +181,23 @@ void Scene::Impl::FindPage() {
   X_WP = PoseOfPage({0, 0, 0});
 }
 
-int Scene::Impl::CheckField(const TextureField* new_field) const {
+ReadyPage Scene::Impl::MakeReady(std::size_t label, const TextureField* field,
+                                 const Box& text_P) const {
   static const TextureField blank;
-  std::vector<LabelOnSolid> labels = page().labels;
-  labels[page_number].field = new_field != nullptr ? new_field : &blank;
-  return StepsFor(options, page(), labels, loaded.proxy.mass);
+  const Carrier carrier = CarrierOf(label);
+  const FeltObject& object = objects[carrier.object];
+  ReadyPage page;
+  page.label = label;
+  page.laid = Lay(loaded.labels[label], object.solid, field != nullptr ? field : &blank, text_P);
+  page.text_P = text_P;
+  std::vector<LabelOnSolid> labels = object.labels;
+  labels[carrier.number] = page.laid;
+  page.substeps = StepsFor(options, object, labels, loaded.proxy.mass);
+  return page;
 }
 
 void Scene::Impl::SetField(const TextureField* new_field) {
-  CheckField(new_field);
+  MakeReady(options.label, new_field, options.text_P);
   objects[page_object].labels[page_number].field = new_field;
   objects[page_object].Settle();
   TakeSteps();
@@ -291,10 +299,10 @@ void Scene::SetOptions(const SceneOptions& options) {
 }
 void Scene::SetField(const TextureField* field) { impl_->SetField(field); }
 void Scene::SetLabel(const LaidLabel& laid) { impl_->SetLabel(laid); }
-int Scene::CheckField(const TextureField* field) const { return impl_->CheckField(field); }
-void Scene::SwapField(const TextureField* field, int substeps) noexcept {
-  impl_->SwapField(field, substeps);
+ReadyPage Scene::MakeReady(std::size_t label, const TextureField* field, const Box& text_P) const {
+  return impl_->MakeReady(label, field, text_P);
 }
+void Scene::Swap(const ReadyPage& page) noexcept { impl_->Swap(page); }
 void Scene::Restart() noexcept { impl_->Restart(); }
 TickResult Scene::Tick(const DeviceState& input, bool delivered) noexcept {
   return impl_->Tick(input, delivered);

@@ -25,6 +25,14 @@ struct PagePoint {
   glm::dmat3 moves{1.0};    ///< columns: how it moves as x, y, z of P grow [m/m]
 };
 
+/// A page that is ready to be felt, see Scene::MakeReady.
+struct ReadyPage {
+  std::size_t label = 0;  ///< of the model's, that it lies on
+  LabelOnSolid laid;
+  Box text_P{};      ///< what its text covers [m]
+  int substeps = 1;  ///< of a tick that touches its geom
+};
+
 /// A MuJoCo model that carries Moon: owns model and data, but where they are lent; knows the geoms
 /// with labels, the proxy and the handle. One of the labels is the page P; the tip feels all of
 /// them. One thread at a time; two scenes share nothing.
@@ -60,12 +68,14 @@ class Scene {
   /// the tick. Throws as SetField.
   void SetLabel(const LaidLabel& laid);
 
-  /// What SetField checks, without setting anything: the sub-steps that a tick takes on this field
-  /// (nullptr: flat paper). Any thread, also while another ticks.
-  int CheckField(const TextureField* field) const;
-  /// SetField for the tick: unchecked, without an allocation, lock or exception. `substeps` is what
-  /// CheckField gave for this field. The next tick starts afresh, see Restart.
-  void SwapField(const TextureField* field, int substeps) noexcept;
+  /// What is to be felt on a label (nullptr: flat paper), which becomes the page P, made ready
+  /// without setting anything; `text_P` as in SceneOptions. Throws as SetField. Any thread, also
+  /// while another ticks, but none that swaps.
+  ReadyPage MakeReady(std::size_t label, const TextureField* field, const Box& text_P) const;
+  /// SetField for the tick: unchecked, without an allocation, lock or exception. What was felt on
+  /// the page until now stays there, if another label is the page from now on. The next tick starts
+  /// afresh, see Restart.
+  void Swap(const ReadyPage& page) noexcept;
   /// The next tick starts afresh, as the first did: the proxy at the tip, no spring stretched. For
   /// a tip that was not moved by a hand: another device, another place of the page.
   void Restart() noexcept;

@@ -51,8 +51,8 @@ struct Scene::Impl {
 
   void SetOptions(const SceneOptions& new_options);
   void SetField(const TextureField* new_field);
-  int CheckField(const TextureField* new_field) const;
-  void SwapField(const TextureField* new_field, int new_substeps) noexcept;
+  ReadyPage MakeReady(std::size_t label, const TextureField* field, const Box& text_P) const;
+  void Swap(const ReadyPage& page) noexcept;
   void Restart() noexcept;
   void Reset(glm::dvec3 tip_P);
   TickResult Tick(const DeviceState& input, bool delivered) noexcept;
@@ -111,7 +111,7 @@ struct Scene::Impl {
  private:
   std::string name_;  ///< of the model, in messages
   void FindObjects();
-  void FindPage();
+  void FindPage() noexcept;
   Pose PoseOfLabel(const Pose& X_WG, glm::dvec3 p_W) const noexcept;
   glm::dvec3 ToRoundPage(glm::dvec3 p_W) const noexcept;
   void TakeSteps();

@@ -40,6 +40,7 @@ struct TickResult {
   glm::dvec3 page_force_P{0, 0,
                           0};  ///< the page's on the proxy (tip when direct), friction included [N]
   double depth = 0;  ///< of the proxy (tip) in the page [m], > 0 in contact; 0 while through
+  int geom = -1;     ///< that is touched, MuJoCo's number; -1: none
   double energy_out =
       0;               ///< energy created so far by sampling, as the passivity observer sees it [J]
   double stored = 0;   ///< held by coupling, page, friction and the proxy's motion at its start [J]

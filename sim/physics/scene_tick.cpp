@@ -347,12 +347,17 @@ void Scene::Impl::Idle() noexcept {
   }
 }
 
-void Scene::Impl::SwapField(const TextureField* new_field, int new_substeps) noexcept {
-  objects[page_object].labels[page_number].field = new_field;
-  objects[page_object].Settle();
-  objects[page_object].steps = new_substeps;
+void Scene::Impl::Swap(const ReadyPage& page) noexcept {
+  options.label = page.label;
+  options.text_P = page.text_P;
+  const Carrier carrier = CarrierOf(page.label);
+  FeltObject& object = objects[carrier.object];
+  object.labels[carrier.number] = page.laid;
+  object.Settle();
+  object.steps = page.substeps;
+  FindPage();
   substeps = 1;
-  for (const FeltObject& object : objects) substeps = std::max(substeps, object.steps);
+  for (const FeltObject& each : objects) substeps = std::max(substeps, each.steps);
   steps_taken = 0;
   loaded.m->opt.timestep = options.tick / substeps;
   Restart();
@@ -451,6 +456,7 @@ TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
           .force_W = force_W,
           .page_force_P = step.page_P,
           .depth = through ? 0 : step.depth,
+          .geom = !through && step.depth > 0 ? objects[touched].geom : -1,
           .energy_out = memory.observer.energy_out(),
           .stored = stored,
           .through = through};

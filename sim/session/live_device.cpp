@@ -57,14 +57,8 @@ glm::dvec2 LiveDevice::room() const {
 
 DevicePlace LiveDevice::PlaceOn(const Typeset& set, const Pose& X_WP) const {
   DevicePlace place;
-  if (simulated_) return place;
-  if (mouse_) {
-    place.R_WD = X_WP.R;
-    place.origin_W = ToWorld(X_WP, glm::dvec3(0, 0, 0));
-    return place;
-  }
+  if (simulated_ || mouse_) return place;
   place.scale = scale_;
-  if (!limits_.measures.z) place.R_WD = X_WP.R;
   const std::vector<PlacedGlyph>& glyphs = set.pages[0].glyphs;
   const glm::dvec2 begin = glyphs.empty() ? glm::dvec2(0, 0) : glyphs.front().origin_P;
   const bool bounded = std::isfinite(limits_.workspace_D.x) && std::isfinite(limits_.workspace_D.y);
@@ -73,14 +67,14 @@ DevicePlace LiveDevice::PlaceOn(const Typeset& set, const Pose& X_WP) const {
   return place;
 }
 
-HandOnPage LiveDevice::HandOn(const FeltPage& page, const Pose& X_WP) const {
+HandOnPage LiveDevice::HandOn(const FeltPage& page) const {
   const TextSetup& text = *page.text;
   PlanOptions options;
   SetPress(hand_, text.set.style.relief, press_, options);
   options.repeats = true;
   const auto strokes = IntendedStrokes(page.set(), text.script, text.set.style);
   const auto links = LinksOf(page.set(), text.script, text.set.style);
-  const Plan plan = MakePlan(strokes, WalksOf(strokes, page.set(), *links), options, X_WP);
+  const Plan plan = MakePlan(strokes, WalksOf(strokes, page.set(), *links), options, Pose());
   return {MakeSimulatedStylus(hand_, plan.path_W, tick_, seed_), plan.duration};
 }
 

@@ -47,15 +47,17 @@ class LiveDevice {
   double press() const;                    ///< of what has no third axis [N]
   /// How much page it can reach [m]; infinite where nothing bounds it.
   glm::dvec2 room() const;
-  /// Where it stands to a page whose pose is `X_WP`. The page lies in the middle of what it
-  /// reaches; for one that reaches everywhere, its origin is where the text begins. A device
-  /// without a third axis lies in the page's plane.
+  /// Where it stands to a page whose pose is `X_WP`; one that is laid on the page wants the pose
+  /// that P itself has in P. The page lies in the middle of what it reaches; for one that reaches
+  /// everywhere, its origin is where the text begins.
   DevicePlace PlaceOn(const Typeset& set, const Pose& X_WP) const;
 
   /// What was opened, once; nullptr for the simulated hand.
   std::unique_ptr<Device> Take() { return std::move(opened_); }
-  /// The simulated hand on a page whose pose is `X_WP`, from its beginning.
-  HandOnPage HandOn(const FeltPage& page, const Pose& X_WP) const;
+  /// Its frame is laid on the page, see LoopOptions::on_page.
+  bool on_page() const { return simulated_ || mouse_ || !limits_.measures.z; }
+  /// The simulated hand on a page, in its frame P, from its beginning.
+  HandOnPage HandOn(const FeltPage& page) const;
   /// Opens it again after it was lost, see Loop. This must outlive what is given.
   DeviceSource Reopening();
   /// What opening it again had to say, since the last call. Any thread.

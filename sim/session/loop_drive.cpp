@@ -10,6 +10,7 @@
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "sim/console/word_messages.h"
+#include "sim/session/label_walk.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/loop_poll.h"
 #include "sim/session/loop_words.h"
@@ -28,7 +29,7 @@ constexpr int kPoll = 20;  ///< [ms]
 /// A hand that is being led may ask in the meantime.
 bool OnlyTells(LoopWord word) {
   return word == LoopWord::kWhere || word == LoopWord::kHelp || word == LoopWord::kNothing ||
-         word == LoopWord::kRefused;
+         word == LoopWord::kRefused || word == LoopWord::kLabels;
 }
 
 /// Not of what lies under the hand, and never to wait for it.
@@ -47,14 +48,13 @@ class Driver : private LoopListener {
         lines_(options.typed != nullptr ? *options.typed : *own_lines_),
         poll_(session.loop(), session.device()),
         walk_(session, [&session](std::size_t page) { session.TurnTo(page); }),
+        labels_(session),
         spoken_(lines_.at_terminal()) {}
 
   /// False: nobody has said a word, or could.
   bool Run() {
-    if (options_.view != nullptr) {
-      options_.view->ShowModel(session_.view_model());
-      options_.view->SetPanel(LoopPanel());
-    }
+    if (options_.view != nullptr) options_.view->SetPanel(LoopPanel());
+    ShowModel();
     if (options_.companion != nullptr) SayAll(options_.companion->Begin(walk_));
     const auto begin = std::chrono::steady_clock::now();
     while (!quit_) {
@@ -160,11 +160,31 @@ class Driver : private LoopListener {
       LeadTo(*arrival);
       if (options_.companion != nullptr) options_.companion->Arrived(arrival->source);
     }
+    if (const auto arrival = labels_.Arrived(poll_.newest())) {
+      Say(arrival->sentence);
+      way_ = arrival;
+    }
+    if (way_ && labels_.IsFree(poll_.newest())) {
+      way_->tip_P = poll_.newest().tip_P;
+      LeadTo(*std::exchange(way_, std::nullopt));
+    }
+    if (const std::string touched = labels_.TouchedAnew(poll_.newest()); !touched.empty()) {
+      console_.Happening(touched);
+      if (options_.view != nullptr) options_.view->ShowLine(touched);
+    }
     if (pending_ && poll_.newest().page == session_.felt().number) {
       Obey(*std::exchange(pending_, std::nullopt));
     }
     if (led_ && (poll_.newest().guidance_done || Clock::now() > led_until_)) LetGo();
+    ShowModel();
     if (options_.view != nullptr) options_.view->Look(session_.felt(), poll_);
+  }
+
+  /// Once, and again where another label is the page.
+  void ShowModel() {
+    if (options_.view == nullptr || shown_ == session_.view_model()) return;
+    shown_ = session_.view_model();
+    options_.view->ShowModel(shown_);
   }
 
   void Happened(const LoopEvent& event, const std::string& sentence) override {
@@ -235,6 +255,19 @@ class Driver : private LoopListener {
     return Where(session_.felt(), session_.device().pushes(), poll_.newest());
   }
 
+  /// A label by its name or text goes before a place in the text, a piece of one behind it.
+  std::string Lead(const PlaceCommand& command) {
+    if (command.word == PlaceWord::kFind) {
+      if (auto label = labels_.Find(command.text, false)) return *label;
+      const std::string refusal = walk_.Go(command, poll_.newest());
+      const auto label = refusal.empty() ? std::nullopt : labels_.Find(command.text, true);
+      return label.value_or(refusal);
+    }
+    const std::string refusal = walk_.Go(command, poll_.newest());
+    const bool back = command.word == PlaceWord::kReturn && !refusal.empty();
+    return back ? labels_.Return().value_or(refusal) : refusal;
+  }
+
   /// A hand that can be pushed is led there, until it has come or does not follow.
   void LeadTo(const PlaceWalk::Arrival& arrival) {
     if (!session_.device().felt() || poll_.newest().stopped) return;
@@ -253,6 +286,7 @@ class Driver : private LoopListener {
   void LetGo() {
     if (led_) session_.loop().Guide(nullptr);
     led_ = false;
+    way_.reset();
   }
 
   void Turn(bool forward) {
@@ -347,13 +381,18 @@ class Driver : private LoopListener {
       case LoopWord::kBack:
         return Turn(false);
       case LoopWord::kWhere:
+        Say(labels_.Touched(poll_.newest()));
         return Say(WhereNow());
       case LoopWord::kMark:
         return Say(WayToMark(session_, mark_, poll_.newest()));
       case LoopWord::kPage:
         return Change(said.page);
       case LoopWord::kPlace:
-        return Say(walk_.Go(said.place, poll_.newest()));
+        return Say(Lead(said.place));
+      case LoopWord::kLabels:
+        return SayAll(labels_.List());
+      case LoopWord::kNextLabel:
+        return Say(labels_.Next());
       case LoopWord::kQuit:
         quit_ = true;
         return;
@@ -374,6 +413,9 @@ class Driver : private LoopListener {
   LineReader& lines_;
   LoopPoll poll_;
   PlaceWalk walk_;
+  LabelWalk labels_;
+  std::optional<PlaceWalk::Arrival> way_;  ///< to a label, that the hand is to be led
+  std::shared_ptr<const ViewModel> shown_;
   bool led_ = false;
   Clock::time_point led_until_;
   Proposal proposal_;

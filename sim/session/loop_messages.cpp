@@ -191,6 +191,8 @@ std::string Event(const LoopEvent& event, bool felt) {
                   : "Through the paper. Lift the tip, then press less.";
     case LoopEventKind::kPageBack:
       return "The page lies in the middle of the reach again.";
+    case LoopEventKind::kModelMoved:
+      return "The model was moved, so that you reach that label.";
     case LoopEventKind::kSay:
     case LoopEventKind::kPageChanged:
       break;  // said with what they concern

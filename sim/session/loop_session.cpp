@@ -50,7 +50,7 @@ LoopSession::LoopSession(const SessionRequest& request, Console& console)
   for (const std::string& remark : scene.remarks()) console.Remark(remark);
   std::unique_ptr<Device> device = device_.Take();
   if (device_.simulated()) {
-    HandOnPage hand = device_.HandOn(felt_, X_WP_);
+    HandOnPage hand = device_.HandOn(felt_);
     device = std::move(hand.device);
     round_ = hand.round;
   }
@@ -58,8 +58,10 @@ LoopSession::LoopSession(const SessionRequest& request, Console& console)
   options.rate = rate_;
   options.press = device_.press();
   options.hold_to_feel = request.live.hold_to_feel;
+  options.on_page = device_.on_page();
+  const Pose X_WP = options.on_page ? Pose() : scene.X_WP();
   loop_ = std::make_unique<Loop>(std::move(scene), felt_.field, std::move(device),
-                                 device_.Reopening(), device_.PlaceOn(text().set, X_WP_), options);
+                                 device_.Reopening(), device_.PlaceOn(text().set, X_WP), options);
 }
 
 /// The first page, and the scene that it lies in, as the device holds it.
@@ -72,6 +74,7 @@ Scene LoopSession::SetFirst(bool blank) {
     scene.emplace(Scene::Load(model, asked));
     request_.model_page = ModelPageOf(*scene);
   }
+  given_ = request_;
   const std::shared_ptr<const TextSetup> text = SetUp(request_);
   if (!scene) scene.emplace(Scene::Load(model, asked));
   const SceneOptions held = HeldBy(device_.limits(), OnLabel(*text, 0, asked), scene->proxy_mass());
@@ -81,8 +84,6 @@ Scene LoopSession::SetFirst(bool blank) {
   others_ = text->others;
   for (const LaidLabel& other : others_) scene->SetLabel(other);
   if (!scene->page_is_flat()) {
-    // a simulated hand and a mouse move in the page's plane
-    if (device_.simulated() || !device_.limits().measures.z) throw InputError(say::RoundNeedsArm());
     const Box& text_P = scene->options().text_P;
     scene->Reset({0.5 * (text_P.min + text_P.max), 0.02});
   }
@@ -90,7 +91,6 @@ Scene LoopSession::SetFirst(bool blank) {
   const std::optional<PaperTexture>& paper = text->set.style.texture.paper;
   if (paper) form_.paper = paper->kind;
   tilt_ = asked.tilt;
-  X_WP_ = scene->X_WP();
   coupling_stiffness_ = held.coupling_stiffness;
   force_bound_ = scene->force_bound({.pushes_height = device_.limits().pushes.z});
   carried_press_ = scene->carried_press();
@@ -109,9 +109,16 @@ void LoopSession::LetFeel(const FeltPage& page, const std::optional<PageAnchor>&
   PageChange change;
   change.field = page.field;
   change.page = page.number;
+  if (page.text->label) {
+    change.text_P = OnLabel(*page.text, page.index, {}).text_P;
+    if (page.text->label != text().label) {
+      change.label = page.text->label;
+      change.place_P = device_.PlaceOn(page.text->set, Pose());
+    }
+  }
   HandOnPage hand;
   if (device_.simulated()) {
-    hand = device_.HandOn(page, X_WP_);  // its arm is tilted with the page, its path stays
+    hand = device_.HandOn(page);
     change.device = std::move(hand.device);
   } else if (!device_.mouse()) {
     // a window's page stays where it is seen, and its mouse lies in the page's plane
@@ -207,6 +214,60 @@ void LoopSession::LayAgain(Laid laid, glm::dvec2 at_P) {
   Show(std::move(laid.page), PageAnchor{{0, 0}, at_P, 0});
   request_ = std::move(laid.request);
   form_ = laid.form;
+}
+
+std::vector<LoopSession::LabelOf> LoopSession::labels() const {
+  std::vector<LabelOf> found;
+  if (!request_.model_page) return found;
+  const std::vector<Label>& all = request_.model_page->labels;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto left = left_.find(i);
+    std::string words = all[i].text;
+    if (left != left_.end()) words = left->second.page.text->text;
+    if (i == label()) words = text().text;
+    if (words.empty()) continue;
+    std::string face = all[i].face ? std::string(NameOf(*all[i].face)) : std::string();
+    found.push_back(
+        {i, NameOf(all[i]), all[i].geom, all[i].carrier, std::move(face), std::move(words)});
+  }
+  return found;
+}
+
+/// A label's own text, set as it asks for.
+LoopSession::Laid LoopSession::Lay(std::size_t label) {
+  Laid laid{given_, {}, {}};
+  TextRequest& request = laid.request;
+  request.text = {};
+  request.default_text.clear();
+  request.form.reset();
+  request.feel.scene.label = request.model_page->number = label;
+  request.model_page->moves = false;  // said of the first one
+  const std::shared_ptr<const TextSetup> set = SetUp(request);
+  laid.page = FeltPageOf(set, 0, felt_.blank, 0);
+  const std::optional<PaperTexture>& paper = set->set.style.texture.paper;
+  if (paper) laid.form.paper = paper->kind;
+  return laid;
+}
+
+void LoopSession::GoToLabel(std::size_t number) {
+  const std::size_t before = label();
+  if (number == before || !request_.model_page) return;
+  const auto left = left_.find(number);
+  Laid next = left != left_.end() ? left->second : Lay(number);
+  next.page.number = static_cast<std::uint32_t>(FirstFree() + next.page.index);
+  // what was felt on the page until now stays there
+  const LaidLabel stays{before, felt_.field, OnLabel(text(), felt_.index, {}).text_P};
+  left_[before] = Lies();
+  others_.push_back(stays);
+  const Box text_P = OnLabel(*next.page.text, next.page.index, {}).text_P;
+  Show(next.page, StartOf(next.page));
+  std::erase_if(others_, [&](const LaidLabel& other) {
+    return other.label == number || (other.label == before && other.field != stays.field);
+  });
+  const Label& label = next.request.model_page->label();
+  view_model_ = WithPage(*view_model_, stays, label, {number, felt_.field, text_P}, text().text);
+  request_ = std::move(next.request);
+  form_ = next.form;
 }
 
 void LoopSession::GoOn() {

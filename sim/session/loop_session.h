@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/console/console.h"
@@ -71,6 +73,22 @@ class LoopSession {
   Laid Lies() const { return {request_, felt_, form_}; }
   /// The point `at_P` [m] of its page comes to lie under the tip.
   void LayAgain(Laid laid, glm::dvec2 at_P);
+  /// The labels of the model that was named which bring a text, and that of the page, in the
+  /// model's order; none: no model was named, or nothing else than the page.
+  struct LabelOf {
+    std::size_t number = 0;  ///< in the model, from 0
+    std::string name;        ///< as NameOf (label.h) has it
+    std::string geom;        ///< that carries it, as the model names it
+    int carrier = -1;        ///< MuJoCo's number of what is felt there
+    std::string face;        ///< of its geom; empty: it names none
+    std::string text;
+  };
+  std::vector<LabelOf> labels() const;
+  /// That is the page; 0 without a model.
+  std::size_t label() const { return text().label.value_or(0); }
+  /// Another label is the page from now on, as it was left if it has been the page before. Throws
+  /// InputError, and leaves all as it was.
+  void GoToLabel(std::size_t number);
   /// Force again after a stop. A simulated hand has run on meanwhile, and begins the page anew.
   void GoOn();
   /// The page raised at its far edge [rad], see PageChange::tilt; a simulated hand begins it anew,
@@ -90,17 +108,19 @@ class LoopSession {
   void Show(FeltPage page, const std::optional<PageAnchor>& anchor);
   void LetFeel(const FeltPage& page, const std::optional<PageAnchor>& anchor,
                std::optional<double> tilt);
+  Laid Lay(std::size_t label);
 
   Console& console_;
   double rate_ = 1000;  ///< [Hz]
   bool centred_ = false, input_taken_ = false;
-  TextRequest request_;
+  TextRequest given_, request_;  ///< at first, and now
   LiveDevice device_;
   FeltPage felt_;
   PageForm form_;
   double tilt_ = 0;  ///< [rad]
   Pose X_WP_;
-  std::vector<LaidLabel> others_;  ///< of the model, felt beside the page
+  std::vector<LaidLabel> others_;     ///< of the model, felt beside the page
+  std::map<std::size_t, Laid> left_;  ///< labels that were the page, as they were left
   std::shared_ptr<const ViewModel> view_model_;
   double force_bound_ = 0, carried_press_ = 0, coupling_stiffness_ = 0;
   double round_ = 0;

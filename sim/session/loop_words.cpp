@@ -18,12 +18,13 @@ struct Entry {
 
 /// Those that change the page are PageWords.
 constexpr std::array kWords = {
-    Entry{LoopWord::kStop, "stop"},       Entry{LoopWord::kNext, "next"},
-    Entry{LoopWord::kWhere, "where"},     Entry{LoopWord::kBigger, "bigger"},
-    Entry{LoopWord::kSmaller, "smaller"}, Entry{LoopWord::kGo, "go"},
-    Entry{LoopWord::kPause, "pause"},     Entry{LoopWord::kQuit, "quit"},
-    Entry{LoopWord::kHelp, "help"},       Entry{LoopWord::kBack, "back"},
-    Entry{LoopWord::kMark, "mark"}};
+    Entry{LoopWord::kStop, "stop"},           Entry{LoopWord::kNext, "next"},
+    Entry{LoopWord::kWhere, "where"},         Entry{LoopWord::kBigger, "bigger"},
+    Entry{LoopWord::kSmaller, "smaller"},     Entry{LoopWord::kGo, "go"},
+    Entry{LoopWord::kPause, "pause"},         Entry{LoopWord::kQuit, "quit"},
+    Entry{LoopWord::kHelp, "help"},           Entry{LoopWord::kBack, "back"},
+    Entry{LoopWord::kMark, "mark"},           Entry{LoopWord::kLabels, "labels"},
+    Entry{LoopWord::kNextLabel, "next label"}};
 
 LoopLine Refused(std::string refusal, std::string meant = {}) {
   LoopLine line{LoopWord::kRefused};

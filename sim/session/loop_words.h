@@ -23,6 +23,8 @@ enum class LoopWord : std::uint8_t {
   kHelp,  ///< text: the word that is asked about; empty: all
   kBack,
   kMark,
+  kLabels,
+  kNextLabel,
   kPage,     ///< one of PageWords
   kPlace,    ///< one of PlaceWords
   kNothing,  ///< an empty line

@@ -68,4 +68,41 @@ std::string NoSuchPage(std::string_view number, std::size_t pages) {
 }
 std::string NoPlaceHere() { return "The page is empty: nothing to go to."; }
 
+namespace {
+
+/// "plate, LIFT"; a text that its label is called by, once.
+std::string Named(std::string_view name, std::string_view text) {
+  std::string shown = OneLine(name, 24);
+  if (text.empty() || LowerCase(name) == LowerCase(text)) return shown;
+  return fmt::format("{}, {}", shown, OneLine(text, 24));
+}
+
+}  // namespace
+
+std::string NoLabels() { return "No labels here: they are of a model, loop --model FILE."; }
+std::string OneLabel() { return "This model has one label only."; }
+std::string LabelsAre(std::size_t count) {
+  return count == 1 ? "1 label."
+                    : fmt::format("{} labels. Say next label, or find and a name.", count);
+}
+std::string LabelIs(std::string_view name, std::string_view text, std::string_view face,
+                    bool here) {
+  std::string said = Named(name, text);
+  if (!face.empty()) said += fmt::format(", {}", face);
+  return said + (here ? ": you are here." : ".");
+}
+std::string LabelStays(std::string_view why) {
+  return fmt::format("The label stays as it is: {}.", OneLine(why, 200));
+}
+std::string WayToLabel(std::string_view label, glm::dvec3 way_P) {
+  while (label.ends_with('.')) label.remove_suffix(1);
+  const std::string along = Way(glm::dvec2(way_P));
+  if (!(way_P.z > 0)) return fmt::format("{}: {}.", label, along);
+  return fmt::format("{}: first {} mm out from its face, then {}.", label,
+                     Short(kMillimetres * way_P.z, 1), along);
+}
+std::string Touched(std::string_view geom, std::string_view text) {
+  return fmt::format("Touched: {}.", Named(geom, text));
+}
+
 }  // namespace moontrace::say

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,5 +35,18 @@ std::string NoLinkBehind();
 std::string NoSuchPage(std::string_view number, std::size_t pages);
 /// An empty page.
 std::string NoPlaceHere();
+
+// Labels of a model.
+std::string NoLabels();
+std::string OneLabel();
+std::string LabelsAre(std::size_t count);
+/// "up, UP, top: you are here." `face` may be empty.
+std::string LabelIs(std::string_view name, std::string_view text, std::string_view face, bool here);
+std::string LabelStays(std::string_view why);
+/// "up: first 16 mm out from its face, then 30 mm right, 4 mm up." `label`: as LabelIs; `way_P`
+/// [m].
+std::string WayToLabel(std::string_view label, glm::dvec3 way_P);
+/// `text` may be empty.
+std::string Touched(std::string_view geom, std::string_view text);
 
 }  // namespace moontrace::say

@@ -48,11 +48,6 @@ std::string OnlyInView(std::string_view option) {
   return fmt::format("{} goes with --picture alone: leave out the other", option);
 }
 
-std::string RoundIsTraced() {
-  return "The label lies on a round geom: the simulated stylus traces it, as a mouse moves in a "
-         "plane.";
-}
-
 std::string FramesIn() { return "Pictures in"; }
 
 std::string FramesNotWhole() { return "pictures are missing: their writing ended before its time"; }

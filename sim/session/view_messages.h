@@ -24,8 +24,6 @@ std::string ViewWordsHelp();
 std::string ViewColoursHelp();
 std::string PictureIsSimulated();
 std::string OnlyInView(std::string_view option);
-/// Why the simulated stylus traces what was to be felt.
-std::string RoundIsTraced();
 /// The folder's path follows on a line of its own.
 std::string FramesIn();
 std::string FramesNotWhole();

@@ -63,11 +63,6 @@ std::string LengthsErr(std::string_view label, double error) {
                      Short(100 * error, 1));
 }
 
-std::string RoundNeedsArm() {
-  return "a label on a round geom is felt here with a device of three axes only: take one, or "
-         "trace";
-}
-
 std::string OfLabel(std::string_view label, std::string_view text) {
   return fmt::format("Label {}: {}", OneLine(label), OneLine(text));
 }

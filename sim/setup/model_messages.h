@@ -26,7 +26,6 @@ std::string LabelHasNoRoom(std::string_view model, std::string_view label, doubl
 std::string LabelsLieTogether(std::string_view model, std::string_view a, std::string_view b);
 /// `error`: a share.
 std::string LengthsErr(std::string_view label, double error);
-std::string RoundNeedsArm();
 /// Before what is said of one of several labels.
 std::string OfLabel(std::string_view label, std::string_view text);
 /// An error in what a label asks for.

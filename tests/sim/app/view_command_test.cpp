@@ -262,11 +262,12 @@ TEST_F(ViewCommand, AnUnknownThingToLookAtIsOneLine) {
   EXPECT_EQ(page.err, "--camera needs --model beside it\n");
 }
 
-TEST_F(ViewCommand, ARoundLabelIsTracedInTheView) {
+TEST_F(ViewCommand, ARoundLabelIsFeltInTheView) {
   const Outcome outcome = RunLine({"view", "--model", SourcePath("models/mug.xml"), "--frames",
                                    In("f"), "--width-px", "320", "--seconds", "0.2"});
   if (!CanDraw(outcome)) return;
-  EXPECT_NE(outcome.err.find("the simulated stylus traces it"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Running: simulated stylus."), std::string::npos) << outcome.out;
   EXPECT_TRUE(fs::exists(In("f/frame-00005.png")));
 }
 

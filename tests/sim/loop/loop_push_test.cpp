@@ -120,7 +120,7 @@ TEST_F(LoopPushTest, EndsWhenThePageChangesUntilTheNextPlan) {
   Post(&plan_);
   Run(kSettled);
   PostedPage page;
-  page.field = &field_;
+  page.ready = tick_->scene().MakeReady(0, &field_, {});
   page.page = 3;
   mail_.wanted_page = &page;
   Run(kSettled);
@@ -168,7 +168,7 @@ TEST_F(LoopPushTest, ATiltedPageTurnsUnderATipThatKeepsItsHeight) {
   Begin(HoldAt(kPressed));
   Run(kSettled);
   PostedPage page;
-  page.field = &field_;
+  page.ready = tick_->scene().MakeReady(0, &field_, {});
   page.tilt = tilt;
   page.anchor = PageAnchor{{0.1, 0.1}, {0.1, 0.1}, 1};
   mail_.wanted_page = &page;
@@ -195,7 +195,7 @@ TEST_F(LoopPushTest, APageThatWasTiltedUnderTheTipGoesBackOnlyWhereItIsNotFelt) 
   });
   Run(100);
   PostedPage page;
-  page.field = &field_;
+  page.ready = tick_->scene().MakeReady(0, &field_, {});
   page.tilt = 0.3;
   mail_.wanted_page = &page;
   Run(1300);

@@ -223,8 +223,7 @@ TEST_F(LoopTickTest, APageChangeKeepsThePointUnderTheTip) {
   Run(kSettled);
   const TextureField next = GrooveAlongY();
   PostedPage posted;
-  posted.field = &next;
-  posted.substeps = tick_->scene().CheckField(&next);
+  posted.ready = tick_->scene().MakeReady(0, &next, {});
   posted.page = 7;
   posted.anchor = PageAnchor{{0.1, 0.1}, {0.05, 0.02}, 2};
   mail_.wanted_page = &posted;
@@ -258,7 +257,7 @@ TEST_F(LoopTickTest, AShiftedPageGoesBackWhileTheTipIsInTheAir) {
   });
   Run(100);
   PostedPage posted;
-  posted.field = &field_;
+  posted.ready = tick_->scene().MakeReady(0, &field_, {});
   posted.anchor = PageAnchor{{0.1, 0.1}, {0.05, 0.02}, 1};
   mail_.wanted_page = &posted;
   Run(400);
@@ -281,8 +280,7 @@ TEST_F(LoopTickTest, AStickFindsItsPageBackOncePlainPaperIsUnderTheTip) {
       stick);
   Run(100);
   PostedPage posted;
-  posted.field = &groove;
-  posted.substeps = tick_->scene().CheckField(&groove);
+  posted.ready = tick_->scene().MakeReady(0, &groove, {});
   posted.anchor = PageAnchor{{0.1, 0.1}, {0, 0.02}, 1};  // the groove's middle is under the tip
   mail_.wanted_page = &posted;
   Run(1900);
@@ -299,7 +297,7 @@ TEST_F(LoopTickTest, APageMayBringItsOwnDevice) {
   Run(kSettled);
   DeviceLog log;
   PostedPage posted;
-  posted.field = &field_;
+  posted.ready = tick_->scene().MakeReady(0, &field_, {});
   posted.device = std::make_unique<ScriptedDevice>(log, HoldAt({0.02, 0.03, -0.001}));
   mail_.wanted_page = &posted;
   Run(kSettled);
@@ -328,8 +326,7 @@ TEST_F(LoopTickTest, AStickFeelsSlopesAsLateralForce) {
   options.press = 0.1;
   Begin(HoldAt({0.0036, 0.1, 0}), stick, options);
   PostedPage posted;
-  posted.field = &wide;
-  posted.substeps = tick_->scene().CheckField(&wide);
+  posted.ready = tick_->scene().MakeReady(0, &wide, {});
   mail_.wanted_page = &posted;
   Run(4000);
   // The press along z balances the page's, whose lateral part is press times slope; the proxy gives
