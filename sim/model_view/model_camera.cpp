@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "sim/model_view/visibility.h"
 #include "sim/physics/felt_object.h"
 
 namespace moontrace {
@@ -65,6 +66,12 @@ bool BelongsTo(const mjModel& m, int body, int other) {
   return body == other;
 }
 
+/// Of a free camera.
+glm::dvec3 ForwardOf(const mjvCamera& camera) {
+  const double a = camera.azimuth / kDegrees, e = camera.elevation / kDegrees;
+  return {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
+}
+
 /// At the middle of these points, so far that all are seen.
 void StandBack(mjvCamera& camera, const std::vector<glm::dvec3>& points_W, const mjModel& m,
                double aspect) {
@@ -76,8 +83,8 @@ void StandBack(mjvCamera& camera, const std::vector<glm::dvec3>& points_W, const
   }
   const glm::dvec3 middle_W = 0.5 * (low + high);
   LookAt(camera, middle_W);
-  const double a = camera.azimuth / kDegrees, e = camera.elevation / kDegrees;
-  const glm::dvec3 forward(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
+  const double a = camera.azimuth / kDegrees;
+  const glm::dvec3 forward = ForwardOf(camera);
   const glm::dvec3 right(std::sin(a), -std::cos(a), 0), up = glm::cross(right, forward);
   const double tangent =
       kFilled * std::tan(0.5 * static_cast<double>(m.vis.global.fovy) / kDegrees);
@@ -100,6 +107,33 @@ void Face(mjvCamera& camera, glm::dvec3 normal_W, glm::dvec3 up_W) {
   const glm::dvec3 along = upright ? -normal_W : (normal_W.z > 0 ? up_W : -up_W);
   camera.azimuth = std::atan2(along.y, along.x) * kDegrees + (upright ? kAside : 0);
   camera.elevation = std::clamp(slope - (slope > -kSteepest ? kAbove : 0), -kSteepest, kSteepest);
+}
+
+/// To where more of the label is seen, if something else stands before it.
+void GoAround(const ViewModel& model, const mjData& d, const ViewModel::Label& label,
+              const std::vector<glm::dvec3>& points_W, mjvCamera& camera, double aspect) {
+  constexpr double kHidden = 0.3, kLittle = 0.1, kBetter = 0.1;  // of the label
+  constexpr double kAside[] = {0, -25, 25, -50, 50, -75, 75};    // [degrees]
+  constexpr double kAbove[] = {0, -20, -40, 20, 40};
+  const auto shares_by = [&](const mjvCamera& from) {
+    return SharesSeen(model, d, label, LookedAt(from) - from.distance * ForwardOf(from));
+  };
+  const mjvCamera first = camera;
+  SeenShares best = shares_by(first);
+  if (best.hidden <= kHidden) return;
+  for (const double above : kAbove) {
+    for (const double aside : kAside) {
+      mjvCamera other = first;
+      other.azimuth += aside;
+      other.elevation = std::clamp(other.elevation + above, -80.0, 80.0);
+      StandBack(other, points_W, *model.m, aspect);
+      const SeenShares shares = shares_by(other);
+      if (shares.seen < best.seen + kBetter) continue;
+      best = shares;
+      camera = other;
+      if (best.hidden <= kLittle) return;
+    }
+  }
 }
 
 void FaceLabel(const ViewModel& model, const mjData& d, const ViewModel::Label& label,
@@ -127,6 +161,7 @@ void FaceLabel(const ViewModel& model, const mjData& d, const ViewModel::Label& 
     }
   }
   StandBack(camera, points_W, m, aspect);
+  GoAround(model, d, label, points_W, camera, aspect);
 }
 
 }  // namespace

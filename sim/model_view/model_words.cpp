@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "sim/model_view/visibility.h"
 #include "sim/physics/felt_object.h"
 #include "textures/base/text_file.h"
 
@@ -14,8 +15,6 @@ namespace moontrace {
 
 namespace {
 
-constexpr int kAcross = 12, kUp = 4;     // points of a label that are looked for
-constexpr double kSlant = 0.12;          // what is turned farther away is not read
 constexpr std::size_t kMostOthers = 12;  // geoms that are told by name
 
 /// What became of the points of a label.
@@ -25,41 +24,21 @@ struct Looked {
   std::vector<int> hiders;  ///< a geom for each point that is hidden
 };
 
-/// The geom that stands before a point of a label; -1: none. Stylus and proxy hide little.
-int HiddenBy(const ViewModel& model, const mjData& d, const ViewModel::Label& label,
-             glm::dvec3 eye_W, glm::dvec3 p_W) {
-  constexpr double kNear = 0.03;  // of the way: round geoms are drawn with flat facets
-  const glm::dvec3 way = p_W - eye_W;
-  const double from[3] = {eye_W.x, eye_W.y, eye_W.z}, along[3] = {way.x, way.y, way.z};
-  const RayHit hit = FirstOnRay(*model.m, d, from, along);
-  if (hit.geom < 0 || hit.geom == label.geom || hit.distance > 1 - kNear) return -1;
-  const int body = model.m->geom_bodyid[hit.geom];
-  return body == model.proxy_body || body == model.handle_body ? -1 : hit.geom;
-}
-
 Looked LookFor(const ViewModel& model, const mjData& d, const Sight& sight,
                const ViewModel::Label& label) {
   Looked looked;
-  const Pose X_WG = PoseOfGeom(d, label.geom);
-  for (int i = 0; i < kAcross; ++i) {
-    for (int k = 0; k < kUp; ++k) {
-      const glm::dvec2 share((i + 0.5) / kAcross, (k + 0.5) / kUp);
-      const glm::dvec2 p_P = label.text_P.min + share * (label.text_P.max - label.text_P.min);
-      const glm::dvec3 p_O = label.chart.ToObject({p_P, 0});
-      const glm::dvec3 p_W = ToWorld(X_WG, p_O);
-      ++looked.all;
-      const glm::dvec3 normal_W = TurnToWorld(X_WG, label.chart.Above(p_O).normal_O);
-      const auto at = sight.ShareOf(p_W);
-      if (glm::dot(normal_W, sight.ToEye(p_W)) < kSlant) {
-        ++looked.away;
-      } else if (!at || at->x < 0 || at->y < 0 || at->x > 1 || at->y > 1) {
-        ++looked.beside;
-      } else if (const int hider = HiddenBy(model, d, label, sight.eye_W, p_W); hider >= 0) {
-        looked.hiders.push_back(hider);
-      } else {
-        ++looked.seen;
-        looked.sum += *at;
-      }
+  for (const LabelPoint& point : PointsOf(label, d)) {
+    ++looked.all;
+    const auto at = sight.ShareOf(point.p_W);
+    if (point.IsTurnedFrom(sight.eye_W)) {
+      ++looked.away;
+    } else if (!at || at->x < 0 || at->y < 0 || at->x > 1 || at->y > 1) {
+      ++looked.beside;
+    } else if (const int hider = HiddenBy(model, d, label, sight.eye_W, point.p_W); hider >= 0) {
+      looked.hiders.push_back(hider);
+    } else {
+      ++looked.seen;
+      looked.sum += *at;
     }
   }
   return looked;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/model_view/model_words.h"
+#include "sim/model_view/visibility.h"
 #include "sim/physics/felt_object.h"
 
 namespace moontrace {
@@ -191,6 +192,7 @@ void ModelPart::Draw(const ViewPage* page, const ViewHistory& history, const Vie
       const glm::dvec3 above_W = OnLabel({print.at_P, 1e-3}) - p_W;
       constexpr double kSlant = 0.3;  // of what is turned farther away nothing is read
       if (glm::dot(glm::normalize(above_W), sight.ToEye(p_W)) < kSlant) continue;
+      if (HiddenBy(*model_, scene_.data(), PageOf(*model_), sight.eye_W, p_W) >= 0) continue;
       const auto share = sight.ShareOf(p_W);
       if (share) print_.push_back({*share, std::move(print.text), print.big});
     }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sim/model_view/visibility.h"
 #include "sim/physics/felt_object.h"
 #include "tests/sim/model_view_fixture.h"
 
@@ -60,6 +61,20 @@ TEST_F(ModelCameraTest, ALabelIsSeenFromTheSideThatItIsReadFrom) {
     EXPECT_LT(begin->x, end->x) << label.name;
     EXPECT_LT(begin->y, end->y) << label.name;
   }
+}
+
+// A wall of 12 by 12 cm stands 6 cm before the can: straight on it hides the label.
+TEST_F(ModelCameraTest, ALabelBehindSomethingIsLookedAtFromBesideIt) {
+  const ViewModel::Label& can = labelled_.model->labels.front();
+  const auto shares = [&] {
+    return SharesSeen(*labelled_.model, *d_, can, Through(On("can")).eye_W);
+  };
+  EXPECT_EQ(shares().hidden, 0);
+  d_->qpos[1] = -0.3;
+  mj_forward(labelled_.model->m.get(), d_.get());
+  EXPECT_GT(SharesSeen(*labelled_.model, *d_, can, {0, -0.5, 0.05}).hidden, 0.5);
+  EXPECT_LT(shares().hidden, 0.1);
+  EXPECT_GT(shares().seen, 0.5);
 }
 
 TEST_F(ModelCameraTest, AGeomFillsThePictureAndAllOfItIsSeen) {
