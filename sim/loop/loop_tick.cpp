@@ -378,6 +378,7 @@ void LoopTick::Publish(const TickResult& felt, const SafetyResult& safe,
   snapshot.guidance_done = push_.done();
   snapshot.depth = felt.depth;
   snapshot.geom = felt.geom;
+  snapshot.gives = scene_.gives(felt.geom);
   snapshot.heat = safe.heat;
   snapshot.safety_counts = safety_.counts();
   mail_.snapshot.Put(snapshot);

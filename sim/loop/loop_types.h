@@ -99,6 +99,7 @@ struct LoopSnapshot {
   bool guidance_done = false;                   ///< it has been followed to its end
   double depth = 0;                             ///< > 0 in contact [m]
   int geom = -1;                                ///< TickResult::geom
+  double gives = 0;                             ///< Scene::gives of it
   glm::dvec3 heat{0, 0, 0};                     ///< SafetyResult::heat
   std::array<std::uint64_t, kSafetyEvents> safety_counts{};
 };

@@ -341,6 +341,19 @@ double Scene::carried_press() const {
   const FeltObject& page = impl_->page();
   return CarriedPressOn(page.solid, page.surface, page.labels);
 }
+double Scene::gives(int geom) const noexcept {
+  const mjModel& m = *impl_->loaded.m;
+  const int body = geom >= 0 ? m.geom_bodyid[geom] : 0;
+  if (m.body_jntnum[body] != 1) return 0;
+  const int joint = m.body_jntadr[body];
+  const bool one_way = m.jnt_type[joint] == mjJNT_SLIDE || m.jnt_type[joint] == mjJNT_HINGE;
+  if (m.jnt_limited[joint] == 0 || !one_way) return 0;
+  const int q = m.jnt_qposadr[joint];
+  const mjtNum* range = m.jnt_range + std::ptrdiff_t{2} * joint;
+  const double rest = m.qpos0[q];
+  const double most = std::max(std::abs(range[0] - rest), std::abs(range[1] - rest));
+  return most > 0 ? std::abs(impl_->d->qpos[q] - rest) / most : 0;
+}
 const mjModel_* Scene::model() const { return impl_->loaded.m.get(); }
 mjData_* Scene::data() { return impl_->d.get(); }
 const mjData_* Scene::data() const { return impl_->d.get(); }

@@ -120,6 +120,10 @@ class Scene {
   std::vector<double> State() const;
   void SetState(const std::vector<double>& state);
 
+  /// How far a geom has given way, as a button does, on the one joint of its body that has limits:
+  /// 0 where it is in the model as it is loaded, 1 at the farther limit; 0 of every other geom.
+  double gives(int geom) const noexcept;
+
   /// Where label `number` lies: MuJoCo's number of its geom, and its chart with what is felt there.
   int geom_of(std::size_t number) const;
   const LabelOnSolid& laid(std::size_t number) const;

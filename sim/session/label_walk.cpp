@@ -120,8 +120,16 @@ std::string LabelWalk::Touched(const LoopSnapshot& now) const {
     if (better) touched = &label;
   }
   if (touched != nullptr) return several ? say::Touched(touched->geom, touched->text) : "";
-  const std::string name = NameOf(*session_.view_model()->m, mjOBJ_GEOM, now.geom);
-  return say::Touched(name.empty() ? "something without a name" : name, "");
+  return say::Touched(NameOfGeom(now.geom), "");
+}
+
+/// As the model's labels name it, or the model.
+std::string LabelWalk::NameOfGeom(int geom) const {
+  for (const LoopSession::LabelOf& label : session_.labels()) {
+    if (label.carrier == geom) return label.geom;
+  }
+  std::string name = NameOf(*session_.view_model()->m, mjOBJ_GEOM, geom);
+  return name.empty() ? "something without a name" : name;
 }
 
 std::string LabelWalk::TouchedAnew(const LoopSnapshot& now) {
@@ -132,6 +140,14 @@ std::string LabelWalk::TouchedAnew(const LoopSnapshot& now) {
   if (geom_ < 0 || geom_ == told_ || now.time - since_ < kTouch) return {};
   told_ = geom_;
   return Touched(now);
+}
+
+std::string LabelWalk::PressedAnew(const LoopSnapshot& now) {
+  constexpr double kPressed = 0.9, kReleased = 0.5;  // of its way
+  if (now.geom < 0 || now.gives < kReleased) pressed_ = false;
+  if (pressed_ || now.gives < kPressed || session_.labels().empty()) return {};
+  pressed_ = true;
+  return say::Pressed(NameOfGeom(now.geom));
 }
 
 }  // namespace moontrace

@@ -38,9 +38,13 @@ class LabelWalk {
   std::string Touched(const LoopSnapshot& now) const;
   /// The same once the tip has come to another one, and stays there.
   std::string TouchedAnew(const LoopSnapshot& now);
+  /// A button, or what gives way like one, has come to its end: that it is pressed, once each time;
+  /// else empty.
+  std::string PressedAnew(const LoopSnapshot& now);
 
  private:
   std::string GoTo(std::size_t number);
+  std::string NameOfGeom(int geom) const;
 
   LoopSession& session_;
   std::vector<std::size_t> before_;  ///< labels, newest last
@@ -48,6 +52,7 @@ class LabelWalk {
   int told_ = -1;                    ///< geom
   int geom_ = -1;                    ///< that is touched ...
   double since_ = 0;                 ///< ... since then [s]
+  bool pressed_ = false;             ///< it has given way to its end, and not come back
 };
 
 }  // namespace moontrace

@@ -95,6 +95,12 @@ class Driver : private LoopListener {
     for (const std::string& line : lines) Say(line);
   }
 
+  void Happens(const std::string& line) {
+    if (line.empty()) return;
+    console_.Happening(line);
+    if (options_.view != nullptr) options_.view->ShowLine(line);
+  }
+
   /// What nobody asked for is left out by --quiet, but not what takes the force away.
   void Report(const LoopEvent& event, const std::string& line) {
     const bool asked = event.kind == LoopEventKind::kBookmark ||
@@ -105,8 +111,7 @@ class Driver : private LoopListener {
       Say(line);
       return Answer();
     }
-    console_.Happening(line);
-    if (options_.view != nullptr) options_.view->ShowLine(line);
+    Happens(line);
   }
 
   /// Nobody can say "quit" any more. Where the text itself was the input, no word was meant to
@@ -168,10 +173,8 @@ class Driver : private LoopListener {
       way_->tip_P = poll_.newest().tip_P;
       LeadTo(*std::exchange(way_, std::nullopt));
     }
-    if (const std::string touched = labels_.TouchedAnew(poll_.newest()); !touched.empty()) {
-      console_.Happening(touched);
-      if (options_.view != nullptr) options_.view->ShowLine(touched);
-    }
+    Happens(labels_.TouchedAnew(poll_.newest()));
+    Happens(labels_.PressedAnew(poll_.newest()));
     if (pending_ && poll_.newest().page == session_.felt().number) {
       Obey(*std::exchange(pending_, std::nullopt));
     }

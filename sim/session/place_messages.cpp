@@ -104,5 +104,8 @@ std::string WayToLabel(std::string_view label, glm::dvec3 way_P) {
 std::string Touched(std::string_view geom, std::string_view text) {
   return fmt::format("Touched: {}.", Named(geom, text));
 }
+std::string Pressed(std::string_view geom) {
+  return fmt::format("Pressed: {}.", OneLine(geom, 24));
+}
 
 }  // namespace moontrace::say

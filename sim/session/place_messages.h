@@ -48,5 +48,6 @@ std::string LabelStays(std::string_view why);
 std::string WayToLabel(std::string_view label, glm::dvec3 way_P);
 /// `text` may be empty.
 std::string Touched(std::string_view geom, std::string_view text);
+std::string Pressed(std::string_view geom);
 
 }  // namespace moontrace::say

@@ -104,6 +104,33 @@ TEST_F(LoopLabels, ADeviceOnTheRoundPageGoesRoundIt) {
   }
 }
 
+// A spring of 200 N/m, 4 mm of way, page and coupling 1000 N/m each: pressed d deep at first, the
+// button yields by y with (d - y) 500 = 200 y.
+TEST_F(LoopLabels, AButtonTellsHowFarItHasGivenWay) {
+  constexpr const char* kButton = R"(
+<mujoco>
+  <option gravity="0 0 0"/>
+  <custom><text name="moontrace:key" data="{text='O', middle_mm=[0,0]}"/></custom>
+  <worldbody>
+    <body>
+      <joint type="slide" axis="0 0 1" limited="true" range="-0.004 0" stiffness="200" damping="4"/>
+      <geom name="key" type="box" size="0.02 0.02 0.01" pos="0 0 -0.01" mass="0.1"/>
+    </body>
+  </worldbody>
+</mujoco>)";
+  for (const double deep : {0.0035, 0.0056}) {  // of the latter all
+    tick_ =
+        std::make_unique<LoopTick>(Scene::FromXml(kButton, "button", {}), field_,
+                                   std::make_unique<ScriptedDevice>(log_, HoldAt({0, 0, -deep})),
+                                   DevicePlace{}, LoopOptions(), mail_);
+    Run(3 * kSettled);
+    const LoopSnapshot now = Newest();
+    EXPECT_EQ(now.geom, mj_name2id(tick_->scene().model(), mjOBJ_GEOM, "key"));
+    EXPECT_NEAR(now.gives, deep * 500 / 700 / 0.004, 0.02) << deep;
+  }
+  EXPECT_EQ(tick_->scene().gives(-1), 0);
+}
+
 // From the flat page to the round one and back, by a device that is laid on them.
 TEST_F(LoopLabels, ADeviceOnThePageIsLaidOnTheNextOne) {
   LoopOptions options;

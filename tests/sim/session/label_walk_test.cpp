@@ -117,6 +117,17 @@ TEST_F(LabelWalkTest, SaysWhatIsTouchedOnceItIsNoAccident) {
   EXPECT_EQ(walk_.Touched(At({0, 0, 0}, -1)), "");
 }
 
+TEST_F(LabelWalkTest, SaysThatAButtonIsPressedOnceEachTime) {
+  LoopSnapshot now = At({0, 0, 0}, GeomOf("up"));
+  std::vector<std::string> said;
+  for (const double gives : {0.3, 0.89, 0.95, 1.0, 0.7, 1.0, 0.4, 0.95}) {
+    now.gives = gives;
+    said.push_back(walk_.PressedAnew(now));
+  }
+  EXPECT_EQ(said,
+            (std::vector<std::string>{"", "", "Pressed: up.", "", "", "", "", "Pressed: up."}));
+}
+
 TEST(LabelWalkPage, HasNothingToSayWithoutAModel) {
   std::istringstream in;
   std::ostringstream out, err;
