@@ -327,23 +327,57 @@ void AnchorFolder(pugi::xml_node root, const char* kind, const std::string& fold
   if (!set) root.append_child("compiler").append_attribute(kind).set_value(folder.c_str());
 }
 
-void Extend(pugi::xml_node key, const char* attribute_name, const std::string& more) {
+/// Whether something in the world can hang on a joint.
+bool HasJoints(const pugi::xml_node& root) {
+  const auto makes_one = [](const pugi::xml_node& node) {
+    for (const char* name : {"joint", "freejoint", "composite", "flexcomp", "attach"}) {
+      if (IsElement(node, name)) return true;
+    }
+    return false;
+  };
+  for (const pugi::xml_node& world : root.children("worldbody")) {
+    if (world.find_node(makes_one)) return true;
+  }
+  return false;
+}
+
+/// A body without a shape that nothing moves. MuJoCo's solvers add up joints in groups of four:
+/// with the proxy's three it makes one, before those of the model, which so are added as ever.
+constexpr const char* kPad = R"(
+<body name="moontrace_pad" pos="0 0 0" quat="1 0 0 0">
+  <inertial pos="0 0 0" mass="0.05" diaginertia="1e-6 1e-6 1e-6"/>
+  <joint name="moontrace_pad" type="slide" axis="1 0 0" pos="0 0 0" limited="false" damping="0"
+         stiffness="0" armature="0" frictionloss="0" ref="0" springref="0"/>
+</body>)";
+
+void Extend(pugi::xml_node key, const char* attribute_name, const std::string& before,
+            const std::string& behind) {
   if (pugi::xml_attribute attribute = key.attribute(attribute_name)) {
-    attribute.set_value((std::string(attribute.value()) + more).c_str());
+    attribute.set_value((before + attribute.value() + behind).c_str());
   }
 }
 
-/// The inserted bodies come last in MuJoCo's order, so keyframes grow at the end.
+/// The inserted bodies come first in MuJoCo's order where the model has joints of its own, so that
+/// keyframes grow at their begin; otherwise last.
 void InsertProxy(pugi::xml_node root, const std::string& proxy_xml) {
-  pugi::xml_document document;
+  pugi::xml_document document, pad;
   const pugi::xml_node proxy = ParseInto(document, proxy_xml, "models/proxy.xml");
-  for (const pugi::xml_node& world : proxy.children("worldbody")) root.append_copy(world);
+  const bool first = HasJoints(root);
+  for (pugi::xml_node world : proxy.children("worldbody")) {
+    if (!first) {
+      root.append_copy(world);
+      continue;
+    }
+    world.append_copy(ParseInto(pad, kPad, "the pad"));
+    root.prepend_copy(world);
+  }
   for (const pugi::xml_node& keyframe : root.children("keyframe")) {
     for (const pugi::xml_node& key : keyframe.children("key")) {
-      Extend(key, "qpos", " 0 0 0");
-      Extend(key, "qvel", " 0 0 0");
-      Extend(key, "mpos", " 0 0 0");
-      Extend(key, "mquat", " 1 0 0 0");
+      for (const char* of_joints : {"qpos", "qvel"}) {
+        first ? Extend(key, of_joints, "0 0 0 0 ", "") : Extend(key, of_joints, "", " 0 0 0");
+      }
+      first ? Extend(key, "mpos", "0 0 0 ", "") : Extend(key, "mpos", "", " 0 0 0");
+      first ? Extend(key, "mquat", "1 0 0 0 ", "") : Extend(key, "mquat", "", " 1 0 0 0");
     }
   }
 }

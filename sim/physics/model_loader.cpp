@@ -311,18 +311,28 @@ ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
     proxy.mass = std::min(proxy.mass, proxy.axis_mass[i]);
   }
   proxy.weight_mass = m.body_subtreemass[b];
+  const int pad = mj_name2id(&m, mjOBJ_JOINT, "moontrace_pad");
+  if (pad >= 0 && IsFreeSlide(m, pad, 0)) {
+    proxy.pad_dof = m.jnt_dofadr[pad];
+    proxy.pad_mass = m.dof_M0[proxy.pad_dof];
+  }
   const int handle = mj_name2id(&m, mjOBJ_BODY, "moontrace_handle");
   if (handle >= 0) proxy.handle_mocap = m.body_mocapid[handle];
   return proxy;
 }
 
 /// MuJoCo's solvers end when a step gains less than their tolerance by a scale, the mean inertia of
-/// all joints times their number. Without the proxy's it is what the model has by itself, so that
-/// its contacts are solved to the same bit.
+/// all joints times their number, and they take sparse matrices for many joints. Without the
+/// proxy's both are what the model has by itself, so that its contacts are solved to the same bit.
 void HideFromSolvers(mjModel& m, const ProxyPlace& proxy) {
+  const int hidden = proxy.pad_dof >= 0 ? 4 : 3;
   const double all = static_cast<double>(m.nv);
-  const double own = proxy.axis_mass.x + proxy.axis_mass.y + proxy.axis_mass.z;
-  if (m.nv > 3) m.stat.meaninertia = (m.stat.meaninertia * all - own) / all;
+  const double own = proxy.axis_mass.x + proxy.axis_mass.y + proxy.axis_mass.z + proxy.pad_mass;
+  if (m.nv > hidden) m.stat.meaninertia = (m.stat.meaninertia * all - own) / all;
+  constexpr int kSparse = 60;  // joints from which MuJoCo takes them
+  if (m.opt.jacobian == mjJAC_AUTO) {
+    m.opt.jacobian = m.nv - hidden >= kSparse ? mjJAC_SPARSE : mjJAC_DENSE;
+  }
 }
 
 /// What is known of a compiled model's labels and proxy; and turns off what hinders them. The

@@ -10,7 +10,8 @@
 
 namespace moontrace {
 
-/// Where MuJoCo keeps the proxy: body on three free slides x, y, z of the world.
+/// Where MuJoCo keeps the proxy: body on three free slides x, y, z of the world. One that was
+/// inserted before joints of the model has a pad, a fourth joint that nothing moves (mjcf.cpp).
 struct ProxyPlace {
   int body = -1;
   int qpos = 0;                   ///< of its three in mjData::qpos
@@ -19,6 +20,8 @@ struct ProxyPlace {
   double mass = 0;                ///< that the slides move, of the lightest axis [kg]
   glm::dvec3 axis_mass{0, 0, 0};  ///< that each slide moves [kg]
   double weight_mass = 0;         ///< that gravity pulls on [kg]
+  int pad_dof = -1;               ///< of the pad in mjData::qvel, -1 if there is none
+  double pad_mass = 0;            ///< [kg]
   int handle_mocap = -1;          ///< mocap number of moontrace_handle, -1 if there is none
 };
 

@@ -107,6 +107,7 @@ Scene::Impl::Impl(LoadedModel loaded_model, DataPtr data, const SceneOptions& sc
       options(scene_options),
       d(std::move(data)),
       caller_qfrc(static_cast<std::size_t>(loaded.m->nv), 0.0),
+      own_qpos(loaded.m->opt.integrator == mjINT_RK4 ? static_cast<std::size_t>(loaded.m->nq) : 0),
       name_(name) {
   mjModel& m = *loaded.m;
   if (std::abs(m.opt.timestep - options.tick) > 1e-12) {
@@ -246,6 +247,7 @@ PagePoint Scene::Impl::PointOn(glm::dvec3 p_P) const noexcept {
 
 void Scene::Impl::Reset(glm::dvec3 tip_P) {
   mj_resetData(loaded.m.get(), d.get());
+  const std::vector<double> begin(d->qpos, d->qpos + loaded.m->nq);
   mj_kinematics(loaded.m.get(), d.get());
   memory = TickMemory();
   touched = page_object;
@@ -258,6 +260,10 @@ void Scene::Impl::Reset(glm::dvec3 tip_P) {
     }
   }
   mj_forward(loaded.m.get(), d.get());
+  // as MuJoCo begins by itself: quaternions as they are in the model, solvers from zero
+  std::copy(begin.begin(), begin.end(), d->qpos);
+  PlaceProxy(memory.tip_W, {0, 0, 0});
+  std::fill_n(d->qacc_warmstart, loaded.m->nv, 0.0);
 }
 
 Scene::Scene(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -102,6 +102,7 @@ struct Scene::Impl {
   int steps_taken = 0;              ///< that the time step of MuJoCo is set for; 0: for none
   std::vector<std::string> remarks;
   std::vector<double> caller_qfrc;    ///< the caller's qfrc_applied while ours is added [nv]
+  std::vector<double> own_qpos;       ///< before a step of RK4 [nq]; of others empty
   std::vector<glm::dvec3> reactions;  ///< force on the tip of each object in this step [N]
   TickMemory memory;
   // more of it, for models that are more than a page
@@ -123,6 +124,7 @@ struct Scene::Impl {
   void Integrate(const StepForces& step) noexcept;
   void PushBack(const StepForces& step) noexcept;
   void KeepMomentum() noexcept;
+  void BeginStep() noexcept;
   void FinishStep() noexcept;
   int StepsNow(glm::dvec3 tip_W) const noexcept;
   bool IsHeld(const StepForces& step) const noexcept;

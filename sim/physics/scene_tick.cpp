@@ -71,6 +71,31 @@ Pose TouchingPose(const LabelChart& chart, const Pose& X_WO, glm::dvec3 p_W) noe
   return {X_WO.R * R, p_W - X_WO.R * (R * glm::dvec3(at.p_P, above.height))};
 }
 
+/// A force on one slide of the proxy, with what it comes to.
+struct Push {
+  double applied = 0;       ///< to be added to what acts there [N]
+  double acceleration = 0;  ///< [m/s^2]
+};
+
+/// `wanted` [N], to within some of its last bits, so that mass times acceleration is the sum of
+/// `acting` [N] and what is applied, and that sum divided by the mass the acceleration, to the bit,
+/// as MuJoCo computes both: then its solvers find nothing left of the proxy, however far they come
+/// down with the rest. Of neighbouring numbers every second or third will do.
+Push SolvedPush(double wanted, double acting, double mass) noexcept {
+  constexpr int kMost = 64;
+  const double inverse = 1 / mass;
+  double up = wanted - acting, down = up;
+  for (int i = 0; i < kMost; ++i) {
+    for (const double applied : {up, down}) {
+      const double sum = acting + applied, acceleration = sum * inverse;
+      if (mass * acceleration == sum) return {applied, acceleration};
+    }
+    up = std::nextafter(up, INFINITY);
+    down = std::nextafter(down, -INFINITY);
+  }
+  return {wanted - acting, wanted * inverse};
+}
+
 }  // namespace
 
 Pose Scene::Impl::PoseOfLabel(const Pose& X_WG, glm::dvec3 p_W) const noexcept {
@@ -108,13 +133,12 @@ void Scene::Impl::PlaceProxy(glm::dvec3 p_W, glm::dvec3 v_W) noexcept {
 /// pull of that same moment, so that what it is given is what the proxy gets. Of a page each value
 /// is written once: clearing the struct first would cost a twentieth of the tick.
 StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
-  const mjModel& m = *loaded.m;
   if (direct()) PlaceProxy(tip_W, v_W);
   if (loaded.proxy.handle_mocap >= 0) {
     mjtNum* handle = d->mocap_pos + std::ptrdiff_t{3} * loaded.proxy.handle_mocap;
     for (int i = 0; i < 3; ++i) handle[i] = tip_W[i];
   }
-  mj_step1(&m, d.get());
+  BeginStep();
 
   const glm::dvec3 point_W = direct() ? tip_W : ProxyPosition();
   const glm::dvec3 velocity_W = ProxyVelocity();
@@ -241,9 +265,16 @@ void Scene::Impl::Integrate(const StepForces& step) noexcept {
     if (alone) {
       d->qfrc_applied[dof] += on_proxy[i] - d->qfrc_passive[dof];
     } else {
-      d->qfrc_applied[dof] += on_proxy[i] + (d->qfrc_bias[dof] - d->qfrc_passive[dof]);
-      d->qacc_warmstart[dof] = on_proxy[i] / loaded.proxy.axis_mass[i];
+      const double wanted = d->qfrc_applied[dof] + on_proxy[i];
+      const Push push =
+          SolvedPush(wanted, d->qfrc_passive[dof] - d->qfrc_bias[dof], loaded.proxy.axis_mass[i]);
+      d->qfrc_applied[dof] = push.applied;
+      d->qacc_warmstart[dof] = push.acceleration;
     }
+  }
+  if (const int pad = loaded.proxy.pad_dof; pad >= 0) {
+    d->qfrc_applied[pad] += d->qfrc_bias[pad] - d->qfrc_passive[pad];
+    d->qacc_warmstart[pad] = 0;
   }
   if (pushes) PushBack(step);
   FinishStep();
@@ -263,14 +294,22 @@ void Scene::Impl::KeepMomentum() noexcept {
   }
 }
 
+/// MuJoCo's step up to its forces. It makes quaternions unit in place, which a second time would
+/// change their last bits, so where the step is begun once more they are kept as they were.
+void Scene::Impl::BeginStep() noexcept {
+  if (!own_qpos.empty()) std::copy_n(d->qpos, own_qpos.size(), own_qpos.begin());
+  mj_step1(loaded.m.get(), d.get());
+}
+
 /// MuJoCo's step from where mj_step1 left it. Its mj_step2 knows no RK4, so a model that asks for
 /// that is stepped whole, and the proxy, whose forces are held over the step, goes on as by Euler.
 void Scene::Impl::FinishStep() noexcept {
   const mjModel& m = *loaded.m;
-  if (m.opt.integrator != mjINT_RK4) {
+  if (own_qpos.empty()) {
     mj_step2(&m, d.get());
     return;
   }
+  std::copy_n(own_qpos.begin(), own_qpos.size(), d->qpos);
   const glm::dvec3 from_W = ProxyPosition();
   mj_step(&m, d.get());
   PlaceProxy(from_W + m.opt.timestep * ProxyVelocity(), ProxyVelocity());
@@ -341,7 +380,7 @@ void Scene::Impl::Idle() noexcept {
   std::fill(reactions.begin(), reactions.end(), glm::dvec3(0));
   for (int i = 0; i < substeps; ++i) {
     PlaceProxy(memory.tip_W, {0, 0, 0});
-    mj_step1(loaded.m.get(), d.get());
+    BeginStep();
     none.point_W = memory.tip_W;
     Integrate(none);
   }

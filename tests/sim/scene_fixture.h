@@ -19,6 +19,9 @@ inline DeviceState TipAt(glm::dvec3 p_W) {
   return state;
 }
 
+/// Joints that are inserted before those of a model which has some: the proxy's and the pad.
+inline constexpr int kInserted = 4;
+
 inline TickResult Hold(Scene& scene, glm::dvec3 p_W, int ticks) {
   TickResult result;
   for (int i = 0; i < ticks; ++i) result = scene.Tick(TipAt(p_W));

@@ -16,12 +16,14 @@ constexpr const char* kModel = "the model";  ///< in messages
 }
 
 BoundScene::Settings BoundScene::Read() const noexcept {
-  return {m_->opt.timestep, m_->stat.meaninertia, m_->opt.disableflags, m_->opt.enableflags};
+  return {m_->opt.timestep, m_->stat.meaninertia, m_->opt.jacobian, m_->opt.disableflags,
+          m_->opt.enableflags};
 }
 
 void BoundScene::Write(const Settings& settings) noexcept {
   m_->opt.timestep = settings.timestep;
   m_->stat.meaninertia = settings.mean_inertia;
+  m_->opt.jacobian = settings.jacobian;
   m_->opt.disableflags = settings.disabled;
   m_->opt.enableflags = settings.enabled;
 }

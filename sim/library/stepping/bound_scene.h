@@ -45,7 +45,7 @@ class BoundScene {
   /// Of a model, that a scene changes.
   struct Settings {
     double timestep = 0, mean_inertia = 0;
-    int disabled = 0, enabled = 0;
+    int jacobian = 0, disabled = 0, enabled = 0;
   };
   /// Which buffers a model and its data had: others are other ones.
   struct Identity {
@@ -73,7 +73,7 @@ class BoundScene::InPlace {
  public:
   explicit InPlace(BoundScene& bound) noexcept : bound_(bound), callers_(bound.Read()) {
     // flags that the caller has set meanwhile hold
-    bound_.Write({bound_.own_.timestep, bound_.own_.mean_inertia,
+    bound_.Write({bound_.own_.timestep, bound_.own_.mean_inertia, bound_.own_.jacobian,
                   callers_.disabled | bound_.own_.disabled,
                   callers_.enabled & bound_.own_.enabled});
   }

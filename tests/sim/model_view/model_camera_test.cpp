@@ -7,6 +7,7 @@
 #include "sim/model_view/visibility.h"
 #include "sim/physics/felt_object.h"
 #include "tests/sim/model_view_fixture.h"
+#include "tests/sim/scene_fixture.h"
 
 namespace moontrace {
 namespace {
@@ -70,7 +71,7 @@ TEST_F(ModelCameraTest, ALabelBehindSomethingIsLookedAtFromBesideIt) {
     return SharesSeen(*labelled_.model, *d_, can, Through(On("can")).eye_W);
   };
   EXPECT_EQ(shares().hidden, 0);
-  d_->qpos[1] = -0.3;
+  d_->qpos[kInserted + 1] = -0.3;
   mj_forward(labelled_.model->m.get(), d_.get());
   EXPECT_GT(SharesSeen(*labelled_.model, *d_, can, {0, -0.5, 0.05}).hidden, 0.5);
   EXPECT_LT(shares().hidden, 0.1);

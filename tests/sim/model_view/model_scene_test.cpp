@@ -10,6 +10,7 @@
 #include "sim/physics/felt_object.h"
 #include "sim/view/gl_headless.h"
 #include "tests/sim/model_view_fixture.h"
+#include "tests/sim/scene_fixture.h"
 #include "textures/base/error.h"
 
 namespace moontrace {
@@ -39,7 +40,7 @@ class ModelSceneTest : public testing::Test {
   }
   void Move(int joint, double to) {
     ScenePose pose = labelled_.model->start;
-    pose.qpos[static_cast<std::size_t>(joint)] = to;
+    pose.qpos[static_cast<std::size_t>(kInserted + joint)] = to;
     scene_->SetPose(pose);
   }
   Raster Drawn(bool labelled) {

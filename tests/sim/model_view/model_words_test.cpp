@@ -4,6 +4,7 @@
 
 #include "sim/model_view/model_camera.h"
 #include "tests/sim/model_view_fixture.h"
+#include "tests/sim/scene_fixture.h"
 
 namespace moontrace {
 namespace {
@@ -39,11 +40,11 @@ TEST_F(ModelWordsTest, TellWhereEachLabelIsSeenOrWhyNot) {
             (std::vector<std::string>{"Seen by the camera reader, from the front.",
                                       "moon on can, a cylinder: all of it is seen, in the middle.",
                                       "Not seen: sea on plate, a box: turned away."}));
-  d_->qpos[0] = 3.14159;
+  d_->qpos[kInserted] = 3.14159;
   mj_forward(labelled_.model->m.get(), d_.get());
   EXPECT_EQ(Words("reader")[1], "Not seen: moon on can, a cylinder: turned away.");
-  d_->qpos[0] = 0;
-  d_->qpos[1] = -0.3;
+  d_->qpos[kInserted] = 0;
+  d_->qpos[kInserted + 1] = -0.3;
   mj_forward(labelled_.model->m.get(), d_.get());
   EXPECT_EQ(Words("reader")[1], "Not seen: moon on can, a cylinder: hidden behind wall, a box.");
 }

@@ -117,8 +117,9 @@ TEST(FeltObject, ThatFloatsTakesExactlyTheImpulseOfTheHand) {
         const int ticks = static_cast<int>(std::lround(0.06 / tick));
         for (int i = 0; i < ticks / 3; ++i) scene.Tick(TipAt(start));
         mjData& d = *scene.data();
-        d.qvel[3] += 0.4;  // turning as well
-        d.qvel[5] += 0.7;
+        mjtNum* spin = d.qvel + scene.model()->nv - 3;
+        spin[0] += 0.4;  // turning as well
+        spin[2] += 0.7;
         const Momentum first = MomentumOf(scene, proxy);
         Momentum given;
         double exchanged = 0, turned = 0;
@@ -242,55 +243,94 @@ TEST(FeltObject, StateGoesOnFromWhereItWas) {
   }
 }
 
-/// A body on a hinge and a free one with a motor, a spring and a sensor: what people have.
+/// A body on a hinge with a motor, a spring, a limit, friction and a sensor, one that rests on the
+/// floor, some that fall on it: what people have. ATTRIBUTES are of <option>, MORE of the world.
 const char kTheirs[] =
-    "<mujoco><option integrator='INTEGRATOR' timestep='0.001'/><custom>"
+    "<mujoco><option timestep='0.001' ATTRIBUTES/><custom>"
     "<text name='moontrace:lid' data='{}'/><text name='moontrace:can' data='{}'/></custom>"
     "<worldbody><geom type='plane' size='1 1 0.1' pos='0 0 -0.2'/>"
     "<body pos='0 0 0.1'><joint name='hinge' type='hinge' axis='0 1 0' damping='0.01' "
-    "stiffness='0.3'/><geom name='lid' type='box' size='0.1 0.05 0.004' pos='0.1 0 0' mass='0.2'/>"
-    "</body><body pos='0.5 0 -0.1'><freejoint/>"
-    "<geom name='can' type='cylinder' size='0.03 0.05' mass='0.3'/></body></worldbody>"
+    "stiffness='0.3' frictionloss='0.01' limited='true' range='-20 20'/>"
+    "<geom name='lid' type='box' size='0.1 0.05 0.004' pos='0.1 0 0' mass='0.2'/>"
+    "</body><body pos='0.5 0 -0.148'><freejoint/>"
+    "<geom name='can' type='cylinder' size='0.03 0.05' mass='0.3'/></body>MORE</worldbody>"
     "<actuator><motor joint='hinge' gear='0.2'/></actuator>"
-    "<sensor><jointpos joint='hinge'/></sensor></mujoco>";
+    "<sensor><jointpos joint='hinge'/><subtreecom body='last'/></sensor></mujoco>";
 
-/// Steps `xml` by MuJoCo alone beside a scene of kTheirs whose tip moves far away, as long as bits
+std::string Theirs(const std::string& attributes, int boxes) {
+  std::string more;
+  for (int i = 0; i < boxes; ++i) {
+    more += "<body name='" + std::string(i + 1 == boxes ? "last" : "box" + std::to_string(i)) +
+            "' pos='" + std::to_string(0.3 + 0.11 * (i % 4)) + " 0.2 " +
+            std::to_string(0.1 * (i / 4) - 0.14) +
+            "' euler='10 20 30'><freejoint/><geom type='box' size='0.05 0.04 0.03' mass='0.1'/>"
+            "<body pos='0 0 0.05'><joint type='hinge' axis='1 0 0' damping='0.001'/>"
+            "<geom type='sphere' size='0.02' mass='0.02'/></body></body>";
+  }
+  std::string xml = kTheirs;
+  xml.replace(xml.find("ATTRIBUTES"), 10, attributes);
+  return xml.replace(xml.find("MORE"), 4, more);
+}
+
+/// Steps `xml` by MuJoCo alone beside a scene of it whose tip moves far away, as long as bits
 /// agree: how many steps that was, at most 1500.
-int StepsAlike(Scene& scene, const std::string& xml) {
+int StepsAlike(const std::string& xml) {
   std::string warning;
   const ModelPtr m = CompileMjcf(xml, "theirs.xml", "theirs", warning);
   const DataPtr d = MakeData(*m, "theirs");
-  const int own_q = scene.model()->nq - 3, own_v = scene.model()->nv - 3;
+  Scene scene = Scene::FromXml(xml, "theirs", {});
+  // their joints come behind those of the proxy
+  const int before_q = scene.model()->nq - m->nq, before_v = scene.model()->nv - m->nv;
+  int contacts = 0;
   for (int i = 0; i < 1500; ++i) {
     d->ctrl[0] = scene.data()->ctrl[0] = std::sin(0.01 * i);
     mj_step(m.get(), d.get());
-    scene.Tick(TipAt({0.3, 0.3 + 0.01 * std::sin(0.02 * i), 0.3}));
+    scene.Tick(TipAt({0.3, 0.3 + 0.01 * std::sin(0.02 * i), 0.9}));
+    contacts = std::max(contacts, static_cast<int>(d->ncon));
     const mjData& other = *scene.data();
-    if (!std::equal(d->qpos, d->qpos + own_q, other.qpos) ||
-        !std::equal(d->qvel, d->qvel + own_v, other.qvel) ||
-        d->sensordata[0] != other.sensordata[0]) {
+    if (!std::equal(d->qpos, d->qpos + m->nq, other.qpos + before_q) ||
+        !std::equal(d->qvel, d->qvel + m->nv, other.qvel + before_v) ||
+        !std::equal(d->sensordata, d->sensordata + m->nsensordata, other.sensordata)) {
       return i;
     }
   }
+  EXPECT_GT(contacts, 0);
   return 1500;
 }
 
+// Contacts, limits and friction are solved to the same bit as in MuJoCo's own steps of the file, by
+// all solvers and integrators, by dense matrices and by sparse ones (60 joints on).
 TEST(FeltObject, WithoutTouchAModelBehavesAsItsOwnToTheBit) {
   for (const char* integrator : {"Euler", "implicit", "RK4"}) {
-    std::string xml = kTheirs;
-    xml.replace(xml.find("INTEGRATOR"), 10, integrator);
-    // nothing meets: the can floats
-    std::string apart = xml;
-    apart.replace(apart.find("<geom type='plane'"), 18,
-                  "<geom type='plane' contype='0' conaffinity='0'");
-    Scene floating = Scene::FromXml(apart, "theirs", {});
-    EXPECT_EQ(StepsAlike(floating, apart), 1500) << integrator;
-    // The can stands on the floor. MuJoCo's solvers add in groups of four joints, so that any body
-    // more in a model changes the last bit: the model is compared as it is with a proxy in it.
-    if (xml.find("RK4") != std::string::npos) continue;  // its stages move the proxy too
-    Scene standing = Scene::FromXml(xml, "theirs", {});
-    EXPECT_EQ(StepsAlike(standing, standing.model_xml()), 1500) << integrator;
+    const std::string by = "integrator='" + std::string(integrator) + "'";
+    for (const int boxes : {1, 2, 8}) EXPECT_EQ(StepsAlike(Theirs(by, boxes)), 1500) << by << boxes;
   }
+  for (const char* options :
+       {"solver='PGS'", "solver='CG'", "solver='Newton' cone='elliptic'",
+        "solver='CG' cone='elliptic'", "noslip_iterations='4'", "jacobian='sparse'",
+        "jacobian='dense'", "solver='PGS' jacobian='sparse'", "impratio='10' cone='elliptic'",
+        "wind='1 2 0' density='1.2' viscosity='0.00002'"}) {
+    EXPECT_EQ(StepsAlike(Theirs(options, 3)), 1500) << options;
+  }
+}
+
+// A file's keyframes stay what they were.
+TEST(FeltObject, KeyframesOfAModelWithJointsAreStillItsOwn) {
+  const Scene scene = Scene::FromXml(
+      "<mujoco><custom><text name='moontrace:can' data='{}'/></custom><worldbody>"
+      "<body name='led' mocap='true'><geom size='0.01'/></body>"
+      "<body><joint type='slide'/><joint name='turn' type='hinge'/>"
+      "<geom name='can' type='cylinder' size='0.03 0.05'/></body></worldbody><keyframe>"
+      "<key name='half' qpos='0.1 0.2' qvel='0.3 0.4' mpos='1 2 3' mquat='0 1 0 0'/></keyframe>"
+      "</mujoco>",
+      "keys", {});
+  const mjModel& m = *scene.model();
+  const int turn = mj_name2id(&m, mjOBJ_JOINT, "turn");
+  const int led = m.body_mocapid[mj_name2id(&m, mjOBJ_BODY, "led")];
+  EXPECT_EQ(m.key_qpos[m.jnt_qposadr[turn]], 0.2);
+  EXPECT_EQ(m.key_qvel[m.jnt_dofadr[turn]], 0.4);
+  EXPECT_EQ(m.key_mpos[3 * led + 2], 3);
+  EXPECT_EQ(m.key_mquat[4 * led + 1], 1);
 }
 
 }  // namespace

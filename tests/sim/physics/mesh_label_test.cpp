@@ -88,12 +88,12 @@ TEST(MeshLabel, TheBodyMovesAsWithoutItToTheBit) {
   std::string warning;
   const ModelPtr m = CompileMjcf(xml, "theirs.xml", "theirs", warning);
   const DataPtr d = MakeData(*m, "theirs");
-  d->qvel[3] = scene.data()->qvel[3] = 2;
-  d->qvel[4] = scene.data()->qvel[4] = -1;
+  d->qvel[3] = scene.data()->qvel[kInserted + 3] = 2;
+  d->qvel[4] = scene.data()->qvel[kInserted + 4] = -1;
   for (int i = 0; i < 300; ++i) {
     mj_step(m.get(), d.get());
     scene.Tick(TipAt({0.5, 0.5, 0.5}));
-    ASSERT_TRUE(std::equal(d->qpos, d->qpos + m->nq, scene.data()->qpos)) << i;
+    ASSERT_TRUE(std::equal(d->qpos, d->qpos + m->nq, scene.data()->qpos + kInserted)) << i;
   }
 }
 

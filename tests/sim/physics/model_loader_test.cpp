@@ -136,9 +136,9 @@ TEST_F(ModelLoader, KeyframesGrowWithTheProxy) {
   std::string xml = ModelWith("", "<body><joint type='slide'/><geom size='1'/></body>");
   xml.insert(xml.find("</mujoco>"), "<keyframe><key qpos='0.25' qvel='1'/></keyframe>");
   const LoadedModel loaded = LoadText(xml);
-  EXPECT_EQ(loaded.m->nq, 4);
-  EXPECT_EQ(loaded.m->key_qpos[0], 0.25);
-  EXPECT_EQ(loaded.m->key_qpos[3], 0);
+  EXPECT_EQ(loaded.m->nq, kInserted + 1);
+  EXPECT_EQ(loaded.m->key_qpos[kInserted], 0.25);
+  EXPECT_EQ(loaded.m->key_qpos[0], 0);
 }
 
 TEST_F(ModelLoader, IncludesAndMeshesAreFoundBesideTheModel) {

@@ -91,7 +91,7 @@ TEST(Scene, PageFollowsAMocapBody) {
       "<body name='board' mocap='true'><geom name='page' type='plane' size='1 1 1' contype='0' "
       "conaffinity='0'/></body></worldbody></mujoco>";
   Scene scene = Scene::FromXml(xml, "board", {});
-  // the handle's mocap comes after the model's own
+  // the handle is one as well
   const mjModel* m = scene.model();
   const int board = m->body_mocapid[mj_name2id(m, mjOBJ_BODY, "board")];
   scene.data()->mocap_pos[3 * board + 2] = 0.3;
@@ -112,12 +112,12 @@ TEST(Scene, CallersForcesSurviveToTheBit) {
       ModelWith("", "<body pos='1 0 0'><freejoint/><geom size='0.1' mass='1'/></body>");
   Scene scene = Scene::FromXml(xml, "ball", {});
   const auto nv = static_cast<std::size_t>(scene.model()->nv);
-  ASSERT_EQ(nv, 9u);
-  std::vector<double> mine = {0.1, -0.0, 1e-310, 3.0, -7.25, 1e-17, 0.3, 0.7, -0.9};
+  ASSERT_EQ(nv, 6U + kInserted);
+  std::vector<double> mine = {0.3, 0.7, -0.9, 0.0, 0.1, -0.0, 1e-310, 3.0, -7.25, 1e-17};
   std::copy(mine.begin(), mine.end(), scene.data()->qfrc_applied);
   Hold(scene, {0.03, 0.02, -0.002}, 10);
   EXPECT_EQ(std::memcmp(mine.data(), scene.data()->qfrc_applied, nv * sizeof(double)), 0);
-  EXPECT_NE(scene.data()->qvel[3], 0);  // and they acted
+  EXPECT_NE(scene.data()->qvel[kInserted + 3], 0);  // and they acted
 }
 
 /// A board of 0.5 kg that is a box, its upper face the page, at z = 0.
@@ -140,8 +140,8 @@ TEST(Scene, MomentumChangesOnlyByTheHandsForce) {
   double greatest = 0;
   for (int i = 0; i < 200; ++i) {
     const TickResult result = scene.Tick(TipAt({-0.002 + 2e-5 * i, 0.01, -0.002}));
-    const glm::dvec3 after = 0.5 * glm::dvec3(d->qvel[0], d->qvel[1], d->qvel[2]) +
-                             0.05 * glm::dvec3(d->qvel[6], d->qvel[7], d->qvel[8]);
+    const glm::dvec3 after = 0.5 * glm::dvec3(d->qvel[4], d->qvel[5], d->qvel[6]) +
+                             0.05 * glm::dvec3(d->qvel[0], d->qvel[1], d->qvel[2]);
     // device and proxy pull on each other: the device's force is what leaves the system
     EXPECT_NEAR(glm::length(after - before + 0.001 * result.force_W), 0, 1e-15) << i;
     greatest = std::max(greatest, glm::length(result.page_force_P));
@@ -157,7 +157,7 @@ TEST(Scene, PageIsTurnedByTheForceAtThePointOfContact) {
   const TickResult result = scene.Tick(TipAt(tip));
   EXPECT_NEAR(result.page_force_P.z, 1.0, 1e-12);
   const double inertia = 0.5 / 3 * (0.15 * 0.15 + 0.01 * 0.01);
-  EXPECT_NEAR(scene.data()->qvel[0], -0.001 * tip.y * 1.0 / inertia, 1e-12);
+  EXPECT_NEAR(scene.data()->qvel[kInserted], -0.001 * tip.y * 1.0 / inertia, 1e-12);
 }
 
 TEST(Scene, OtherBodiesLiveOnAndChangeNothing) {
@@ -282,7 +282,7 @@ TEST(SceneFault, NoticesThatMujocoResetItself) {
   Scene scene = Scene::FromXml(xml, "ball", {});
   // from the very first tick, and again and again: a reset sets MuJoCo's own counters back
   for (int time = 0; time < 3; ++time) {
-    scene.data()->qvel[0] = kNan;
+    scene.data()->qvel[kInserted] = kNan;
     const TickResult fault = scene.Tick(TipAt({0.05, 0.05, -0.001}));
     EXPECT_TRUE(fault.fault) << time;
     EXPECT_EQ(fault.force_W, glm::dvec3(0, 0, 0));

@@ -10,6 +10,7 @@
 #include "sim/trial/record.h"
 #include "sim/trial/record_columns.h"
 #include "tests/sim/record_fixture.h"
+#include "tests/sim/scene_fixture.h"
 
 namespace moontrace::test {
 namespace {
@@ -122,11 +123,11 @@ constexpr const char* kLooseBox = R"(<mujoco>
   </worldbody>
 </mujoco>)";
 
-/// Where parts of Scene::State begin (scene.cpp's order: time, positions, velocities, activations,
-/// warm start, ..., and the tick's memory last).
+/// Where parts of Scene::State begin, the warm start of the model's own joints (scene.cpp's order:
+/// time, positions, velocities, activations, warm start, ..., and the tick's memory last).
 std::size_t WarmstartOf(const Scene& scene) {
   const mjModel& m = *scene.model();
-  return static_cast<std::size_t>(1 + m.nq + m.nv + m.na);
+  return static_cast<std::size_t>(1 + m.nq + m.nv + m.na + kInserted);
 }
 std::size_t FrictionOf(const Scene& scene) {
   return scene.State().size() - (sizeof(TickMemory) - offsetof(TickMemory, friction)) / 8;

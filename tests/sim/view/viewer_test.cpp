@@ -18,6 +18,7 @@
 #include "sim/view/view_thread.h"
 #include "tests/sim/display_fixture.h"
 #include "tests/sim/model_view_fixture.h"
+#include "tests/sim/scene_fixture.h"
 #include "tests/sim/view_fixture.h"
 #include "textures/base/error.h"
 
@@ -377,7 +378,7 @@ TEST_F(ViewerTest, AModelIsShownAsItStandsAtEachMoment) {
   viewer.Show(PageOf("moon"));
   const auto draw_at = [&](double turn, double time) {
     auto pose = std::make_shared<ScenePose>(labelled.model->start);
-    pose->qpos[0] = turn;
+    pose->qpos[kInserted] = turn;
     ViewMoment moment;
     moment.time = time;
     moment.pose = pose;
