@@ -104,9 +104,10 @@ std::string OthersInWords(const ViewModel& model, const mjData& d, const Sight& 
   std::size_t more = 0;
   for (int geom = 0; geom < static_cast<int>(m.ngeom); ++geom) {
     const int body = m.geom_bodyid[geom];
-    const bool labelled =
-        std::any_of(model.labels.begin(), model.labels.end(),
-                    [geom](const ViewModel::Label& label) { return label.drawn == geom; });
+    const bool labelled = std::any_of(model.labels.begin(), model.labels.end(),
+                                      [geom](const ViewModel::Label& label) {
+                                        return label.drawn == geom && !label.text.empty();
+                                      });
     if (labelled || body == model.proxy_body || body == model.handle_body) continue;
     if (m.geom_group[geom] > 2) continue;  // not drawn
     const glm::dvec3 p_W = PoseOfGeom(d, geom).p;

@@ -151,7 +151,9 @@ ViewTarget FindTarget(const ViewModel& model, std::string_view name) {
 std::vector<std::string> TargetNames(const ViewModel& model) {
   const mjModel& m = *model.m;
   std::vector<std::string> names;
-  for (const ViewModel::Label& label : model.labels) AddName(names, label.name);
+  for (const ViewModel::Label& label : model.labels) {
+    if (!label.text.empty()) AddName(names, label.name);
+  }
   AddNames(m, mjOBJ_GEOM, static_cast<int>(m.ngeom), names);
   AddNames(m, mjOBJ_BODY, static_cast<int>(m.nbody), names);
   AddNames(m, mjOBJ_CAMERA, static_cast<int>(m.ncam), names);

@@ -22,6 +22,19 @@ struct Coupling {
   double Energy(glm::dvec3 stretch) const noexcept {
     return 0.5 * stiffness * glm::dot(stretch, stretch);
   }
+
+  /// The same for a coupling that gives way: its spring pulls with at most `most` [N], and with the
+  /// damper no harder either. What holds the proxy then never gives the hand more than that.
+  glm::dvec3 PullWithin(double most, glm::dvec3 stretch, glm::dvec3 stretch_rate) const noexcept {
+    const glm::dvec3 pull = Pull(stretch, stretch_rate);
+    const double size = glm::length(pull);
+    return size > most ? pull * (most / size) : pull;
+  }
+  double EnergyWithin(double most, glm::dvec3 stretch) const noexcept {
+    const double force = stiffness * glm::length(stretch);
+    if (!(force > most)) return Energy(stretch);
+    return most * (glm::length(stretch) - 0.5 * most / stiffness);
+  }
 };
 
 /// Sum of the magnitudes of the coupling's answer to a unit pulse of page force, for the very

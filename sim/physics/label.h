@@ -20,7 +20,8 @@ struct Label {
   int carrier = -1;    ///< MuJoCo's number of the geom that it lies on, once it is found
   int named = -1;      ///< and of the geom that it names
   int number = 0;
-  std::string text;  ///< may be empty: the program's text goes there
+  bool implied = false;  ///< no label of the model's: a geom without one that is felt plain
+  std::string text;      ///< may be empty: the program's text goes there
   /// The page's lower left corner on the face, from its middle [m]: of a top face in the geom's own
   /// frame.
   glm::dvec2 at{0, 0};

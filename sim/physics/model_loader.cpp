@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "sim/physics/felt_object.h"
 #include "sim/physics/mesh_label.h"
 #include "sim/physics/mjcf.h"
+#include "sim/physics/unlabelled.h"
 #include "textures/base/error.h"
 #include "textures/base/nearest_word.h"
 #include "textures/base/resources.h"
@@ -337,11 +340,16 @@ void HideFromSolvers(mjModel& m, const ProxyPlace& proxy) {
 
 /// What is known of a compiled model's labels and proxy; and turns off what hinders them. The
 /// labels are read and lie on geoms.
-void FindMoon(LoadedModel& loaded, const std::string& name, double tilt, std::size_t label) {
+void FindMoon(LoadedModel& loaded, const std::string& name, double tilt, std::size_t label,
+              Unlabelled unlabelled) {
   mjModel& m = *loaded.m;
   if (label >= loaded.labels.size()) {
     throw InputError(fmt::format("{}: label {} of {}: count from 0; take one that is there", name,
                                  label, loaded.labels.size()));
+  }
+  if (unlabelled == Unlabelled::kPlain) {
+    std::vector<Label> plain = PlainLabels(m, loaded.labels);
+    std::move(plain.begin(), plain.end(), std::back_inserter(loaded.labels));
   }
   for (Label& each : loaded.labels) {
     CheckCarrier(m, each, name);
@@ -350,14 +358,20 @@ void FindMoon(LoadedModel& loaded, const std::string& name, double tilt, std::si
     if (round && !each.at_given && !each.middle) each.middle = {0, 0};
   }
   const Label& page = loaded.labels[label];
-  if (loaded.labels.size() > 1) {
-    loaded.remarks.push_back(fmt::format("{} labels in the model: the page is on '{}'",
-                                         loaded.labels.size(), OneLine(NameOf(page))));
+  const auto implied = std::count_if(loaded.labels.begin(), loaded.labels.end(),
+                                     [](const Label& each) { return each.implied; });
+  const std::size_t own = loaded.labels.size() - static_cast<std::size_t>(implied);
+  if (own > 1) {
+    loaded.remarks.push_back(
+        fmt::format("{} labels in the model: the page is on '{}'", own, OneLine(NameOf(page))));
   }
   Tilt(m, page, page.carrier, tilt, PlaceOf(page, name));
   loaded.proxy = FindProxy(m, name);
   if (KeepAwake(m)) {
     loaded.remarks.push_back("sleeping is turned off: forces on a sleeping body are lost");
+  }
+  if (unlabelled == Unlabelled::kContacts) {
+    LetProxyCollide(m, loaded.labels, loaded.proxy.body, name);
   }
   HideFromSolvers(m, loaded.proxy);
   SkipIdleStages(m);
@@ -366,7 +380,7 @@ void FindMoon(LoadedModel& loaded, const std::string& name, double tilt, std::si
 }  // namespace
 
 LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
-                      double tilt, std::size_t label) {
+                      double tilt, std::size_t label, Unlabelled unlabelled) {
   LoadedModel loaded;
   const std::string proxy_xml = ReadTextFile(ResourcePath("models/proxy.xml"), kGreatestFile);
   const Mjcf mjcf = PrepareMjcf(xml, folder, name, proxy_xml);
@@ -383,7 +397,7 @@ LoadedModel LoadModel(const std::string& xml, const std::string& folder, const s
     loaded.m = Compile(loaded.xml, loaded.xml, folder, name, again);
   }
   for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
-  FindMoon(loaded, name, tilt, label);
+  FindMoon(loaded, name, tilt, label, unlabelled);
   return loaded;
 }
 
@@ -401,7 +415,7 @@ LoadedModel AdoptModel(ModelPtr m, std::string xml, const std::string& name, std
                      "take the model.xml of a record, which has it");
   }
   for (Label& each : loaded.labels) FindCarrier(*loaded.m, name, each);
-  FindMoon(loaded, name, 0, label);
+  FindMoon(loaded, name, 0, label, Unlabelled::kNothing);
   return loaded;
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/physics/label.h"
 #include "sim/physics/mujoco_compat.h"
+#include "sim/physics/scene_options.h"
 
 namespace moontrace {
 
@@ -36,12 +37,14 @@ struct LoadedModel {
 /// Compiles a model and finds what carries Moon text in it. `folder` is where the files it names
 /// lie (empty: the current folder); `name` begins every message. The geom of label `label` is
 /// turned by `tilt` [rad] about its page's lower edge, which only a top face of what rests allows.
+/// Geoms that are felt plain stand behind the model's own labels.
 /// Throws InputError as Scene::Load says.
 ///
 /// A label stands on any geom with a chart (textures/objects): MuJoCo fixes planes to the world, so
 /// a sheet that can be pushed is a box.
 LoadedModel LoadModel(const std::string& xml, const std::string& folder, const std::string& name,
-                      double tilt, std::size_t label = 0);
+                      double tilt, std::size_t label = 0,
+                      Unlabelled unlabelled = Unlabelled::kNothing);
 
 /// The same of a model that is compiled already and has a proxy; `xml` is what it was made of, for
 /// records. Its flags and its solvers' scale are changed as those of a model that is loaded.

@@ -205,6 +205,15 @@ void SkipIdleStages(mjModel& m) noexcept {
 #endif
 }
 
+void SetCollision(mjModel& m, int geom, int contype, int conaffinity) noexcept {
+  m.geom_contype[geom] = contype;
+  m.geom_conaffinity[geom] = conaffinity;
+#if mjVERSION_HEADER >= 300
+  m.body_contype[m.geom_bodyid[geom]] |= contype;
+  m.body_conaffinity[m.geom_bodyid[geom]] |= conaffinity;
+#endif
+}
+
 bool TiesSites([[maybe_unused]] const mjModel& m, [[maybe_unused]] int equality) noexcept {
 #if mjVERSION_HEADER >= 320
   return m.eq_objtype[equality] == mjOBJ_SITE;

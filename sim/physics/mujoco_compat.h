@@ -42,6 +42,9 @@ ModelPtr CompileMjcf(const std::string& xml, const std::string& path, const std:
 /// New data for a model. Throws InputError if there is no memory for it.
 DataPtr MakeData(const mjModel& m, const std::string& name);
 
+/// With what a geom collides, in the geom and, from 3.0 on, in its body's summary.
+void SetCollision(mjModel& m, int geom, int contype, int conaffinity) noexcept;
+
 /// Turns sleeping off (MuJoCo 3.4 on): forces on a sleeping body are lost. True if it was on.
 bool KeepAwake(mjModel& m) noexcept;
 

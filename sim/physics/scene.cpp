@@ -130,8 +130,10 @@ Scene::Impl::Impl(LoadedModel loaded_model, DataPtr data, const SceneOptions& sc
 void Scene::Impl::SetOptions(const SceneOptions& new_options) {
   const double tick = options.tick, tilt = options.tilt;
   const std::size_t label = options.label;
+  const Unlabelled unlabelled = options.unlabelled;
   options = new_options;
   options.tick = tick;
+  options.unlabelled = unlabelled;
   options.tilt = tilt;
   options.label = label;
   coupling = {options.coupling_stiffness, options.coupling_damping};
@@ -276,8 +278,8 @@ Scene Scene::Load(const std::string& model_path, const SceneOptions& options) {
   const bool shipped = model_path.empty();
   const std::string path = shipped ? ResourcePath("models/page.xml") : model_path;
   const std::string folder = std::filesystem::absolute(path).parent_path().string();
-  LoadedModel loaded =
-      LoadModel(ReadTextFile(path, kGreatestModel), folder, path, options.tilt, options.label);
+  LoadedModel loaded = LoadModel(ReadTextFile(path, kGreatestModel), folder, path, options.tilt,
+                                 options.label, options.unlabelled);
   if (shipped) loaded.remarks.clear();  // what it lacks, it lacks on purpose
   DataPtr data = MakeData(*loaded.m, path);
   return Scene(std::make_unique<Impl>(std::move(loaded), std::move(data), options, path, true));
@@ -285,7 +287,7 @@ Scene Scene::Load(const std::string& model_path, const SceneOptions& options) {
 
 Scene Scene::FromXml(const std::string& xml, const std::string& name, const SceneOptions& options) {
   Check(options);
-  LoadedModel loaded = LoadModel(xml, "", name, options.tilt, options.label);
+  LoadedModel loaded = LoadModel(xml, "", name, options.tilt, options.label, options.unlabelled);
   DataPtr data = MakeData(*loaded.m, name);
   return Scene(std::make_unique<Impl>(std::move(loaded), std::move(data), options, name, true));
 }

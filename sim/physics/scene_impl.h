@@ -58,6 +58,8 @@ struct Scene::Impl {
   TickResult Tick(const DeviceState& input, bool delivered) noexcept;
 
   bool direct() const noexcept { return options.rendering == Rendering::kDirect; }
+  /// MuJoCo's contacts act on the proxy.
+  bool collides() const noexcept { return options.unlabelled == Unlabelled::kContacts; }
   glm::dvec3 ProxyPosition() const noexcept;
   glm::dvec3 ProxyVelocity() const noexcept;
   void PlaceProxy(glm::dvec3 p_W, glm::dvec3 v_W) noexcept;
@@ -124,6 +126,12 @@ struct Scene::Impl {
   void Integrate(const StepForces& step) noexcept;
   void PushBack(const StepForces& step) noexcept;
   void KeepMomentum() noexcept;
+  struct ProxyContact {
+    int geom = -1;      ///< the other one
+    double depth = -1;  ///< [m]
+  };
+  ProxyContact CollisionOfProxy() const noexcept;
+  glm::dvec3 PullOn(glm::dvec3 stretch_W, glm::dvec3 rate_W) const noexcept;
   void BeginStep() noexcept;
   void FinishStep() noexcept;
   int StepsNow(glm::dvec3 tip_W) const noexcept;

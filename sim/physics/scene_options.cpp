@@ -29,6 +29,9 @@ void Check(const SceneOptions& options) {
       {"tick", options.tick, 1e-6, 0.1},
       {"tilt in radians", options.tilt, -1.6, 1.6},
   };
+  if (options.unlabelled == Unlabelled::kContacts && options.rendering == Rendering::kDirect) {
+    throw InputError("--unlabelled contacts needs the proxy; take it without --render direct");
+  }
   for (const Range& range : ranges) {
     if (range.value >= range.least && range.value <= range.greatest) continue;
     throw InputError(fmt::format("{} {}: out of range; take {} to {}", range.name, range.value,

@@ -12,6 +12,10 @@ namespace moontrace {
 /// the handle. `kDirect` (the paper): the force at the device's position.
 enum class Rendering { kProxy, kDirect };
 
+/// What the tip feels of a model's geoms without a label: nothing; a smooth surface, as of a label
+/// `{}`; MuJoCo's own contacts with the proxy, where the coupling gives at most the force cap.
+enum class Unlabelled { kNothing, kPlain, kContacts };
+
 /// Everything that a tick depends on besides the model, the field and the input.
 struct SceneOptions {
   Surface surface;
@@ -22,7 +26,8 @@ struct SceneOptions {
   double presliding_stiffness = 2000;  ///< of elastic friction [N/m]
   double tick = 0.001;                 ///< [s]
   double tilt = 0;                     ///< raises the page's far edge [rad]
-  std::size_t label = 0;               ///< of the model's, that is the page P
+  Unlabelled unlabelled = Unlabelled::kNothing;
+  std::size_t label = 0;  ///< of the model's, that is the page P
   Box text_P{};  ///< what its text covers; where the label gives the text's middle, or is round
 };
 

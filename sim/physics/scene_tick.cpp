@@ -77,23 +77,26 @@ struct Push {
   double acceleration = 0;  ///< [m/s^2]
 };
 
+double LastBitOf(double value) noexcept {
+  return std::nextafter(std::abs(value), INFINITY) - std::abs(value);
+}
+
 /// `wanted` [N], to within some of its last bits, so that mass times acceleration is the sum of
 /// `acting` [N] and what is applied, and that sum divided by the mass the acceleration, to the bit,
 /// as MuJoCo computes both: then its solvers find nothing left of the proxy, however far they come
-/// down with the rest. Of neighbouring numbers every second or third will do.
+/// down with the rest. With the shipped proxy's mass two of three numbers will do, and their
+/// neighbours else.
 Push SolvedPush(double wanted, double acting, double mass) noexcept {
   constexpr int kMost = 64;
-  const double inverse = 1 / mass;
-  double up = wanted - acting, down = up;
+  const double inverse = 1 / mass, first = wanted - acting;
+  const double step = std::max(LastBitOf(first), LastBitOf(wanted));
   for (int i = 0; i < kMost; ++i) {
-    for (const double applied : {up, down}) {
+    for (const double applied : {first + i * step, first - i * step}) {
       const double sum = acting + applied, acceleration = sum * inverse;
       if (mass * acceleration == sum) return {applied, acceleration};
     }
-    up = std::nextafter(up, INFINITY);
-    down = std::nextafter(down, -INFINITY);
   }
-  return {wanted - acting, wanted * inverse};
+  return {first, wanted * inverse};
 }
 
 }  // namespace
@@ -142,8 +145,7 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
 
   const glm::dvec3 point_W = direct() ? tip_W : ProxyPosition();
   const glm::dvec3 velocity_W = ProxyVelocity();
-  const glm::dvec3 pull_W =
-      direct() ? glm::dvec3(0) : coupling.Pull(tip_W - point_W, v_W - velocity_W);
+  const glm::dvec3 pull_W = PullOn(tip_W - point_W, v_W - velocity_W);
   if (!rests) X_WP = PoseOfPage(point_W);
   if (page_only) return TouchPage(point_W, velocity_W, pull_W);
   StepForces step;
@@ -152,6 +154,28 @@ StepForces Scene::Impl::Compute(glm::dvec3 tip_W, glm::dvec3 v_W) noexcept {
   step.pull_W = pull_W;
   TouchObjects(step);
   return step;
+}
+
+/// The coupling's on the proxy.
+glm::dvec3 Scene::Impl::PullOn(glm::dvec3 stretch_W, glm::dvec3 rate_W) const noexcept {
+  if (direct()) return glm::dvec3(0);
+  if (!collides()) return coupling.Pull(stretch_W, rate_W);
+  return coupling.PullWithin(options.surface.force_cap, stretch_W, rate_W);
+}
+
+/// What the proxy met in the step just taken.
+Scene::Impl::ProxyContact Scene::Impl::CollisionOfProxy() const noexcept {
+  ProxyContact met;
+  for (int i = 0; i < static_cast<int>(d->ncon); ++i) {
+    const mjContact& contact = d->contact[i];
+    const int geoms[2] = {contact.geom1, contact.geom2};
+    for (int side = 0; side < 2; ++side) {
+      if (geoms[side] < 0 || geoms[1 - side] < 0) continue;
+      if (loaded.m->geom_bodyid[geoms[side]] != loaded.proxy.body) continue;
+      met = {geoms[1 - side], std::max(met.depth, -contact.dist)};
+    }
+  }
+  return met;
 }
 
 /// One page on a plane, in its own frame: the quick way.
@@ -232,7 +256,9 @@ double Scene::Impl::Observe(glm::dvec3 tip_W, const StepForces& step, std::size_
   double stored =
       memory.page_share * step.energy + memory.friction.Energy(options.presliding_stiffness);
   if (!direct()) {
-    stored += coupling.Energy(tip_W - step.point_W) +
+    const glm::dvec3 stretch_W = tip_W - step.point_W;
+    stored += (collides() ? coupling.EnergyWithin(options.surface.force_cap, stretch_W)
+                          : coupling.Energy(stretch_W)) +
               0.5 * loaded.proxy.mass * glm::dot(step.velocity_W, step.velocity_W);
   }
   if (memory.started == 0 || memory.stored_jumped != 0) {
@@ -350,7 +376,7 @@ void Scene::Impl::PushBack(const StepForces& step) noexcept {
 
 /// Whether something besides coupling and page moved the proxy in the step just taken.
 bool Scene::Impl::IsHeld(const StepForces& step) const noexcept {
-  if (direct()) return false;
+  if (direct() || collides()) return false;
   const double h = loaded.m->opt.timestep;
   const glm::dvec3 foreign = loaded.proxy.axis_mass * (ProxyVelocity() - step.velocity_W) -
                              h * (step.page_W + step.pull_W);  // [N s]
@@ -482,6 +508,9 @@ TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
   }
   if (direct()) PlaceProxy(tip_W, v_W);
   WatchThrough(step, delivered);
+  const ProxyContact collision = collides() ? CollisionOfProxy() : ProxyContact();
+  // what MuJoCo's contact takes or gives is in no balance here
+  if (collision.geom >= 0) memory.stored_jumped = 1;
   memory.started = 1;
   memory.tip_W = tip_W;
   memory.device_force_W = force_W;
@@ -494,8 +523,8 @@ TickResult Scene::Impl::Fail(glm::dvec3 tip_W) noexcept {
           .force_P = TurnFromWorld(X_WP, force_W),
           .force_W = force_W,
           .page_force_P = step.page_P,
-          .depth = through ? 0 : step.depth,
-          .geom = !through && step.depth > 0 ? objects[touched].geom : -1,
+          .depth = through ? 0 : std::max(step.depth, collision.depth),
+          .geom = !through && step.depth > 0 ? objects[touched].geom : collision.geom,
           .energy_out = memory.observer.energy_out(),
           .stored = stored,
           .through = through};

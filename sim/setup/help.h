@@ -107,6 +107,9 @@ inline constexpr const char* kModel =
 inline constexpr const char* kLabel =
     "which label of the model carries the text: GEOM, GEOM:2 ..., by trace also all, one after "
     "another. Default: the first.";
+inline constexpr const char* kUnlabelled =
+    "what is felt of the model's geoms without a label: nothing, plain (a smooth surface) or "
+    "contacts (MuJoCo's own). Default nothing.";
 inline constexpr const char* kFriction =
     "Coulomb friction, from 0 to less than 0.9 over the steepest slope. Default 0.";
 inline constexpr const char* kPress = "press of the hand in N. Default 1, embossed 0.2.";

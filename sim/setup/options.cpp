@@ -212,6 +212,18 @@ void AddOptions(CLI::App& app, FeelOptions& options) {
   add("--tilt-deg", options.scene.tilt, -60, 60, kDegree, help::kTilt);
   AddPath(app, "--model", "FILE", options.model, help::kModel);
   AddPath(app, "--label", "NAME", options.label, help::kLabel);
+  AddValue(
+      app, "--unlabelled", "WORD",
+      [&options](const std::string& given) {
+        constexpr std::array<std::string_view, 3> kWords = {"nothing", "plain",
+                                                            "contacts"};  // as Unlabelled
+        const auto* found = std::find(kWords.begin(), kWords.end(), std::string_view(given));
+        if (found == kWords.end()) {
+          throw UsageError(say::NotAChoice("--unlabelled", given, "nothing, plain or contacts"));
+        }
+        options.scene.unlabelled = static_cast<Unlabelled>(found - kWords.begin());
+      },
+      help::kUnlabelled);
 }
 
 std::string ReadText(const TextOptions& options, const std::string& command, Console& console) {

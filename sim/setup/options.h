@@ -77,7 +77,7 @@ void AddOptions(CLI::App& app, StyleOptions& options);
 void AddOptions(CLI::App& app, LayoutOptions& options);
 /// `--law` only.
 void AddOptions(CLI::App& app, Surface& surface);
-/// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`, `--label`.
+/// `--law`, `--render`, `--friction`, `--tilt-deg`, `--model`, `--label`, `--unlabelled`.
 void AddOptions(CLI::App& app, FeelOptions& options);
 /// `--picture`; a path without an ending of pictures is a UsageError.
 void AddPicture(CLI::App& app, std::string& path, const std::string& description);

@@ -132,6 +132,9 @@ OrderedJson FormatOptions(const SceneOptions& options) {
                       {"tilt_rad", options.tilt}};
   const Box& text = options.text_P;
   if (options.label > 0) json["label"] = options.label;
+  if (options.unlabelled != Unlabelled::kNothing) {
+    json["unlabelled"] = options.unlabelled == Unlabelled::kPlain ? "plain" : "contacts";
+  }
   if (text.min.x <= text.max.x) {
     json["text_m"] = {text.min.x, text.min.y, text.max.x, text.max.y};
   }
@@ -159,6 +162,10 @@ SceneOptions ParseOptions(const Member& scene) {
   options.tick = scene["tick_s"].Number(1e-6, 1);
   options.tilt = scene["tilt_rad"].Number(-4, 4);
   if (scene.Has("label")) options.label = scene["label"].Unsigned(100000);
+  if (scene.Has("unlabelled")) {
+    options.unlabelled = IsFirst(scene["unlabelled"], "plain", "contacts") ? Unlabelled::kPlain
+                                                                           : Unlabelled::kContacts;
+  }
   if (scene.Has("text_m")) {
     const Member text = scene["text_m"];
     if (text.Count() != 4) text.Fail("not four numbers");
