@@ -11,12 +11,21 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20. In em unless said.
-constexpr double kLift = 0.004;        ///< above the level of pressing [m]
-constexpr double kAirSpeed = 0.35;     ///< [m/s]
-constexpr double kPatience = 1.0;      ///< with a landing that does not come to rest [s]
-constexpr double kGivesUp = 300;       ///< after so long without a sign or a line [s]
-constexpr double kSteady = 0.10;       ///< for the hand to come to rest above where it lands [s]
-constexpr double kUp = 0.06;           ///< to leave a groove before moving aside [s]
+constexpr double kLift = 0.004;     ///< above the level of pressing [m]
+constexpr double kAirSpeed = 0.35;  ///< [m/s]
+constexpr double kPatience = 1.0;   ///< with a landing that does not come to rest [s]
+constexpr double kGivesUp = 300;    ///< after so long without a sign or a line [s]
+constexpr double kSteady = 0.10;    ///< for the hand to come to rest above where it lands [s]
+constexpr double kUp = 0.06;        ///< to leave a groove before moving aside [s]
+// Of an object's face.
+constexpr double kInside = 0.001;      ///< of its edges a hand stays that is led by a groove [m]
+constexpr double kBeside = 0.003;      ///< and one that searches or lands [m]
+constexpr double kFallen = 0.003;      ///< below a groove's floor [m]
+constexpr double kNoFace = 0.030;      ///< below where the hand was put [m]
+constexpr double kAway = 0.010;        ///< from an edge that it fell over, to rise beside it [m]
+constexpr double kClimb = 0.5;         ///< back above the face [s]
+constexpr double kLeftOut = 0.3;       ///< of a way, more each time
+constexpr int kMostFalls = 20;         ///< on one way
 constexpr double kSearchShare = 0.85;  ///< of the speed at which a groove's wall just holds
 constexpr double kCaughtDepth = 0.4;   ///< share of a groove's depth
 constexpr double kCaughtTime = 0.006;  ///< [s]
@@ -59,18 +68,79 @@ Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed
 ReaderAction Reader::Step(const ReaderInput& input) {
   now_ = input.time;
   const Felt& felt = sense_.Add(input);
+  if (felt.touching) carried_ = felt.place;
   if (now_ - news_ > kGivesUp && phase_ != Phase::kDone) {
     if (!line_.empty()) EndLine();
     phase_ = Phase::kDone;
   }
+  if (Falls(felt)) ComeBack(felt);
   action_ = Act(felt);
+  if (knowledge_.face && action_.press > 0) {
+    action_.aim = {knowledge_.face->Held(glm::dvec2(action_.aim), kInside), action_.aim.z};
+  }
   return action_;
+}
+
+/// Whether the tip is beside what it reads, or went through it.
+bool Reader::Falls(const Felt& felt) const {
+  if (!knowledge_.face || felt.touching || action_.press <= 0) return false;
+  if (!sense_.level_known()) return felt.tip.z < put_ - kNoFace;
+  return felt.tip.z < sense_.level() - knowledge_.depth - kFallen;
+}
+
+/// Away from the face and up, then back to where it was at work. What of a way leads off again is
+/// left out bit by bit.
+void Reader::ComeBack(const Felt& felt) {
+  const glm::dvec2 over = glm::dvec2(felt.tip) - carried_;
+  const double length = glm::length(over);
+  if (phase_ == Phase::kFollow || (phase_ == Phase::kFly && then_ == Phase::kFollow)) {
+    if (legs_ == 0) {  // the other way along the groove
+      legs_ = 1;
+      first_direction_ = follower_.Departure();
+      FlyTo(entry_, Phase::kFollow);
+    } else {
+      Think();
+    }
+  } else {
+    for (double step = kLeftOut * size_ * falls_; step > 0 && next_ < way_.size();) {
+      const double left = glm::distance(aim_, way_[next_]);
+      aim_ = left > step ? aim_ + step / left * (way_[next_] - aim_) : way_[next_++];
+      step -= left;
+    }
+    if (next_ < way_.size() && ++falls_ <= kMostFalls) {
+      FlyTo(aim_, Phase::kSweep);
+    } else {
+      crossing_ ? Think() : Missed();
+    }
+  }
+  if (phase_ != Phase::kFly) return;
+  if (length > 0) fly_from_ += kAway / length * over;
+  rise_ = kClimb;
+}
+
+/// A way as far as it lies on the face: what leads beyond an edge runs along that, and it ends
+/// where it would only go to and fro on the same edge.
+std::vector<glm::dvec2> Reader::WithinFace(std::vector<glm::dvec2> way) const {
+  if (!knowledge_.face) return way;
+  const ReaderFace& face = *knowledge_.face;
+  std::vector<glm::dvec2> within;
+  within.reserve(way.size());
+  int beyond = 0;  // points in a row that lie off the face across the lines
+  for (const glm::dvec2 p : way) {
+    const glm::dvec2 held = face.Held(p, kBeside);
+    const glm::dvec2 off = face.ToOwn(p) - face.ToOwn(held);
+    beyond = std::abs(off.y) > kBeside ? beyond + 1 : 0;
+    if (beyond > 2) break;
+    if (within.empty() || glm::distance(within.back(), held) > 1e-6) within.push_back(held);
+  }
+  return within;
 }
 
 ReaderAction Reader::Act(const Felt& felt) {
   switch (phase_) {
     case Phase::kStart:
-      start_ = glm::dvec2(felt.tip);
+      start_ = carried_ = glm::dvec2(felt.tip);
+      put_ = felt.tip.z;
       SearchFirstLine();
       return Fly(felt);
     case Phase::kFly:
@@ -91,8 +161,10 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
   phase_ = Phase::kFly;
   then_ = then;
   fly_from_ = glm::dvec2(sense_.felt().tip);
-  fly_to_ = to;
+  const double within = then == Phase::kFollow ? kInside : kBeside;
+  fly_to_ = knowledge_.face ? knowledge_.face->Held(to, within) : to;
   since_ = now_;
+  rise_ = kUp;
   sense_.Lift();
   drift_.Begin();
 }
@@ -100,10 +172,11 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
 /// Up, over, down, and a rest until the landing has been felt.
 ReaderAction Reader::Fly(const Felt& felt) {
   const double t = now_ - since_;
-  const double there = kUp + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
+  const double there = rise_ + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
   const double felt_there = there + knowledge_.delay + knowledge_.lag;
-  const double height = sense_.level_known() ? sense_.level() + kLift : felt.tip.z;
-  if (t < kUp) return {{fly_from_.x, fly_from_.y, height}, 0};
+  const double unknown = knowledge_.face ? put_ : felt.tip.z;
+  const double height = sense_.level_known() ? sense_.level() + kLift : unknown;
+  if (t < rise_) return {{fly_from_.x, fly_from_.y, height}, 0};
   if (t < there) return {{fly_to_.x, fly_to_.y, height}, 0};
   const bool rests = sense_.level_known() && sense_.resting_for() > 0.03;
   if (t >= felt_there && (rests || t > felt_there + kPatience)) {
@@ -125,7 +198,8 @@ ReaderAction Reader::Fly(const Felt& felt) {
 /// Flies to the way's first point and sweeps along it.
 void Reader::SweepAlong(std::vector<glm::dvec2> way, Errand errand) {
   crossing_ = in_gap_ = circling_ = false;
-  way_ = std::move(way);
+  falls_ = 0;
+  way_ = WithinFace(std::move(way));
   errand_ = errand;
   next_ = 1;
   aim_ = way_.front();

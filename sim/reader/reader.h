@@ -58,6 +58,9 @@ class Reader {
   bool StartAnew();
   ReaderAction Act(const Felt& felt);
   void FlyTo(glm::dvec2 to, Phase then);
+  std::vector<glm::dvec2> WithinFace(std::vector<glm::dvec2> way) const;
+  bool Falls(const Felt& felt) const;
+  void ComeBack(const Felt& felt);
   ReaderAction Fly(const Felt& felt);
   void SweepAlong(std::vector<glm::dvec2> way, Errand errand);
   ReaderAction Sweep(const Felt& felt);
@@ -116,6 +119,7 @@ class Reader {
   // flying
   Phase then_ = Phase::kSweep;
   glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
+  double rise_ = 0;  ///< before it moves aside [s]
   // sweeping
   Errand errand_ = Errand::kFirstLine;
   bool in_gap_ = false;  ///< looks through a gap
@@ -140,7 +144,10 @@ class Reader {
   glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
   int crossings_ = 0, tries_ = 0, circles_ = 0;
   // the page
-  glm::dvec2 start_{0, 0};  ///< where the hand was put [m]
+  glm::dvec2 start_{0, 0};    ///< where the hand was put [m]
+  double put_ = 0;            ///< and how high [m]
+  int falls_ = 0;             ///< off its face, on this way
+  glm::dvec2 carried_{0, 0};  ///< where that carried it last [m]
   int restarts_ = 0, skips_ = 0;
   std::size_t unknowns_ = 0;        ///< signs in a row
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign

@@ -1,15 +1,42 @@
 #pragma once
 
+#include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 
 #include "sim/reader/sign_shapes.h"
 
 namespace moontrace {
 
+/// The face of an object that is read, as a hand that has been put on it knows it: a rectangle
+/// beyond which there is nothing to touch. In the reader's own frame.
+struct ReaderFace {
+  glm::dvec2 middle{0, 0}, half{0, 0};  ///< [m]
+  double turn = 0;                      ///< of its sides, to the left [rad]
+
+  /// The nearest point that is at least so far within its edges, or its middle line where it is
+  /// narrower [m].
+  glm::dvec2 Held(glm::dvec2 p, double within) const noexcept {
+    const glm::dvec2 most = glm::max(half - within, glm::dvec2(0));
+    return FromOwn(glm::clamp(ToOwn(p), -most, most));
+  }
+  /// From the middle, along its sides, and back.
+  glm::dvec2 ToOwn(glm::dvec2 p) const noexcept {
+    const double c = std::cos(turn), s = std::sin(turn);
+    const glm::dvec2 off = p - middle;
+    return {c * off.x + s * off.y, c * off.y - s * off.x};
+  }
+  glm::dvec2 FromOwn(glm::dvec2 q) const noexcept {
+    const double c = std::cos(turn), s = std::sin(turn);
+    return middle + glm::dvec2(c * q.x - s * q.y, s * q.x + c * q.y);
+  }
+};
+
 /// What a reader is told before it feels anything: the script, its letters' groove, its own hand
-/// and its device. Nothing of the page.
+/// and its device; of an object its face. Nothing of the page.
 struct ReaderKnowledge {
   std::shared_ptr<const SignShapes> shapes;
   double width = 0;          ///< of a groove, rim to rim [m]
@@ -18,6 +45,8 @@ struct ReaderKnowledge {
   double greatest_size = 0;  ///< and at most [m]
   double space = 0;          ///< advance of a space in the script [em]
   double heading_scale = 1;  ///< of headings, so many times as large as other lines; 1: as large
+
+  std::optional<ReaderFace> face;  ///< none: paper, without an edge in reach
 
   double press = 0;             ///< of its hand [N]
   double hand_mass = 0;         ///< [kg]

@@ -109,6 +109,23 @@ void Keep(std::vector<PathPoint>& path, const TickResult& felt, const Reader& re
 }
 
 constexpr double kApproach = 0.005;  ///< the hand is put so far above the paper [m]
+constexpr double kFromEdge =
+    0.003;  ///< and so far within an object's face, where there is room [m]
+
+/// The face that carries the page, in frame P; none: a plane, which goes on.
+std::optional<ReaderFace> FaceOf(const Scene& scene) {
+  const std::size_t label = scene.options().label;
+  const Solid solid = scene.solids()[label];
+  if (solid.kind == SolidKind::kPlane) return std::nullopt;
+  const LabelPlace& place = scene.laid(label).chart.place();
+  const Box room = RoomOn(solid, place.face);
+  ReaderFace face;
+  face.half = 0.5 * (room.max - room.min);
+  face.turn = -place.turn;
+  const ReaderFace about_page{place.on_page, {0, 0}, -place.turn};
+  face.middle = about_page.FromOwn(0.5 * (room.min + room.max) - place.on_face);
+  return face;
+}
 
 }  // namespace
 
@@ -129,7 +146,10 @@ ReadingResult RunReading(const ReadingSetup& setup) {
   scene.SetField(setup.field);
   for (const LaidLabel& other : setup.others) scene.SetLabel(other);
   const bool on_page = !scene.page_is_flat() || (scene.page_goes() && !scene.page_falls());
-  Sheet sheet(scene.X_WP(), setup.start_P, setup.page_turn);
+  std::optional<ReaderFace> face;
+  if (!setup.model_path.empty()) face = FaceOf(scene);
+  const glm::dvec2 start_P = face ? face->Held(setup.start_P, kFromEdge) : setup.start_P;
+  Sheet sheet(scene.X_WP(), start_P, setup.page_turn);
   if (on_page) sheet.GoAlong(&scene);
   const double tick = setup.scene.tick;
   const glm::dvec3 start{0, 0, kApproach};
@@ -139,9 +159,14 @@ ReadingResult RunReading(const ReadingSetup& setup) {
       LedStylus(hand, setup.muscle, start, tick, setup.hand_seed), sheet);
   StylusOnSheet& stylus = *made;
   HandOnDevice device = OnDevice(std::move(made), setup, scene.X_WP());
-  scene.Reset({setup.start_P.x, setup.start_P.y, kApproach});
+  scene.Reset({start_P.x, start_P.y, kApproach});
   ReaderKnowledge knowledge = setup.knowledge;
   if (setup.device) knowledge.device_stiffness = scene.options().coupling_stiffness;
+  if (face) {
+    const glm::dvec3 middle =
+        sheet.ToHandFrame({face->middle.x - start_P.x, face->middle.y - start_P.y, 0});
+    knowledge.face = ReaderFace{glm::dvec2(middle), face->half, face->turn + setup.page_turn};
+  }
   Reader reader(knowledge, tick, setup.reader_seed);
   LateSenses senses(setup.senses.delay, tick, {0, start, {0, 0, 0}});
   UnsurePlace unsure(setup.senses.unsure, tick, ~setup.hand_seed);
