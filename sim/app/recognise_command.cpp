@@ -162,6 +162,7 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   PlanOptions plan;
   SetPress(setup.hand, style.relief, options.press, plan);
   setup.hand.press = plan.press;
+  setup.press_given = options.press.has_value();
   setup.knowledge = KnowledgeOf(shapes, text.script, setup.hand, setup.muscle, setup.senses);
   setup.knowledge.width = style.width;
   if (style.structure.read) setup.knowledge.heading_scale = style.structure.heading_scale;

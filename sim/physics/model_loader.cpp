@@ -315,10 +315,7 @@ ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
   }
   proxy.weight_mass = m.body_subtreemass[b];
   const int pad = mj_name2id(&m, mjOBJ_JOINT, "moontrace_pad");
-  if (pad >= 0 && IsFreeSlide(m, pad, 0)) {
-    proxy.pad_dof = m.jnt_dofadr[pad];
-    proxy.pad_mass = m.dof_M0[proxy.pad_dof];
-  }
+  if (pad >= 0 && IsFreeSlide(m, pad, 0)) proxy.pad_dof = m.jnt_dofadr[pad];
   const int handle = mj_name2id(&m, mjOBJ_BODY, "moontrace_handle");
   if (handle >= 0) proxy.handle_mocap = m.body_mocapid[handle];
   return proxy;
@@ -329,12 +326,23 @@ ProxyPlace FindProxy(const mjModel& m, const std::string& name) {
 /// proxy's both are what the model has by itself, so that its contacts are solved to the same bit.
 void HideFromSolvers(mjModel& m, const ProxyPlace& proxy) {
   const int hidden = proxy.pad_dof >= 0 ? 4 : 3;
-  const double all = static_cast<double>(m.nv);
-  const double own = proxy.axis_mass.x + proxy.axis_mass.y + proxy.axis_mass.z + proxy.pad_mass;
-  if (m.nv > hidden) m.stat.meaninertia = (m.stat.meaninertia * all - own) / all;
+  const auto all = static_cast<int>(m.nv), own = all - hidden;
+  double sum = 0, theirs = 0;  // in MuJoCo's order
+  for (int dof = 0; dof < all; ++dof) {
+    const bool is_proxy = (dof >= proxy.dof && dof < proxy.dof + 3) || dof == proxy.pad_dof;
+    sum += m.dof_M0[dof];
+    if (!is_proxy) theirs += m.dof_M0[dof];
+  }
+  if (own > 0) {
+    constexpr double kRounding = 1e-9;  // else the model gives a mean of its own
+    const bool computed =
+        std::abs(sum / all - m.stat.meaninertia) <= kRounding * m.stat.meaninertia;
+    const double mean = computed ? theirs / own : m.stat.meaninertia;
+    m.stat.meaninertia = mean * own / all;
+  }
   constexpr int kSparse = 60;  // joints from which MuJoCo takes them
   if (m.opt.jacobian == mjJAC_AUTO) {
-    m.opt.jacobian = m.nv - hidden >= kSparse ? mjJAC_SPARSE : mjJAC_DENSE;
+    m.opt.jacobian = own >= kSparse ? mjJAC_SPARSE : mjJAC_DENSE;
   }
 }
 

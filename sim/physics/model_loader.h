@@ -22,7 +22,6 @@ struct ProxyPlace {
   glm::dvec3 axis_mass{0, 0, 0};  ///< that each slide moves [kg]
   double weight_mass = 0;         ///< that gravity pulls on [kg]
   int pad_dof = -1;               ///< of the pad in mjData::qvel, -1 if there is none
-  double pad_mass = 0;            ///< [kg]
   int handle_mocap = -1;          ///< mocap number of moontrace_handle, -1 if there is none
 };
 

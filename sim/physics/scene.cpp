@@ -345,6 +345,7 @@ double Scene::force_bound(const Movement& movement) const {
   if (page_moves()) return std::numeric_limits<double>::infinity();
   return ForceBound(options(), proxy_mass(), movement, substeps());
 }
+double Scene::groove_press() const { return impl_->page().law.sideways; }
 double Scene::carried_press() const {
   const FeltObject& page = impl_->page();
   return CarriedPressOn(page.solid, page.surface, page.labels);

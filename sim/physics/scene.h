@@ -114,6 +114,8 @@ class Scene {
   double proxy_mass() const;  ///< that the coupling moves [kg]
   /// ForceBound (coupling.h) of this scene [N]; infinite where the page moves.
   double force_bound(const Movement& movement = {}) const;
+  /// Press at which half the depth of the page's grooves is left, or more (surface.h) [N].
+  double groove_press() const;
   double carried_press() const;  ///< CarriedPressOn (solid_contact.h) of the page [N]
 
   /// Everything a replay must start from: MuJoCo's integration state, coupling, friction, observer.

@@ -46,8 +46,8 @@ std::string NameOfGeom(const mjModel& m, int geom) {
   return std::string(of) + "/" + std::to_string(geom - m.body_geomadr[body] + 1);
 }
 
-/// So small a sphere must not be pressed in by more than its radius, where MuJoCo knows its depth no
-/// more: its contacts are as hard as they can be at 1 kHz, whatever the other geom asks for.
+/// So small a sphere must not be pressed in by more than its radius, where MuJoCo knows its depth
+/// no more: its contacts are as hard as they can be at 1 kHz, whatever the other geom asks for.
 void Harden(mjModel& m, int geom) {
   constexpr double kAlone = 1e6;  // of a mixture of both geoms' values
   m.geom_solmix[geom] = kAlone;

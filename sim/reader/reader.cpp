@@ -69,7 +69,8 @@ ReaderAction Reader::Step(const ReaderInput& input) {
   now_ = input.time;
   const Felt& felt = sense_.Add(input);
   if (felt.touching) carried_ = felt.place;
-  if (now_ - news_ > kGivesUp && phase_ != Phase::kDone) {
+  const bool long_enough = knowledge_.face && now_ > LongestOn(*knowledge_.face);
+  if ((now_ - news_ > kGivesUp || long_enough) && phase_ != Phase::kDone) {
     if (!line_.empty()) EndLine();
     phase_ = Phase::kDone;
   }
@@ -79,6 +80,13 @@ ReaderAction Reader::Step(const ReaderInput& input) {
     action_.aim = {knowledge_.face->Held(glm::dvec2(action_.aim), kInside), action_.aim.z};
   }
   return action_;
+}
+
+/// However its signs are taken, a face is read in this time [s].
+double Reader::LongestOn(const ReaderFace& face) const {
+  constexpr double kAtLeast = 60, kASign = 15;  // [s]
+  const glm::dvec2 signs = 2.0 * face.half / knowledge_.least_size;
+  return kAtLeast + kASign * std::max(1.0, signs.x) * std::max(1.0, signs.y);
 }
 
 /// Whether the tip is beside what it reads, or went through it.

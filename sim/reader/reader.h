@@ -59,6 +59,7 @@ class Reader {
   ReaderAction Act(const Felt& felt);
   void FlyTo(glm::dvec2 to, Phase then);
   std::vector<glm::dvec2> WithinFace(std::vector<glm::dvec2> way) const;
+  double LongestOn(const ReaderFace& face) const;
   bool Falls(const Felt& felt) const;
   void ComeBack(const Felt& felt);
   ReaderAction Fly(const Felt& felt);

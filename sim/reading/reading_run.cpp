@@ -112,6 +112,8 @@ constexpr double kApproach = 0.005;  ///< the hand is put so far above the paper
 constexpr double kFromEdge =
     0.003;  ///< and so far within an object's face, where there is room [m]
 
+constexpr double kRoughly = 0.001;  ///< a hand that is put on a face errs about its sides [m]
+
 /// The face that carries the page, in frame P; none: a plane, which goes on.
 std::optional<ReaderFace> FaceOf(const Scene& scene) {
   const std::size_t label = scene.options().label;
@@ -131,12 +133,12 @@ std::optional<ReaderFace> FaceOf(const Scene& scene) {
 
 /// The hand on its device, of which the caller keeps the stylus in sight.
 HandOnDevice OnDevice(std::unique_ptr<StylusOnSheet> stylus, const ReadingSetup& setup,
-                      const Pose& X_WP) {
+                      double press, const Pose& X_WP) {
   HandOnDevice::Setup on_device;
   on_device.hand = setup.hand;
   on_device.tick = setup.scene.tick;
   on_device.profile = setup.device ? &*setup.device : nullptr;
-  on_device.press = setup.hand.press;
+  on_device.press = press;
   return {std::move(stylus), on_device, X_WP};
 }
 
@@ -154,18 +156,25 @@ ReadingResult RunReading(const ReadingSetup& setup) {
   const double tick = setup.scene.tick;
   const glm::dvec3 start{0, 0, kApproach};
   HandModel hand = setup.hand;
+  // of a small round object the grooves are felt at a lighter press only, which a hand finds
+  if (face && !setup.press_given) hand.press = std::min(hand.press, scene.groove_press());
   if (setup.device) hand.late_ticks = 0;  // the delay is the device's
   auto made = std::make_unique<StylusOnSheet>(
       LedStylus(hand, setup.muscle, start, tick, setup.hand_seed), sheet);
   StylusOnSheet& stylus = *made;
-  HandOnDevice device = OnDevice(std::move(made), setup, scene.X_WP());
+  HandOnDevice device = OnDevice(std::move(made), setup, hand.press, scene.X_WP());
   scene.Reset({start_P.x, start_P.y, kApproach});
   ReaderKnowledge knowledge = setup.knowledge;
+  knowledge.press = hand.press;
   if (setup.device) knowledge.device_stiffness = scene.options().coupling_stiffness;
   if (face) {
-    const glm::dvec3 middle =
-        sheet.ToHandFrame({face->middle.x - start_P.x, face->middle.y - start_P.y, 0});
-    knowledge.face = ReaderFace{glm::dvec2(middle), face->half, face->turn + setup.page_turn};
+    // a hand knows it to within a millimetre or so
+    Random random(setup.hand_seed ^ setup.reader_seed);
+    const auto about = [&random] { return kRoughly * (2 * random.Uniform() - 1); };
+    const glm::dvec2 off_P = face->middle - start_P + glm::dvec2(about(), about());
+    const glm::dvec3 middle = sheet.ToHandFrame({off_P, 0});
+    knowledge.face = ReaderFace{glm::dvec2(middle), face->half + glm::dvec2(about(), about()),
+                                face->turn + setup.page_turn};
   }
   Reader reader(knowledge, tick, setup.reader_seed);
   LateSenses senses(setup.senses.delay, tick, {0, start, {0, 0, 0}});

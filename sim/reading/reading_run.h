@@ -38,6 +38,7 @@ struct ReadingSetup {
   std::vector<LaidLabel> others;        ///< labels of the model beside the page
   SceneOptions scene;
   HandModel hand;
+  bool press_given = true;  ///< else of an object at most Scene::groove_press
   Muscle muscle;
   Senses senses;
   /// What the hand is on; none: a tip that is read exactly, in every tick. Must measure and push

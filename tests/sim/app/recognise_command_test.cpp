@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
+#include <utility>
 
 #include "tests/sim/cli_fixture.h"
+#include "tests/source_path.h"
 
 namespace moontrace {
 namespace {
@@ -122,6 +125,102 @@ TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   const Outcome links = RunLine({"recognise", "so", "--links", "words"});
   EXPECT_EQ(links.code, 2);
   EXPECT_NE(links.err.find("leave --links out"), std::string::npos) << links.err;
+}
+
+/// A word on a button of 58 by 26 mm that gives way, its letters 4 mm from the edge and more.
+TEST_F(RecogniseCommand, ReadsALabelWithinTheEdgesOfItsFace) {
+  const Outcome outcome = RunLine({"recognise", "--model", SourcePath("models/panel.xml"),
+                                   "--label", "down", "--seed", "2", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.Json()["text"], "down\n");
+  EXPECT_EQ(outcome.Json()["ended"], true);
+}
+
+/// Words of letters of 10 mm on all faces of a box, round a cylinder, over a sphere, and on a plate
+/// that slides on a spring.
+constexpr const char* kLabelled = R"(<mujoco>
+  <custom>
+    <text name="moontrace:box" data="{text='SALT', size_mm=10, middle_mm=[0,0]}"/>
+    <text name="moontrace:box:2" data="{text='RICE', size_mm=10, middle_mm=[0,0], face='bottom'}"/>
+    <text name="moontrace:box:3" data="{text='TEA', size_mm=10, middle_mm=[0,0], face='front'}"/>
+    <text name="moontrace:box:4" data="{text='OATS', size_mm=10, middle_mm=[0,0], face='back'}"/>
+    <text name="moontrace:box:5" data="{text='NUTS', size_mm=10, middle_mm=[0,0], face='left'}"/>
+    <text name="moontrace:box:6" data="{text='BEAN', size_mm=10, middle_mm=[0,0], face='right'}"/>
+    <text name="moontrace:tin" data="{text='COFFEE BEANS', size_mm=10}"/>
+    <text name="moontrace:ball" data="{text='PACIFIC', size_mm=10}"/>
+    <text name="moontrace:key" data="{text='HEAT', size_mm=10, middle_mm=[0,0]}"/>
+  </custom>
+  <worldbody>
+    <geom name="box" type="box" size="0.035 0.035 0.035"/>
+    <geom name="tin" type="cylinder" size="0.04 0.06" pos="0.3 0 0"/>
+    <geom name="ball" type="sphere" size="0.1" pos="0.6 0 0"/>
+    <body pos="0.9 0 0">
+      <joint type="slide" axis="0 0 1" stiffness="300" damping="8" limited="true" range="-0.01 0"/>
+      <geom name="key" type="box" size="0.035 0.015 0.01" mass="0.1"/>
+    </body>
+  </worldbody>
+</mujoco>)";
+
+class SlowRecogniseLabels : public CliTest {
+ protected:
+  /// Signs, spaces and line ends that were right, and those that were there, over ten seeds that
+  /// nothing was chosen by.
+  struct Score {
+    int right = 0, all = 0, extra = 0;
+    double Share() const { return static_cast<double>(right - extra) / all; }
+  };
+  static void Read(const std::string& model, const std::string& label, Score& score) {
+    for (int seed = 101; seed <= 110; ++seed) {
+      const Outcome outcome = RunLine({"recognise", "--model", model, "--label", label, "--seed",
+                                       std::to_string(seed), "--json"});
+      ASSERT_EQ(outcome.code, 0) << outcome.err;
+      const nlohmann::json json = outcome.Json();
+      EXPECT_EQ(json["ended"], true) << model << label << seed;
+      const int right = json["right"], wrong = json["wrong"], missed = json["missed"];
+      const int extra = json["extra"];
+      score.right += right;
+      score.all += right + wrong + missed;
+      score.extra += extra;
+      if (wrong + missed + extra > 0) {
+        std::cout << label << " seed " << seed << ": " << json["text"] << '\n';
+      }
+    }
+  }
+};
+
+TEST_F(SlowRecogniseLabels, OnAllKindsOfFaces) {
+  WriteAll(In("labelled.xml"), kLabelled);
+  Score score;
+  for (const char* label :
+       {"box", "box:2", "box:3", "box:4", "box:5", "box:6", "tin", "ball", "key"}) {
+    Read(In("labelled.xml"), label, score);
+  }
+  std::cout << score.right << " of " << score.all << ", " << score.extra << " extra\n";
+  EXPECT_GE(score.Share(), 0.98);
+}
+
+TEST_F(SlowRecogniseLabels, OfTheSamples) {
+  Score score;
+  const std::pair<const char*, const char*> labels[] = {
+      {"sign", "plate"},    {"mug", "mug"},       {"mug", "handle"},    {"globe", "globe"},
+      {"globe", "globe:2"}, {"globe", "globe:3"}, {"globe", "globe:4"}, {"globe", "globe:5"},
+      {"door", "plate"},    {"panel", "panel"},   {"panel", "up"},      {"panel", "down"},
+      {"panel", "help"}};
+  for (const auto& [model, label] : labels) {
+    Read(SourcePath("models/" + std::string(model) + ".xml"), label, score);
+  }
+  std::cout << score.right << " of " << score.all << ", " << score.extra << " extra\n";
+  EXPECT_GE(score.Share(), 0.98);
+}
+
+// A letter that stands alone, of a size that is not told, could be another one of another size.
+TEST_F(SlowRecogniseLabels, OfTheDiceMost) {
+  Score score;
+  for (const char* label : {"dice:1", "dice:2", "dice:3", "dice:4", "dice:5", "dice:6"}) {
+    Read(SourcePath("models/dice.xml"), label, score);
+  }
+  std::cout << score.right << " of " << score.all << ", " << score.extra << " extra\n";
+  EXPECT_GE(score.Share(), 0.8);
 }
 
 }  // namespace
