@@ -280,7 +280,7 @@ int StepsAlike(const std::string& xml) {
   const DataPtr d = MakeData(*m, "theirs");
   Scene scene = Scene::FromXml(xml, "theirs", {});
   // their joints come behind those of the proxy
-  const int before_q = scene.model()->nq - m->nq, before_v = scene.model()->nv - m->nv;
+  const auto before_q = scene.model()->nq - m->nq, before_v = scene.model()->nv - m->nv;
   int contacts = 0;
   for (int i = 0; i < 1500; ++i) {
     d->ctrl[0] = scene.data()->ctrl[0] = std::sin(0.01 * i);

@@ -80,7 +80,7 @@ TEST_P(SlowModelsOfOthers, MoveWithoutTouchAsByThemselves) {
   m->opt.timestep = 0.001;
   const DataPtr d = MakeData(*m, "theirs");
   Scene scene = Scene::Load(Labelled(GetParam()).string(), {});
-  const int before_q = scene.model()->nq - m->nq, before_v = scene.model()->nv - m->nv;
+  const auto before_q = scene.model()->nq - m->nq, before_v = scene.model()->nv - m->nv;
   const bool first = m->nv > 0;
   const glm::dvec3 far_away(0.3, 50, 30);
   for (int i = 0; i < GetParam().steps; ++i) {
