@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 
 #include "sim/physics/mujoco_compat.h"
 #include "sim/physics/scene.h"
@@ -23,6 +24,8 @@ struct Sample {
   int steps;
   const char* face = "";
 };
+void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.file; }
+
 constexpr Sample kSamples[] = {
     {"adhesion/active_adhesion.xml", "two crates/1", 2000},
     {"composite/cloth.xml", "world/1", 300},
