@@ -74,7 +74,7 @@ ReaderAction Reader::Step(const ReaderInput& input) {
     if (!line_.empty()) EndLine();
     phase_ = Phase::kDone;
   }
-  if (Falls(felt)) ComeBack(felt);
+  if (phase_ != Phase::kDone && Falls(felt)) ComeBack(felt);
   action_ = Act(felt);
   if (knowledge_.face && action_.press > 0) {
     action_.aim = {knowledge_.face->Held(glm::dvec2(action_.aim), kInside), action_.aim.z};
