@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -125,7 +126,8 @@ struct Reading {
   std::vector<ReadingResult> pages;
   ReadingScore score;
   std::optional<DeviceProfile> device;
-  double duration = 0, elapsed = 0;  ///< [s], simulated and not
+  double duration = 0, elapsed = 0;                 ///< [s], simulated and not
+  std::array<double, kReaderActivities> seconds{};  ///< simulated, by activity
   std::vector<std::string> pictures;
 };
 
@@ -200,6 +202,7 @@ void ReadPage(const RecogniseOptions& options, std::size_t page,
                            MarksOf(result.tokens, text.script));
   reading.duration += result.duration;
   reading.elapsed += result.duration / result.real_time_factor;
+  for (std::size_t i = 0; i < kReaderActivities; ++i) reading.seconds[i] += result.seconds[i];
   if (pictures != nullptr) {
     pictures->Add(ReadingPicture(set, text.script, text.set.style, options.blank,
                                  TextOf(text, page), result));
@@ -216,6 +219,17 @@ std::string WholeText(const Reading& reading) {
   return text;
 }
 
+/// By what the hand was at; all but its rest at the end.
+Json SecondsJson(const std::array<double, kReaderActivities>& seconds) {
+  const auto of = [&seconds](ReaderActivity activity) {
+    return seconds[static_cast<std::size_t>(activity)];
+  };
+  return {
+      {"flying", of(ReaderActivity::kFlying)},       {"searching", of(ReaderActivity::kSearching)},
+      {"crossing", of(ReaderActivity::kCrossing)},   {"settling", of(ReaderActivity::kSettling)},
+      {"following", of(ReaderActivity::kFollowing)}, {"turning", of(ReaderActivity::kTurning)}};
+}
+
 Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
   const ReadingScore& score = reading.score;
   Json json;
@@ -228,6 +242,7 @@ Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
   json["signs_right"] = score.signs_right;
   json["seconds_per_sign"] =
       score.signs > 0 ? OrNull(reading.duration / static_cast<double>(score.signs)) : Json();
+  json["seconds"] = SecondsJson(reading.seconds);
   json["real_time_factor"] = reading.duration / std::max(reading.elapsed, 1e-9);
   json["duration_s"] = reading.duration;
   json["ended"] = std::all_of(reading.pages.begin(), reading.pages.end(),

@@ -22,9 +22,14 @@ constexpr double kMostBend = 1.2;    ///< that is foreseen [rad]
 constexpr double kStill = 0.08;      ///< less motion within kStopTime is a stop
 constexpr double kStopTime = 0.090;  ///< [s]
 constexpr double kBackTime = 0.25;   ///< [s]
+constexpr double kWandered = 1.3;    ///< of an unsure place's error, round a ring
+constexpr double kWanders = 0.4;     ///< the same, in so long [s]
+constexpr double kStrays = 0.6;      ///< the same, in a swing
+constexpr double kClosed = 0.6;      ///< from where it was before: a ring
 constexpr double kMoved = 0.6;       ///< is motion out of a stop
 constexpr double kSwingAngle = 100 * kDegree;
 constexpr double kSwingRate = 12;              ///< [rad/s]
+constexpr double kGlanceRate = 12;             ///< of a glance [rad/s]
 constexpr double kSharpAngle = 140 * kDegree;  ///< for a corner that is expected to be sharp
 constexpr double kSharpTime = 0.10;            ///< longer on a side then [s]
 constexpr double kLostDepth = 0.25;            ///< of the groove's depth
@@ -48,10 +53,15 @@ GrooveFollower::GrooveFollower(const ReaderKnowledge& knowledge)
       wait_(knowledge.delay + knowledge.lag + 0.060),
       speed_(kSpeedShare * hold_ / (stiffness_ * (knowledge.delay + 0.05))),
       gentle_(kTurn * std::sqrt(knowledge.hand_mass / knowledge.hand_stiffness)),
-      longest_(6 * knowledge.greatest_size) {}
+      longest_(6 * knowledge.greatest_size),
+      closed_(std::hypot(kClosed * width_, kWandered * knowledge.unsure)),
+      still_(kStill * width_ + kStopTime * knowledge.unsure / kWanders),
+      moved_(kMoved * width_ + kStrays * knowledge.unsure) {}
 
-void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 direction) {
+void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 direction,
+                           double feels_from) {
   aim_ = aim;
+  feels_from_ = feels_from;
   wall_ = felt.wall;
   path_.clear();
   blocked_.clear();
@@ -112,13 +122,19 @@ void GrooveFollower::Try(bool left, bool right, bool sharp) {
   state_ = State::kSwinging;
 }
 
+void GrooveFollower::End() {
+  NoteBlocked();
+  state_ = State::kEnded;
+}
+
 /// The angle of the swing after a time; a glance does not wait on either side for what it feels.
 double GrooveFollower::AngleAt(double t) const {
   const double most = SwingAngle();
-  const double first = glances_ ? most / kSwingRate : SideTime();
+  const double rate = glances_ ? kGlanceRate : kSwingRate;
+  const double first = glances_ ? most / rate : SideTime();
   if (t < 0) return 0;
-  if (t < first) return side_ * std::min(most, kSwingRate * t);
-  return side_ * std::max(-most, most - kSwingRate * (t - first));
+  if (t < first) return side_ * std::min(most, rate * t);
+  return side_ * std::max(-most, most - rate * (t - first));
 }
 
 double GrooveFollower::SwingAngle() const { return sharp_ ? kSharpAngle : kSwingAngle; }
@@ -129,8 +145,8 @@ double GrooveFollower::SideTime() const {
 }
 
 double GrooveFollower::SwingTime() const {
+  if (glances_) return 3 * SwingAngle() / kGlanceRate + wait_;
   const double over = SwingAngle() / kSwingRate;
-  if (glances_) return 3 * over + wait_;
   return left_ && right_ ? over + 2 * SideTime() : SideTime();
 }
 
@@ -165,7 +181,7 @@ bool GrooveFollower::HasClosed() const {
     const glm::dvec2 a = path_[i - 1] - now, b = path_[i] - now;
     area += 0.5 * Cross(a, b);
     length += glm::distance(a, b);
-    if (length < 5 * width_ || glm::length(a) > 0.6 * width_) continue;
+    if (length < 5 * width_ || glm::length(a) > closed_) continue;
     if (glm::dot(b - a, direction_) < 0.5 * glm::distance(a, b)) continue;
     if (std::abs(area) > 3 * width_ * width_) return true;
   }
@@ -225,7 +241,7 @@ void GrooveFollower::Move(const Felt& felt) {
     if (length_ > longest_) state_ = State::kEnded;
   }
   if (felt.time - mark_time_ < kStopTime) return;
-  const bool still = glm::distance(felt.place, mark_) < kStill * width_;
+  const bool still = glm::distance(felt.place, mark_) < still_;
   mark_ = felt.place;
   mark_time_ = felt.time;
   if (still && felt.time - since_ > wait_ && state_ == State::kMoving) Stop(felt);
@@ -240,7 +256,7 @@ void GrooveFollower::NoteBlocked() {
 
 void GrooveFollower::Swing(const Felt& felt) {
   const glm::dvec2 way = felt.place - stop_;
-  if (glm::length(way) > kMoved * width_ && !IsGoingBack(felt.place)) {
+  if (glm::length(way) > moved_ && !IsGoingBack(felt.place)) {
     AddPoint(felt.place);
     mark_ = felt.place;
     mark_time_ = felt.time;
@@ -250,10 +266,7 @@ void GrooveFollower::Swing(const Felt& felt) {
   // straight on at first where nothing has moved yet, then to one side, then to the other
   const double t = felt.time - since_ - (has_moved_ ? 0 : wait_);
   angle_ = AngleAt(t);
-  if (t > SwingTime()) {
-    NoteBlocked();
-    state_ = State::kEnded;
-  }
+  if (t > SwingTime()) End();
   if (swings_ > kMostSwings) state_ = State::kEnded;
 }
 
@@ -268,6 +281,7 @@ void GrooveFollower::Steer(double dt) {
 glm::dvec2 GrooveFollower::Step(const Felt& felt) {
   const double dt = felt.time - last_time_;
   last_time_ = felt.time;
+  if (felt.time < feels_from_) return aim_ = SwungAim(felt.time);
   wall_ += std::min(1.0, dt / kCalm) * (felt.wall - wall_);
   lost_for_ = felt.depth < kLostDepth ? lost_for_ + dt : 0;
   if (lost_for_ > kLostTime) state_ = State::kLost;
@@ -277,11 +291,13 @@ glm::dvec2 GrooveFollower::Step(const Felt& felt) {
     Swing(felt);
   }
   if (state_ == State::kMoving) Steer(dt);
-  if (state_ == State::kSwinging) {
-    const glm::dvec2 aim = anchor_ + kPullShare * hold_ / stiffness_ * Turned(direction_, angle_);
-    aim_ = from_ + std::min(1.0, (felt.time - since_) / gentle_) * (aim - from_);
-  }
+  if (state_ == State::kSwinging) aim_ = SwungAim(felt.time);
   return aim_;
+}
+
+glm::dvec2 GrooveFollower::SwungAim(double time) const {
+  const glm::dvec2 aim = anchor_ + kPullShare * hold_ / stiffness_ * Turned(direction_, angle_);
+  return from_ + std::min(1.0, (time - since_) / gentle_) * (aim - from_);
 }
 
 }  // namespace moontrace

@@ -24,7 +24,8 @@ class GrooveFollower {
   explicit GrooveFollower(const ReaderKnowledge& knowledge);
 
   /// Begins anew at the tip, from where the hand aims, in a direction [unit] that is tried first.
-  void Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 direction);
+  /// What comes before `feels_from` [s] was felt elsewhere.
+  void Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 direction, double feels_from);
   /// One tick. Gives the aim in the paper's plane [m].
   glm::dvec2 Step(const Felt& felt);
 
@@ -55,14 +56,17 @@ class GrooveFollower {
   glm::dvec2 Foreseen() const;
   void Turn(glm::dvec2 direction, double time);
   double AngleAt(double t) const;
+  glm::dvec2 SwungAim(double time) const;
   double SwingTime() const;
   double SideTime() const;
   double SwingAngle() const;
   void NoteBlocked();
+  void End();
   void Stop(const Felt& felt);
 
   double width_ = 0, hold_ = 0, stiffness_ = 1, late_ = 0, wait_ = 0, speed_ = 0, gentle_ = 0,
          longest_ = 0;
+  double closed_ = 0, still_ = 0, moved_ = 0;  ///< [m]
   State state_ = State::kLost;
   glm::dvec2 direction_{1, 0};
   bool has_moved_ = false;
@@ -71,6 +75,7 @@ class GrooveFollower {
   glm::dvec2 wall_{0, 0};  ///< force of the walls, without the hand's trembling [N]
   double since_ = 0;       ///< the pull has this direction [s]
   double lost_for_ = 0, last_time_ = 0;
+  double feels_from_ = 0;  ///< [s]
   double mark_time_ = 0, back_since_ = 0;
   glm::dvec2 mark_{0, 0};  ///< where the tip was at `mark_time_`
   glm::dvec2 stop_{0, 0}, anchor_{0, 0}, from_{0, 0};

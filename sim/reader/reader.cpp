@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -11,11 +12,15 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20. In em unless said.
-constexpr double kLift = 0.004;     ///< above the level of pressing [m]
+constexpr double kLift = 0.0015;    ///< above the paper [m]
 constexpr double kAirSpeed = 0.35;  ///< [m/s]
 constexpr double kPatience = 1.0;   ///< with a landing that does not come to rest [s]
 constexpr double kGivesUp = 300;    ///< after so long without a sign or a line [s]
-constexpr double kSteady = 0.10;    ///< for the hand to come to rest above where it lands [s]
+constexpr double kSteady = 0.03;    ///< for the hand to come to rest above a groove [s]
+constexpr double kCareful = 0.10;   ///< the same above what was never felt [s]
+constexpr double kFall = 0.08;      ///< onto the paper [s]
+constexpr double kLands = 0.02;     ///< before a sweep begins [s]
+constexpr double kBounce = 0.04;    ///< after which the paper is felt as it is [s]
 constexpr double kUp = 0.06;        ///< to leave a groove before moving aside [s]
 // Of an object's face.
 constexpr double kInside = 0.001;      ///< of its edges a hand stays that is led by a groove [m]
@@ -74,7 +79,7 @@ ReaderAction Reader::Step(const ReaderInput& input) {
     if (!line_.empty()) EndLine();
     phase_ = Phase::kDone;
   }
-  if (phase_ != Phase::kDone && Falls(felt)) ComeBack(felt);
+  if (phase_ != Phase::kDone && Falls(felt)) ComeBack();
   action_ = Act(felt);
   if (knowledge_.face && action_.press > 0) {
     action_.aim = {knowledge_.face->Held(glm::dvec2(action_.aim), kInside), action_.aim.z};
@@ -98,9 +103,7 @@ bool Reader::Falls(const Felt& felt) const {
 
 /// Away from the face and up, then back to where it was at work. What of a way leads off again is
 /// left out bit by bit.
-void Reader::ComeBack(const Felt& felt) {
-  const glm::dvec2 over = glm::dvec2(felt.tip) - carried_;
-  const double length = glm::length(over);
+void Reader::ComeBack() {
   if (phase_ == Phase::kFollow || (phase_ == Phase::kFly && then_ == Phase::kFollow)) {
     if (legs_ == 0) {  // the other way along the groove
       legs_ = 1;
@@ -122,7 +125,7 @@ void Reader::ComeBack(const Felt& felt) {
     }
   }
   if (phase_ != Phase::kFly) return;
-  if (length > 0) fly_from_ += kAway / length * over;
+  fly_from_ += kAway * knowledge_.face->Outward(carried_);
   rise_ = kClimb;
 }
 
@@ -144,6 +147,24 @@ std::vector<glm::dvec2> Reader::WithinFace(std::vector<glm::dvec2> way) const {
   return within;
 }
 
+ReaderActivity Reader::activity() const {
+  switch (phase_) {
+    case Phase::kStart:
+    case Phase::kFly:
+      return ReaderActivity::kFlying;
+    case Phase::kSweep:
+      return crossing_ ? ReaderActivity::kCrossing : ReaderActivity::kSearching;
+    case Phase::kSettle:
+      return ReaderActivity::kSettling;
+    case Phase::kFollow:
+      return follower_.state() == GrooveFollower::State::kMoving ? ReaderActivity::kFollowing
+                                                                 : ReaderActivity::kTurning;
+    case Phase::kDone:
+      break;
+  }
+  return ReaderActivity::kDone;
+}
+
 ReaderAction Reader::Act(const Felt& felt) {
   switch (phase_) {
     case Phase::kStart:
@@ -162,7 +183,7 @@ ReaderAction Reader::Act(const Felt& felt) {
     case Phase::kDone:
       break;
   }
-  return {{felt.tip.x, felt.tip.y, sense_.level() + kLift}, 0};
+  return {{felt.tip.x, felt.tip.y, sense_.surface() + kLift}, 0};
 }
 
 void Reader::FlyTo(glm::dvec2 to, Phase then) {
@@ -177,26 +198,40 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
   drift_.Begin();
 }
 
-/// Up, over, down, and a rest until the landing has been felt.
+/// Up, over and down. What comes next begins before the landing is felt; the first one is waited
+/// for, since it tells where the paper is.
 ReaderAction Reader::Fly(const Felt& felt) {
   const double t = now_ - since_;
-  const double there = rise_ + glm::distance(fly_from_, fly_to_) / kAirSpeed + kSteady;
+  // an even movement over whole periods of its spring leaves a hand at rest
+  const double period = kTurn * std::sqrt(knowledge_.hand_mass / knowledge_.hand_stiffness);
+  const double distance = glm::distance(fly_from_, fly_to_);
+  const double moves = period * std::max(1.0, std::ceil(distance / (kAirSpeed * period)));
+  const double careful = then_ == Phase::kFollow ? kSteady : 0;
+  const double there = rise_ + moves + (sense_.level_known() ? careful : kCareful);
   const double felt_there = there + knowledge_.delay + knowledge_.lag;
   const double unknown = knowledge_.face ? put_ : felt.tip.z;
-  const double height = sense_.level_known() ? sense_.level() + kLift : unknown;
+  const double height = sense_.level_known() ? sense_.surface() + kLift : unknown;
   if (t < rise_) return {{fly_from_.x, fly_from_.y, height}, 0};
-  if (t < there) return {{fly_to_.x, fly_to_.y, height}, 0};
+  if (t < there) {
+    const glm::dvec2 over = glm::mix(fly_from_, fly_to_, std::min(1.0, (t - rise_) / moves));
+    return {{over.x, over.y, height}, 0};
+  }
   const bool rests = sense_.level_known() && sense_.resting_for() > 0.03;
-  if (t >= felt_there && (rests || t > felt_there + kPatience)) {
+  const bool goes_on = sense_.level_known() && t >= there + kFall;
+  if (goes_on || (t >= felt_there && (rests || t > felt_there + kPatience))) {
     since_ = now_;
     phase_ = then_;
     caught_for_ = 0;
+    const bool sweeps = then_ == Phase::kSweep;
+    starts_ = goes_on && sweeps ? now_ + kLands : now_;
+    feels_from_ = goes_on ? now_ + knowledge_.delay + (sweeps ? kBounce : knowledge_.lag) : now_;
     if (then_ == Phase::kFollow) {
-      if (felt.depth < 0.3) {
-        Think();
-      } else {
-        follower_.Begin(felt, fly_to_, -first_direction_);
+      Felt landed = felt;
+      if (goes_on) {
+        landed.place = fly_to_;
+        landed.wall = {0, 0};
       }
+      follower_.Begin(landed, fly_to_, -first_direction_, feels_from_);
       return {{fly_to_.x, fly_to_.y, sense_.level()}, knowledge_.press};
     }
   }
@@ -216,19 +251,20 @@ void Reader::SweepAlong(std::vector<glm::dvec2> way, Errand errand) {
 }
 
 ReaderAction Reader::Sweep(const Felt& felt) {
-  if (felt.depth < kFlatDepth && felt.touching &&
+  const bool feels = now_ >= feels_from_;
+  if (feels && felt.depth < kFlatDepth && felt.touching &&
       !(glm::distance(last_flat_, felt.place) < 0.3 * knowledge_.width)) {
     last_flat_ = felt.place;
-    evidence_.flats.push_back({felt.place, 1});
+    evidence_.flats.push_back({felt.place, 1, true});
   }
   const double dt = now_ - since_;  // since the last tick here
   since_ = now_;
-  caught_for_ = felt.depth > kCaughtDepth ? caught_for_ + dt : 0;
+  caught_for_ = feels && felt.depth > kCaughtDepth ? caught_for_ + dt : 0;
   if (caught_for_ > kCaughtTime) {
     Caught(felt);
     return action_;
   }
-  double step = dt * kSearchShare * knowledge_.Hold() /
+  double step = (now_ < starts_ ? 0 : dt) * kSearchShare * knowledge_.Hold() /
                 (knowledge_.hand_stiffness * (knowledge_.delay + 0.05));
   while (next_ < way_.size() && step > 0) {
     const glm::dvec2 left = way_[next_] - aim_;
@@ -257,7 +293,7 @@ ReaderAction Reader::Sweep(const Felt& felt) {
     waited_ = 0;
   }
   const glm::dvec2 aim = aim_ - drift_.drift();
-  drift_.Add(felt, aim);
+  if (feels) drift_.Add(felt, aim);
   return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
 }
 
@@ -287,7 +323,7 @@ ReaderAction Reader::Settle(const Felt& felt) {
   phase_ = Phase::kFollow;
   legs_ = 0;
   entry_ = felt.place;
-  follower_.Begin(felt, {rest.aim.x, rest.aim.y}, sweep_direction_);
+  follower_.Begin(felt, {rest.aim.x, rest.aim.y}, sweep_direction_, now_);
   return rest;
 }
 
@@ -301,6 +337,7 @@ ReaderAction Reader::Follow(const Felt& felt) {
 /// Where the groove stops, the hand tries those sides to which some likely sign goes on.
 void Reader::TrySides() {
   constexpr double kLikely = 7;             // nats below the best
+  constexpr double kUnlikely = 3;           // the same of what is no sign
   constexpr double kFrom = 0.9, kTo = 2.2;  // widths from the stop
   constexpr double kLeast = 25 * kDegree, kMost = 150 * kDegree;
   // a sharper corner is told from the groove it came by only farther away
@@ -312,8 +349,10 @@ void Reader::TrySides() {
   const glm::dvec2 ahead = follower_.direction();
   for (const SignGuess& guess : belief) {
     if (guess.log_likelihood < belief.front().log_likelihood - kLikely) break;
-    if (guess.sign == SignGuess::kUnknown) left = right = true;
-    if (guess.sign == SignGuess::kUnknown) break;
+    if (guess.sign == SignGuess::kUnknown) {
+      if (guess.log_likelihood > belief.front().log_likelihood - kUnlikely) left = right = true;
+      continue;
+    }
     for (const SignPoint& point : knowledge_.shapes->Points(guess.sign)) {
       const glm::dvec2 way = FromEm(guess.place, point.p) - follower_.stop();
       const double length = glm::length(way) / knowledge_.width;
@@ -336,6 +375,10 @@ void Reader::TrySides() {
 /// the one before did has gone the same way.
 void Reader::EndLeg() {
   TakePath();
+  if (follower_.state() == GrooveFollower::State::kLost) {
+    evidence_.grooves.insert(evidence_.grooves.end(), first_leg_.begin(), first_leg_.end());
+  }
+  first_leg_.clear();
   const glm::dvec2 end = follower_.path().back();
   const bool same = legs_ > 0 && glm::distance(end, leg_end_) < 1.5 * knowledge_.width;
   leg_end_ = end;
@@ -343,11 +386,42 @@ void Reader::EndLeg() {
   const bool ring = follower_.state() == GrooveFollower::State::kRing;
   if (GoRound()) return;
   if (!ring && (legs_ == 1 || (legs_ == 2 && same))) {
+    if (legs_ == 1 && KnowsTheRest()) return Think();
+    if (legs_ == 1 && TurnBack()) return;
     first_direction_ = follower_.Departure();
     FlyTo(entry_, Phase::kFollow);
   } else {
     Think();
   }
+}
+
+/// A hand that is not sure of its place does not find back to where it met a groove, and has
+/// another error there. It turns where it is, and feels the whole groove in one go, which is all
+/// that counts then.
+bool Reader::TurnBack() {
+  constexpr double kUnsure = 0.2;  // of a groove's width
+  constexpr double kBack = 1.5;    // widths; the direction is that of so much of the path
+  if (knowledge_.unsure < kUnsure * knowledge_.width) return false;
+  if (follower_.state() != GrooveFollower::State::kEnded) return false;
+  const std::vector<glm::dvec2>& path = follower_.path();
+  std::size_t i = path.size() - 1;
+  while (i > 0 && glm::distance(path[i], path.back()) < kBack * knowledge_.width) --i;
+  const glm::dvec2 back = path[i] - path.back();
+  if (!(glm::length(back) > 0)) return false;
+  first_leg_ = std::move(evidence_.grooves);
+  evidence_.grooves.clear();
+  follower_.Begin(sense_.felt(), glm::dvec2(action_.aim), glm::normalize(back), now_);
+  return true;
+}
+
+/// Whether one leg has felt nearly all of a sign of which there is no doubt.
+bool Reader::KnowsTheRest() {
+  constexpr double kNearly = 0.3;         // of its lines all lies so near what was felt [em]
+  constexpr std::size_t kFirstSigns = 4;  // tell of size and line, and are felt wholly
+  if (signs_ < kFirstSigns) return false;
+  belief_ = Believe(*knowledge_.shapes, evidence_, PriorNow());
+  if (belief_.empty() || belief_.front().sign == SignGuess::kUnknown) return false;
+  return Sureness() > kVerySure && FarthestUnfelt(belief_.front()).room < kNearly;
 }
 
 /// Round all grooves of the sign so far.
@@ -449,11 +523,16 @@ void Reader::Think() {
     evidence_.grooves.clear();
     evidence_.flats.clear();
     crossings_ = circles_ = 0;
-    const double y = box.min.y + (box.max.y - box.min.y) * (0.3 + 0.4 * random_.Uniform());
-    SweepAlong({{box.min.x - 0.4 * size_, y}, {box.max.x + 0.2 * size_, y}}, errand_);
+    SweepAcross(box);
     return;
   }
   Accept();
+}
+
+/// Where a sign was felt, from its left.
+void Reader::SweepAcross(const Box& box) {
+  const double y = box.min.y + (box.max.y - box.min.y) * (0.3 + 0.4 * random_.Uniform());
+  SweepAlong({{box.min.x - 0.4 * size_, y}, {box.max.x + 0.2 * size_, y}}, errand_);
 }
 
 /// A page's first sign tells the size of all others, and a line's first one its height. One that
@@ -469,8 +548,8 @@ bool Reader::SkipFirst() {
   clear = clear && (first ? Sureness() >= kVerySure && best.log_likelihood > -kPoorFit * weight
                           : Sureness() >= kDoubtful);
   if (clear) return false;
-  ++skips_;
   const Box box = FeltBox();
+  if (skips_++ == 0) first_skipped_ = box;
   const double a = first ? knowledge_.least_size : size_;
   const double y = 0.5 * (box.min.y + box.max.y);
   std::vector<glm::dvec2> way;
@@ -504,23 +583,34 @@ bool Reader::IsLastAgain() const {
   return ShareOf(line_.back().guess, evidence_.grooves) > 0.7;
 }
 
-/// Goes across the part of a sign that is farthest from all that was felt, if that is far: what was
-/// felt may be a part of it only.
-bool Reader::CrossUnfelt(const SignGuess& guess) {
-  constexpr double kFar = 0.25, kReach = 0.2;  // [em]
-  double most = kFar;
-  const SignPoint* farthest = nullptr;
+/// To either side of a line that is crossed [em].
+double Reader::ReachAcross() const {
+  constexpr double kReach = 0.2, kUnsures = 1.0;
+  return kReach + kUnsures * knowledge_.unsure / size_;
+}
+
+Reader::Unfelt Reader::FarthestUnfelt(const SignGuess& guess) const {
+  Unfelt farthest;
   for (const SignPoint& point : knowledge_.shapes->Points(guess.sign)) {
     const glm::dvec2 p = FromEm(guess.place, point.p);
     double room = INFINITY;
     for (const FeltPoint& felt : evidence_.grooves) room = std::min(room, glm::distance(felt.p, p));
-    if (room / guess.place.size <= most) continue;
-    most = room / guess.place.size;
-    farthest = &point;
+    if (room / guess.place.size <= farthest.room) continue;
+    farthest = {room / guess.place.size, point};
   }
-  if (farthest == nullptr) return false;
-  const glm::dvec2 aside = kReach * glm::dvec2(-farthest->tangent.y, farthest->tangent.x);
-  SweepAlong({FromEm(guess.place, farthest->p + aside), FromEm(guess.place, farthest->p - aside)},
+  return farthest;
+}
+
+/// Goes across the part of a sign that is farthest from all that was felt, if that is far: what was
+/// felt may be a part of it only.
+bool Reader::CrossUnfelt(const SignGuess& guess) {
+  constexpr double kFar = 0.25;  // [em]
+  const double reach = ReachAcross();
+  const Unfelt unfelt = FarthestUnfelt(guess);
+  if (unfelt.room <= kFar) return false;
+  const SignPoint& farthest = unfelt.point;
+  const glm::dvec2 aside = reach * glm::dvec2(-farthest.tangent.y, farthest.tangent.x);
+  SweepAlong({FromEm(guess.place, farthest.p + aside), FromEm(guess.place, farthest.p - aside)},
              errand_);
   crossing_ = true;
   return true;
@@ -528,7 +618,9 @@ bool Reader::CrossUnfelt(const SignGuess& guess) {
 
 /// Goes across a part of `other` that `best` does not have and that has not been felt.
 bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
-  constexpr double kReach = 0.2;
+  const double reach = ReachAcross();
+  constexpr double kOwn = 0.1;         // before a sign's end, more may be the next one's [em]
+  constexpr double kBeyondCost = 0.6;  // as room
   double most = -INFINITY;
   glm::dvec2 from{0, 0}, to{0, 0};
   for (const SignPoint& point : knowledge_.shapes->Points(other.sign)) {
@@ -541,11 +633,13 @@ bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
       room = std::min(room, 2 * glm::distance(felt.p, p) / other.place.size);
     }
     // signs that follow lie to the right
-    const double score = std::min(room, 0.3) - 0.1 * point.p.x;
+    const double beyond = ToEm(best.place, p).x - (knowledge_.shapes->Advance(best.sign) - kOwn);
+    const double score =
+        std::min(room, 0.3) - 0.1 * point.p.x - kBeyondCost * std::max(0.0, beyond);
     if (room < 0.17 || score <= most) continue;
     const glm::dvec2 normal(-point.tangent.y, point.tangent.x);
-    const glm::dvec2 a = FromEm(other.place, point.p + kReach * normal);
-    const glm::dvec2 b = FromEm(other.place, point.p - kReach * normal);
+    const glm::dvec2 a = FromEm(other.place, point.p + reach * normal);
+    const glm::dvec2 b = FromEm(other.place, point.p - reach * normal);
     const double free_a = knowledge_.shapes->Distance(best.sign, ToEm(best.place, a));
     const double free_b = knowledge_.shapes->Distance(best.sign, ToEm(best.place, b));
     if (std::max(free_a, free_b) < 0.12) continue;

@@ -23,6 +23,18 @@ struct ReadToken {
   SignPlace place;         ///< of a sign
 };
 
+/// What a reader's hand is at, as its time is told.
+enum class ReaderActivity {
+  kFlying,     ///< lifted, until it rests on the paper again
+  kSearching,  ///< for a groove
+  kCrossing,   ///< a place that tells signs apart
+  kSettling,   ///< back at a groove that it met
+  kFollowing,  ///< a groove
+  kTurning,    ///< looks where a groove that stopped goes on
+  kDone,
+};
+inline constexpr std::size_t kReaderActivities = 7;
+
 /// Reads a page by touch alone. A value: the same knowledge, seed and inputs give the same actions
 /// and the same text. It looks for the first line from where its hand is put, finds that line's
 /// first sign, follows the grooves of each sign, feels again where two signs are still likely, goes
@@ -42,6 +54,7 @@ class Reader {
   /// Whether it looks for a groove or follows one, for pictures.
   bool is_searching() const { return phase_ == Phase::kSweep; }
   bool is_following() const { return phase_ == Phase::kFollow; }
+  ReaderActivity activity() const;
 
  private:
   enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };
@@ -61,7 +74,7 @@ class Reader {
   std::vector<glm::dvec2> WithinFace(std::vector<glm::dvec2> way) const;
   double LongestOn(const ReaderFace& face) const;
   bool Falls(const Felt& felt) const;
-  void ComeBack(const Felt& felt);
+  void ComeBack();
   ReaderAction Fly(const Felt& felt);
   void SweepAlong(std::vector<glm::dvec2> way, Errand errand);
   ReaderAction Sweep(const Felt& felt);
@@ -78,11 +91,21 @@ class Reader {
   bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
   double ShareOf(const SignGuess& guess, const std::vector<FeltPoint>& grooves) const;
   bool IsLastAgain() const;
+  /// The point of a sign that is farthest from all that was felt.
+  struct Unfelt {
+    double room = 0;  ///< [em]
+    SignPoint point;
+  };
+  Unfelt FarthestUnfelt(const SignGuess& guess) const;
+  bool KnowsTheRest();
+  bool TurnBack();
+  double ReachAcross() const;
   bool CrossUnfelt(const SignGuess& guess);
   Box FeltBox() const;
   bool FeltASpot(double widths) const;
   bool GoRound();
   bool SkipFirst();
+  void SweepAcross(const Box& box);
   bool CrossBetween(const SignGuess& best, const SignGuess& other);
   void Accept();
   void SearchFirstLine();
@@ -93,6 +116,11 @@ class Reader {
   bool MetGapsEnd(glm::dvec2 entry);
   bool LeftAGap(glm::dvec2 entry);
   void SearchLineStart();
+  bool IsInLastLine(const SignPlace& place);
+  SignPlace StartOfLine() const;
+  double LeastPitch() const;
+  bool SkippedALine(const SignPlace& place) const;
+  bool LookForSkipped();
   bool IsAtMargin(const SignPlace& place) const;
   void BeginLine();
   void SearchNextLine();
@@ -103,8 +131,10 @@ class Reader {
   std::vector<double> OtherSizes() const;
   bool BelowASpace() const;
   void LearnLineSize(double size);
+  void LearnTurn(glm::dvec2 way);
   SignPlace Expected() const;
   std::vector<glm::dvec2> Weave(double from, double to) const;
+  std::vector<glm::dvec2> WeaveFrom(const SignPlace& place, double from, double to) const;
 
   ReaderKnowledge knowledge_;
   Random random_{0};
@@ -115,7 +145,9 @@ class Reader {
   ReaderAction action_;
   Phase phase_ = Phase::kStart;
   double now_ = 0, since_ = 0;
-  double news_ = 0;  ///< when it last found a sign or the end of a line [s]
+  double starts_ = 0;      ///< to sweep: the landing has come to rest [s]
+  double feels_from_ = 0;  ///< what is felt before comes from before the last landing [s]
+  double news_ = 0;        ///< when it last found a sign or the end of a line [s]
 
   // flying
   Phase then_ = Phase::kSweep;
@@ -140,6 +172,7 @@ class Reader {
   SignEvidence evidence_;
   std::vector<SignGuess> belief_;
   glm::dvec2 entry_{0, 0};
+  std::vector<FeltPoint> first_leg_;  ///< grooves of a leg that is felt again
   int legs_ = 0;                      ///< followed from `entry_`
   glm::dvec2 leg_end_{0, 0};          ///< of the newest leg
   glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
@@ -150,6 +183,7 @@ class Reader {
   int falls_ = 0;             ///< off its face, on this way
   glm::dvec2 carried_{0, 0};  ///< where that carried it last [m]
   int restarts_ = 0, skips_ = 0;
+  Box first_skipped_;               ///< round the first sign that was left for later
   std::size_t unknowns_ = 0;        ///< signs in a row
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign
   std::vector<SignRead> line_;
@@ -161,7 +195,8 @@ class Reader {
   double gap_bias_ = 0;            ///< of gaps between signs from the script's [em]
   int gaps_ = 0;
   std::size_t signs_ = 0;  ///< read so far
-  bool looks_below_ = false;
+  /// Whether a line was skipped between the last one and the next.
+  enum class Skipped { kUnknown, kLooking, kNone } skipped_ = Skipped::kUnknown;
   bool line_size_new_ = false;  ///< the line's first sign was of another size than the line above
   std::vector<SignPlace> line_starts_;
   std::vector<ReadToken> tokens_;

@@ -23,6 +23,13 @@ struct ReaderFace {
     const glm::dvec2 most = glm::max(half - within, glm::dvec2(0));
     return FromOwn(glm::clamp(ToOwn(p), -most, most));
   }
+  /// Out over the edge that is nearest, unit.
+  glm::dvec2 Outward(glm::dvec2 p) const noexcept {
+    const glm::dvec2 off = ToOwn(p), left = half - glm::abs(off);
+    const glm::dvec2 out =
+        left.x < left.y ? glm::dvec2(off.x < 0 ? -1 : 1, 0) : glm::dvec2(0, off.y < 0 ? -1 : 1);
+    return FromOwn(out) - middle;
+  }
   /// From the middle, along its sides, and back.
   glm::dvec2 ToOwn(glm::dvec2 p) const noexcept {
     const double c = std::cos(turn), s = std::sin(turn);

@@ -14,7 +14,7 @@ constexpr double kBandLow = 0.14, kBandHigh = 0.62;  ///< of the weave over a li
 constexpr double kWeave = 0.145;                     ///< half its period
 constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
 constexpr double kBeyond = 1.15;     ///< a sign begins at its left edge plus this at most
-constexpr double kLookBack = 2.4;    ///< left of a line's first sign another may lie so far off
+constexpr double kLookBack = 3.2;    ///< left of a line's first sign another may lie so far off
 constexpr double kDotWithin = 0.35;  ///< dots at a sign's left edge are met by then
 constexpr double kGapFrom = -0.15;   ///< a dot may stick out at a sign's left edge
 constexpr double kGapStep = 0.12;
@@ -32,6 +32,8 @@ constexpr double kTopOfNext = 0.45;
 constexpr double kSoonMet = 0.35;  ///< below where it could begin, of a line without more space
 constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them signs begin and are
 constexpr double kDown = 0.2;     ///< each sweep between them; less than a dot's height
+constexpr int kMostSkips = 5;     ///< of what is the line above again
+constexpr double kLowered = 0.1;  ///< it is looked for so much lower then
 constexpr double kDeepest = 4.0;  ///< the next line lies no deeper
 
 double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
@@ -115,12 +117,8 @@ void Reader::LearnSize(double size) {
 /// before and behind them than other lines.
 bool Reader::BelowASpace() const {
   if (line_starts_.size() < 2) return true;
-  double pitch = INFINITY;  // the least so far [m]
-  for (std::size_t i = 1; i < line_starts_.size(); ++i) {
-    pitch = std::min(pitch, glm::distance(line_starts_[i].origin, line_starts_[i - 1].origin));
-  }
   const SignPlace& above = line_starts_.back();
-  return -ToEm(above, entry_).y > pitch / above.size - 1 + kSoonMet;
+  return -ToEm(above, entry_).y > LeastPitch() / above.size - 1 + kSoonMet;
 }
 
 /// A line's first sign may be a heading's, or that of other lines behind one; if it is, the second
@@ -151,6 +149,15 @@ void Reader::LearnLineSize(double size) {
   for (double& one : felt_sizes_) one *= nearest;
 }
 
+/// From one sign of a line to another [m].
+void Reader::LearnTurn(glm::dvec2 way) {
+  across_ += way.x * way.y;
+  along_ += way.x * way.x;
+  // as sure of it before as a few signs would make it
+  const double spread = 0.03 * size_ / kTurnSpread;
+  turn_ = across_ / (along_ + spread * spread);
+}
+
 /// What the newest sign says of size, turn and gaps.
 void Reader::LearnFrame() {
   const SignGuess& read = line_.back().guess;
@@ -161,12 +168,7 @@ void Reader::LearnFrame() {
   if (std::max(extent.x, extent.y) > kTellsSize) LearnSize(read.place.size);
   if (line_.size() < 2) return;
   const SignGuess& before = line_[line_.size() - 2].guess;
-  const glm::dvec2 way = read.place.origin - before.place.origin;
-  across_ += way.x * way.y;
-  along_ += way.x * way.x;
-  // as sure of it before as a few signs would make it
-  const double spread = 0.03 * size_ / kTurnSpread;
-  turn_ = across_ / (along_ + spread * spread);
+  LearnTurn(read.place.origin - before.place.origin);
   if (before.sign == SignGuess::kUnknown) return;
   const double gap =
       ToEm(before.place, read.place.origin).x - knowledge_.shapes->Advance(before.sign);
@@ -176,9 +178,13 @@ void Reader::LearnFrame() {
   gap_bias_ += (bias - gap_bias_) / std::min(gaps_ + 2, 12);
 }
 
-/// A way that crosses every sign of a line, between two distances from `place` [em].
+/// A way that crosses every sign of a line, between two distances from where the next one is
+/// expected [em].
 std::vector<glm::dvec2> Reader::Weave(double from, double to) const {
-  const SignPlace place = Expected();
+  return WeaveFrom(Expected(), from, to);
+}
+
+std::vector<glm::dvec2> Reader::WeaveFrom(const SignPlace& place, double from, double to) const {
   std::vector<glm::dvec2> way;
   bool high = random_phase_;
   for (double x = from; x < to + kWeave; x += kWeave, high = !high) {
@@ -193,14 +199,24 @@ void Reader::Accept() {
   read.guess.probability = Sureness();
   if (read.guess.sign == SignGuess::kUnknown) {
     read.guess.place = {FeltBox().min, size_, turn_};
-    if (!line_.empty()) read.guess.place = Expected();
+    if (errand_ == Errand::kLineStart) {  // on the base line, where it was felt
+      const SignPlace& first = line_.front().guess.place;
+      read.guess.place.origin = FromEm(first, {ToEm(first, FeltBox().min).x, 0});
+    } else if (!line_.empty()) {
+      read.guess.place = Expected();
+    }
   }
   read.time = news_ = now_;
+  if (errand_ == Errand::kNextLine && IsInLastLine(read.guess.place)) return SearchNextLine();
+  if (errand_ == Errand::kNextLine && SkippedALine(read.guess.place) && LookForSkipped()) return;
   bool again = false;
   if (errand_ == Errand::kLineStart) {
     const SignPlace& first = line_.front().guess.place;
     again = ToEm(first, read.guess.place.origin).x > -kSameSign;
-    if (!again) line_.insert(line_.begin(), read);
+    if (!again) {
+      if (read.guess.sign != SignGuess::kUnknown) LearnTurn(first.origin - read.guess.place.origin);
+      line_.insert(line_.begin(), read);
+    }
   } else {
     const bool known = read.guess.sign != SignGuess::kUnknown;
     if (known && unknowns_ > 0 && !line_.empty() && ShareOf(read.guess, unknown_) > 0.5) {
@@ -224,6 +240,52 @@ void Reader::Accept() {
   } else {
     SearchLineStart();
   }
+}
+
+/// Whether what was taken for the next line's is the last line's, whose height it tells then: that
+/// of its first sign may have been wrong.
+bool Reader::IsInLastLine(const SignPlace& place) {
+  constexpr double kSameLine = 0.5;  // [em]
+  SignPlace& last = line_starts_.back();
+  const double off = Across(last, place.origin);
+  if (std::abs(off) > kSameLine || skips_ >= kMostSkips) return false;
+  ++skips_;
+  last.origin = FromEm(last, {0, off - kLowered});
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = tries_ = circles_ = 0;
+  return true;
+}
+
+/// The least distance between two lines so far [m]; infinite where there was only one.
+double Reader::LeastPitch() const {
+  double pitch = INFINITY;
+  for (std::size_t i = 1; i < line_starts_.size(); ++i) {
+    pitch = std::min(pitch, glm::distance(line_starts_[i].origin, line_starts_[i - 1].origin));
+  }
+  return pitch;
+}
+
+/// Whether a line has room between the last one and this.
+bool Reader::SkippedALine(const SignPlace& place) const {
+  constexpr double kRoom = 1.5;  // pitches
+  return Across(place, line_starts_.back().origin) * place.size > kRoom * LeastPitch();
+}
+
+/// The search for the next line goes over its first signs only, and may slip through between them:
+/// where a line is expected it looks once more, farther along.
+bool Reader::LookForSkipped() {
+  constexpr double kFar = 4;
+  const double pitch = LeastPitch();
+  if (skipped_ != Skipped::kUnknown || !std::isfinite(pitch)) return false;
+  skipped_ = Skipped::kLooking;
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = tries_ = circles_ = 0;
+  SignPlace expected = line_starts_.back();
+  expected.origin = FromEm(expected, {0, -pitch / expected.size});
+  SweepAlong(WeaveFrom(expected, -kBefore, kFar), Errand::kNextLine);
+  return true;
 }
 
 /// Whether a line's sign stands where the leftmost lines so far began, of which there must be two:
@@ -296,9 +358,10 @@ void Reader::SearchBeyond(const std::vector<FeltPoint>& grooves) {
 
 /// The weave passes above bars on the base line and beside dots: where it met nothing for so long
 /// that a sign has room, it looks along both edges of the line, between two distances from where
-/// the next sign is expected [em].
+/// the next sign is expected, or from the first one, where it looks for what stands before it [em].
 void Reader::LookThroughGap(double from, double to, AfterGap after) {
-  const SignPlace place = Expected();
+  SignPlace place = Expected();
+  if (after == AfterGap::kLineBegin) place.origin = line_.front().guess.place.origin;
   std::vector<glm::dvec2> way;
   bool high = false;
   for (double x = from; x < to; x += kGapStep, high = !high) {
@@ -359,9 +422,8 @@ void Reader::LeaveGap() {
 
 /// Whether signs stand left of the line's first.
 void Reader::SearchLineStart() {
-  const SignPlace first = line_.front().guess.place;
-  const double to_first = ToEm(Expected(), first.origin).x;
-  SweepAlong(Weave(to_first - kLookBack, to_first - kBefore - kWeave), Errand::kLineStart);
+  const SignPlace first{line_.front().guess.place.origin, size_, turn_};
+  SweepAlong(WeaveFrom(first, -kLookBack, -kBefore - kWeave), Errand::kLineStart);
 }
 
 void Reader::SearchNextLine() {
@@ -381,16 +443,24 @@ void Reader::Missed() {
   switch (errand_) {
     case Errand::kFirstLine:
     case Errand::kNextLine:
+      if (skipped_ == Skipped::kLooking) {  // none was skipped
+        skipped_ = Skipped::kNone;
+        return SearchNextLine();
+      }
       if (skips_ > 0 && skips_ < kNoMoreSkips) {  // there was nothing but that
         skips_ = kNoMoreSkips;
+        return SweepAcross(first_skipped_);
+      }
+      if (skips_ == kNoMoreSkips) {  // nor there
+        ++skips_;
         errand_ == Errand::kFirstLine ? SearchFirstLine() : SearchNextLine();
         return;
       }
+      if (errand_ == Errand::kNextLine && LookForSkipped()) return;
       phase_ = Phase::kDone;
       return;
     case Errand::kLineStart: {
-      const double to_first = ToEm(Expected(), line_.front().guess.place.origin).x;
-      LookThroughGap(to_first - kLookBack, to_first - kBefore, AfterGap::kLineBegin);
+      LookThroughGap(-kLookBack, -kBefore, AfterGap::kLineBegin);
       return;
     }
     case Errand::kNextSign:
@@ -398,6 +468,24 @@ void Reader::Missed() {
                      AfterGap::kLineEnd);
       return;
   }
+}
+
+/// Where the line's first sign stands, at the middle height of all its signs: one of dots may be
+/// taken to stand too high.
+SignPlace Reader::StartOfLine() const {
+  SignPlace start = line_.front().guess.place;
+  start.size = size_;
+  start.turn = turn_;
+  std::vector<double> heights;
+  for (const SignRead& read : line_) {
+    if (read.guess.sign == SignGuess::kUnknown) continue;
+    heights.push_back(Across(start, read.guess.place.origin));
+  }
+  if (heights.empty()) return start;
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  start.origin = FromEm(start, {0, *middle});
+  return start;
 }
 
 void Reader::EndLine() {
@@ -416,11 +504,10 @@ void Reader::EndLine() {
     expected = x + (known ? knowledge_.shapes->Advance(read.guess.sign) + gap_bias_ : kBeyond);
   }
   tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
-  line_starts_.push_back(line_.front().guess.place);
-  line_starts_.back().size = size_;
-  line_starts_.back().turn = turn_;
+  line_starts_.push_back(StartOfLine());
   line_.clear();
   skips_ = 0;
+  skipped_ = Skipped::kUnknown;
   evidence_.flats.clear();
 }
 

@@ -12,10 +12,11 @@ constexpr double kWithinFill = 0.045;  ///< counts for the distance there at mos
 constexpr double kSpread = 0.03;       ///< of felt points from the centre line
 constexpr double kMostAGroove = 8;     ///< cost of a groove where the sign has none
 constexpr double kCrossedSpread =
-    1.2;                           ///< of a groove that was only crossed, against a followed one
-constexpr double kNextSign = 0.5;  ///< cost of one that was crossed where the sign next to dots is
-constexpr double kBefore = 0.06;   ///< from so far before that
-constexpr double kMostAFlat = 4;   ///< cost of flat paper in the middle of a groove
+    1.2;                              ///< of a groove that was only crossed, against a followed one
+constexpr double kNextSign = 0.5;     ///< cost of one that was crossed where the next sign is
+constexpr double kBefore = 0.06;      ///< from so far before that
+constexpr double kMostAFlat = 4;      ///< cost of flat paper in the middle of a groove
+constexpr double kWithinALeg = 0.5;   ///< of an unsure place's error, what changes over a leg
 constexpr double kUnknownCost = 1.0;  ///< of each groove point, for what is no sign
 constexpr double kOtherSize = 8;      ///< log of how much rarer they are; see PlacePrior
 constexpr double kUnknownPrior = 5;   ///< before anything was felt
@@ -28,6 +29,9 @@ struct ScaledEvidence {
   Box box;  ///< of the grooves that were followed
   double half_width = 0;
   double spread = kSpread;  ///< of felt points
+  double crossed_spread = kSpread;
+  double next_within = kBefore;  ///< before a sign's end what is crossed may be the next one's
+  double flat_cost = kMostAFlat, wall_cost = kMostAFlat;
 };
 
 ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
@@ -38,10 +42,16 @@ ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
   }
   for (const FeltPoint& felt : evidence.flats) {
     const glm::dvec2 p = ToEm(place, felt.p);
-    if (Contains(Grown(scaled.box, 1.2), p)) scaled.flats.push_back({p, felt.weight});
+    if (Contains(Grown(scaled.box, 1.2), p)) scaled.flats.push_back({p, felt.weight, felt.crossed});
   }
   scaled.half_width = 0.5 * evidence.width / place.size;
-  scaled.spread = std::hypot(kSpread, evidence.unsure / place.size);
+  const double unsure = evidence.unsure / place.size;
+  scaled.spread = std::hypot(kSpread, kWithinALeg * unsure);
+  scaled.crossed_spread = std::hypot(kCrossedSpread * kSpread, unsure);
+  // what was felt beside a line by an unsure hand may have been on it
+  scaled.next_within = kBefore + unsure;
+  scaled.wall_cost = kMostAFlat * kSpread / scaled.spread;
+  scaled.flat_cost = kMostAFlat * kSpread / std::hypot(kSpread, unsure);
   return scaled;
 }
 
@@ -53,18 +63,18 @@ double CostOf(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& 
   for (const FeltPoint& groove : felt.grooves) {
     // a tip within a fill may be anywhere in it, which says less than one on a line
     const double d = std::max(shapes.Distance(sign, groove.p - shift), -kWithinFill) /
-                     (groove.crossed ? kCrossedSpread : 1);
-    const bool beyond = groove.crossed && shapes.IsDots(sign) &&
-                        groove.p.x - shift.x > shapes.Advance(sign) - kBefore;
+                     (groove.crossed ? felt.crossed_spread / felt.spread : 1);
+    const bool beyond =
+        groove.crossed && groove.p.x - shift.x > shapes.Advance(sign) - felt.next_within;
     cost += groove.weight * std::min(per_square * d * d, beyond ? kNextSign : kMostAGroove);
     if (cost > most) return cost;
   }
-  // what was felt beside a line by an unsure hand may have been on it
-  const double flat_cost = kMostAFlat * kSpread / felt.spread;
   const double inner = 0.75 * felt.half_width;
   for (const FeltPoint& flat : felt.flats) {
     const double d = std::max(shapes.Distance(sign, flat.p - shift), 0.0);
-    if (d < inner) cost += flat.weight * flat_cost * std::min(1.0, 2 * (1 - d / inner));
+    if (d < inner)
+      cost += flat.weight * (flat.crossed ? felt.flat_cost : felt.wall_cost) *
+              std::min(1.0, 2 * (1 - d / inner));
   }
   return cost;
 }

@@ -21,7 +21,7 @@ glm::dvec2 FromEm(const SignPlace& place, glm::dvec2 p_em) noexcept;
 struct FeltPoint {
   glm::dvec2 p{0, 0};  ///< [m]
   double weight = 1;
-  bool crossed = false;  ///< a groove that was met on the way across, and not followed
+  bool crossed = false;  ///< felt on the way across, not while a groove was followed
 };
 
 /// All that was felt of one sign.
@@ -55,7 +55,7 @@ struct SignGuess {
 
 /// Probabilities of all signs, each at its best place, and of something unknown, best first. A
 /// groove point costs the squared distance from the sign's lines over twice the variance, up to a
-/// bound, which is low for one that was only crossed where the sign next to dots may stand; a flat
+/// bound, which is low for one that was only crossed where the next sign stands; a flat
 /// point costs where the sign has its groove. Signs are equally likely before.
 std::vector<SignGuess> Believe(const SignShapes& shapes, const SignEvidence& evidence,
                                const PlacePrior& prior);

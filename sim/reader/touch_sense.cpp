@@ -7,9 +7,10 @@
 namespace moontrace {
 namespace {
 
-constexpr double kSmooth = 0.008;   ///< of the vertical speed [s]
-constexpr double kRest = 0.040;     ///< the level is taken after so long a rest [s]
-constexpr double kResting = 0.003;  ///< slower up and down is at rest [m/s]
+constexpr double kSmooth = 0.008;    ///< of the vertical speed [s]
+constexpr double kRest = 0.040;      ///< the level is taken after so long a rest [s]
+constexpr double kMostGive = 0.005;  ///< of device and paper [m/N]
+constexpr double kResting = 0.003;   ///< slower up and down is at rest [m/s]
 
 }  // namespace
 
@@ -18,7 +19,8 @@ TouchSense::TouchSense(const ReaderKnowledge& knowledge, double tick)
       press_(knowledge.press),
       depth_(knowledge.depth),
       width_(knowledge.width),
-      give_(1 / knowledge.device_stiffness) {}
+      give_(1 / knowledge.device_stiffness),
+      yields_(give_) {}
 
 void TouchSense::Lift() noexcept { resting_for_ = 0; }
 
@@ -44,6 +46,18 @@ void TouchSense::FindLevel() noexcept {
   }
 }
 
+/// A landing tells how far device and paper yield together: the less of the press they carry, the
+/// higher the tip. One into a groove tells a little less.
+void TouchSense::FindGive(const ReaderInput& input) noexcept {
+  constexpr double kNew = 0.3;      // share of the newest landing
+  constexpr double kSlowest = 0.9;  // of the press; more at the first touch was no landing
+  if (input.force.z > kSlowest * press_) return;
+  const double found = (input.tip.z - level_) / (press_ - input.force.z);
+  if (found < give_ || found > kMostGive) return;
+  yields_ += (landed_ ? kNew : 1.0) * (found - yields_);
+  landed_ = true;
+}
+
 const Felt& TouchSense::Add(const ReaderInput& input) noexcept {
   if (!begun_) last_height_ = input.tip.z;
   begun_ = true;
@@ -53,10 +67,12 @@ const Felt& TouchSense::Add(const ReaderInput& input) noexcept {
   felt_.tip = input.tip;
   felt_.wall = glm::dvec2(input.force);
   felt_.place = glm::dvec2(input.tip) + give_ * felt_.wall;
-  felt_.touching = input.force.z > 0.3 * press_;
+  const bool touching = input.force.z > 0.3 * press_;
+  if (touching && !felt_.touching && level_known_) FindGive(input);
+  felt_.touching = touching;
   FindLevel();
-  // what the press does not carry yet, the device's give has not yet taken up
-  const double height = input.tip.z - level_ + give_ * (input.force.z - press_);
+  // what the press does not carry yet, device and paper have not yet yielded to
+  const double height = input.tip.z - level_ + yields_ * (input.force.z - press_);
   felt_.depth = level_known_ && felt_.touching ? -height / depth_ : 0;
   return felt_;
 }

@@ -33,13 +33,18 @@ class TouchSense {
   const Felt& felt() const { return felt_; }
   double resting_for() const { return resting_for_; }  ///< on the paper, neither up nor down [s]
   double level() const { return level_; }  ///< of the tip that presses on flat paper [m]
+  /// Of a tip that only just touches flat paper, as far as landings told it [m].
+  double surface() const { return level_ + yields_ * press_; }
   bool level_known() const { return level_known_; }
 
  private:
   void FindLevel() noexcept;
+  void FindGive(const ReaderInput& input) noexcept;
 
   double tick_ = 1e-3;
   double press_ = 1, depth_ = 1, width_ = 1, give_ = 0;
+  double yields_ = 0;  ///< device and paper, under a press [m/N]
+  bool landed_ = false;
   Felt felt_;
   double level_ = 0;
   bool level_known_ = false, begun_ = false;

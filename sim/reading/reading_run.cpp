@@ -200,6 +200,7 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     through = felt.through;
     const ReaderInput late = senses.Pass(now);
     const ReaderAction action = reader.Step(late);
+    result.seconds[static_cast<std::size_t>(reader.activity())] += tick;
     if (setup.watch) setup.watch(late, reader);
     stylus.Lead({action.aim, action.press});
     Keep(result.path, felt, reader, setup.path_spacing);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -59,12 +60,13 @@ struct ReadingSetup {
 };
 
 struct ReadingResult {
-  std::vector<ReadToken> tokens;  ///< places in the page's frame
-  bool ended = false;             ///< by itself
-  std::size_t through = 0;        ///< how often the paper gave way under the tip
-  double duration = 0;            ///< simulated [s]
-  double real_time_factor = 0;    ///< the only value that varies
-  std::vector<PathPoint> path;    ///< kTravel where it searches, kStroke where it follows
+  std::vector<ReadToken> tokens;                    ///< places in the page's frame
+  bool ended = false;                               ///< by itself
+  std::size_t through = 0;                          ///< how often the paper gave way under the tip
+  double duration = 0;                              ///< simulated [s]
+  std::array<double, kReaderActivities> seconds{};  ///< of it, by ReaderActivity
+  double real_time_factor = 0;                      ///< the only value that varies
+  std::vector<PathPoint> path;  ///< kTravel where it searches, kStroke where it follows
 };
 
 /// Reader, hand and scene, tick by tick: the hand's place goes to the scene, the scene's force one

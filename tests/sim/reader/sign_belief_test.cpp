@@ -178,6 +178,26 @@ TEST_F(SignBelief, AGrooveThatWasCrossedMayBeTheNextSigns) {
   EXPECT_EQ(best(0.77 + 0.05), "comma");
 }
 
+// The same beside a letter: right of an I's advance stands another sign's groove; it is no reason
+// to take the I for a sign that is as wide.
+TEST_F(SignBelief, AnUprightBesideAnIIsTheNextSign) {
+  const SignPlace place{{0, 0}, kSize, 0};
+  SignEvidence felt;
+  felt.width = kWidth;
+  for (double y = 0; y < 1; y += 0.05) felt.grooves.push_back({FromEm(place, {0, y}), 0.5});
+  const auto likelihood = [&] {
+    for (const SignGuess& guess : Believe(shapes_, felt, Expecting(place))) {
+      if (NameOf(guess) == "i") return guess.log_likelihood;
+    }
+    return -1e9;
+  };
+  const double alone = likelihood();
+  felt.grooves.push_back({FromEm(place, {0.75, 0.4}), 2, true});
+  EXPECT_GT(likelihood(), alone - 2);
+  felt.grooves.back().p = FromEm(place, {0.5, 0.4});
+  EXPECT_LT(likelihood(), alone - 5);
+}
+
 // What is felt 0.08 em beside a line speaks against it, unless the hand errs by as much.
 TEST_F(SignBelief, AnUnsureHandForgivesMore) {
   const SignPlace place{{0, 0}, kSize, 0};

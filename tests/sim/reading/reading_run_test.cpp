@@ -74,6 +74,20 @@ TEST(Reading, ReadsAWordAndEnds) {
   for (const ReadToken& token : result.tokens) EXPECT_GT(token.probability, 0.9);
 }
 
+TEST(Reading, TellsWhatItsSecondsWentInto) {
+  const Desk desk("no");
+  const ReadingResult result = RunReading(desk.setup);
+  double sum = 0;
+  for (const double seconds : result.seconds) sum += seconds;
+  EXPECT_NEAR(sum, result.duration, 1e-6);
+  for (const ReaderActivity activity : {ReaderActivity::kFlying, ReaderActivity::kSearching,
+                                        ReaderActivity::kFollowing, ReaderActivity::kTurning}) {
+    EXPECT_GT(result.seconds[static_cast<std::size_t>(activity)], 0.2);
+  }
+  // only the tick in which it ends
+  EXPECT_LE(result.seconds[static_cast<std::size_t>(ReaderActivity::kDone)], 0.0011);
+}
+
 // The place that it reports is the place on the page, though the page lay turned under the hand.
 TEST(Reading, KnowsWhereTheSignsLie) {
   const Desk desk("moon");
@@ -147,11 +161,27 @@ TEST(Reading, ReadsLinesThatBeginWithADotAndABar) {
   EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "the moon\nthin is\n");
 }
 
+// Of 10155 signs of words with marks and numbers, by other seeds, 0.3 percent were wrong: more than
+// three of these 72 are to be expected in fewer than one of 10^4 runs, by whichever compiler.
 TEST(Reading, ReadsMarksOfDots) {
-  const Desk desk("no, it's: (a) so. \"on\"");
-  std::string text = TextRead(RunReading(desk.setup).tokens, desk.script);
-  std::replace(text.begin(), text.end(), '\n', ' ');  // wherever the lines ended
-  EXPECT_EQ(text, "no, it's: (a) so. \"on\" ");
+  ReadingScore all;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Desk desk("no, it's: (a) so. \"on\"", 0.012, seed);
+    all += desk.Score(RunReading(desk.setup));
+  }
+  EXPECT_EQ(all.signs, 72U);
+  EXPECT_GE(all.signs_right, all.signs - 3);
+  EXPECT_LE(all.extra, 1U);
+}
+
+// The search for a line goes over its first signs only. By two of these seeds it slipped through
+// between two bars, and by the first all of the first line was left for later: no size was clear.
+TEST(Reading, LeavesOutNoLine) {
+  for (const std::uint64_t seed : {6U, 27U, 42U}) {
+    const Desk desk("at go\nus in\ntt mi\nsu gt", 0.006, seed);
+    EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "at go\nus in\ntt mi\nsu gt\n")
+        << seed;
+  }
 }
 
 // Steps of 10 and 64 um, a period of delay, the coupling and the peak that each holds.
@@ -323,6 +353,23 @@ TEST(SlowReading, ReadsUnseenLettersOfTwelveAndSixMillimetres) {
     EXPECT_EQ(score.signs, 200U);
     EXPECT_GE(score.signs_right, 195U) << size;
   }
+}
+
+// Its place wanders by 0.5 mm, two thirds of a groove's width. Of 638 letters on pages by other
+// seeds 97 percent were right; of 100, fewer than 90 are to be expected at that rate in one of 10^3
+// runs.
+TEST(SlowReading, ReadsSixMillimetresThoughUnsureOfItsPlace) {
+  ReadingScore all;
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    const Desk desk(RandomLetters(25, 3000 + i), 0.006, 401 + i);
+    ReadingSetup setup = desk.setup;
+    setup.device = FindProfile("moontrace-raw", ProfilesFolder());
+    setup.senses.unsure = setup.knowledge.unsure = 0.5e-3;
+    const ReadingResult result = RunReading(setup);
+    EXPECT_TRUE(result.ended);
+    all += desk.Score(result);
+  }
+  EXPECT_GE(all.signs_right, all.signs * 90 / 100);
 }
 
 // There is no word in it.
