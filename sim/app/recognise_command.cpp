@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -22,13 +21,13 @@
 #include "sim/picture/picture_file.h"
 #include "sim/reading/read_text.h"
 #include "sim/reading/reading_run.h"
+#include "sim/reading/reading_setup.h"
 #include "sim/setup/cli_app.h"
 #include "sim/setup/help.h"
 #include "sim/setup/text_setup.h"
 #include "sim/setup/text_trial.h"
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
-#include "textures/base/random.h"
 #include "textures/base/units.h"
 #include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
@@ -131,10 +130,6 @@ struct Reading {
   std::vector<std::string> pictures;
 };
 
-constexpr double kGreatestTurn = 3 * kDegree;
-/// The hand is put on the text's upper left corner, to within so many sizes.
-constexpr double kPutWithin = 0.5;
-
 /// A profile that gives a reader depth, and pushes it back.
 DeviceProfile ReadableProfile(const std::string& name) {
   DeviceProfile profile = FindProfile(name, ProfilesFolder());
@@ -165,22 +160,7 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   SetPress(setup.hand, style.relief, options.press, plan);
   setup.hand.press = plan.press;
   setup.press_given = options.press.has_value();
-  setup.knowledge = KnowledgeOf(shapes, text.script, setup.hand, setup.muscle, setup.senses);
-  setup.knowledge.width = style.width;
-  if (style.structure.read) setup.knowledge.heading_scale = style.structure.heading_scale;
-  setup.knowledge.depth = style.depth;
-  setup.knowledge.device_stiffness = setup.scene.rendering == Rendering::kProxy
-                                         ? setup.scene.coupling_stiffness
-                                         : std::numeric_limits<double>::infinity();
-  Random random(options.seed + page * 0x9e3779b9u);
-  setup.hand_seed = random.Bits();
-  setup.reader_seed = random.Bits();
-  setup.knowledge.least_size = style.size * std::exp2(-random.Uniform());
-  setup.knowledge.greatest_size = 2 * setup.knowledge.least_size;
-  setup.page_turn = kGreatestTurn * (2 * random.Uniform() - 1);
-  const Box& area = setup.page->text_area_P;
-  const glm::dvec2 off(2 * random.Uniform() - 1, 2 * random.Uniform() - 1);
-  setup.start_P = glm::dvec2(area.min.x, area.max.y) + kPutWithin * style.size * off;
+  CompleteSetup(setup, shapes, text.script, style, options.seed + page * 0x9e3779b9u);
   if (!options.picture.empty()) setup.path_spacing = style.width / 20;
   setup.stop = console.stop();
   return setup;

@@ -14,6 +14,8 @@
 #include "sim/app/study_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
+#include "sim/study/reading_summary.h"
+#include "sim/study/reading_sweep.h"
 #include "sim/study/study_files.h"
 #include "sim/study/study_protocol.h"
 #include "sim/study/study_summary.h"
@@ -22,6 +24,7 @@
 #include "textures/base/nearest_word.h"
 #include "textures/base/output_file.h"
 #include "textures/base/resources.h"
+#include "textures/base/units.h"
 #include "textures/fonts/script.h"
 #include "textures/fonts/script_library.h"
 
@@ -54,6 +57,7 @@ Shard ShardOf(const std::string& given) {
 
 StudyProtocol ProtocolAt(const std::string& file) {
   StudyProtocol protocol = LoadStudy(file);
+  if (protocol.reading) CheckSweep(*protocol.reading, file);
   try {
     FindScript(protocol.script);
   } catch (const InputError& error) {
@@ -160,6 +164,62 @@ void Report(const StudyOptions& options, const StudySummary& summary, const std:
   console.Path(path);
 }
 
+Json EstimateJson(const Estimate& estimate) {
+  return Json{{"value", estimate.value}, {"ci95", {estimate.low, estimate.high}}};
+}
+
+Json ReadingCellJson(const ReadingStudyCell& cell) {
+  const ReadingCell& given = cell.cell;
+  return Json{{"condition", cell.condition},
+              {"script", given.script},
+              {"device", given.device.empty() ? Json() : Json(given.device)},
+              {"size_mm", kMillimetres * given.size},
+              {"width_share", given.width_share},
+              {"depth_share", given.depth_share},
+              {"rounding_share", given.rounding_share},
+              {"press_n", given.press},
+              {"friction", given.friction},
+              {"drift_share", given.drift_share},
+              {"unsure_mm", kMillimetres * given.unsure},
+              {"pages", cell.pages},
+              {"signs", cell.signs},
+              {"right_share", EstimateJson(cell.right)},
+              {"seconds_per_sign", EstimateJson(cell.seconds)},
+              {"wrong", cell.wrong},
+              {"missed", cell.missed},
+              {"extra", cell.extra},
+              {"through", cell.through},
+              {"without_end", cell.unended}};
+}
+
+/// Of a study of reading.
+void ReportReading(const StudyOptions& options, const std::vector<StudyRow>& rows,
+                   const std::string& path, Console& console) {
+  const ReadingSummary summary = SummariseReading(rows);
+  if (options.output.json) {
+    Json cells = Json::array();
+    for (const ReadingStudyCell& cell : summary.cells) cells.push_back(ReadingCellJson(cell));
+    console.Json(Dump(Json{{"rows", path},
+                           {"pages", rows.size()},
+                           {"simulated", true},
+                           {"cells", std::move(cells)},
+                           {"best", summary.cells.at(summary.best).condition}}));
+    return;
+  }
+  console.Result(say::ReadingDone(rows.size(), summary.cells.size()));
+  if (ShardOf(options.shard).of > 1) console.Result(say::StudyIsAShare(options.shard));
+  for (const ReadingStudyCell& cell : summary.cells) {
+    console.Result(say::ReadingCellLine(cell));
+    console.Result(say::ReadingErrorsLine(cell));
+  }
+  if (summary.cells.size() > 1) {
+    console.Result(say::ReadingBest(summary.cells[summary.best].condition));
+  }
+  console.Result(say::ReadingProves());
+  console.Result(say::StudyRowsIn());
+  console.Path(path);
+}
+
 int Merge(const StudyOptions& options, Console& console) {
   if (options.words.size() < 2) throw UsageError(say::NothingToMerge());
   if (options.path.empty()) throw UsageError(say::MergeNeedsOutput());
@@ -168,6 +228,10 @@ int Merge(const StudyOptions& options, Console& console) {
   const std::vector<std::string> files(options.words.begin() + 1, options.words.end());
   const std::vector<StudyRow> rows = MergeStudies(files);
   WriteWhole(options.path, StudyText(rows));
+  if (!rows.empty() && rows.front().page) {
+    ReportReading(options, rows, options.path, console);
+    return exit_code::kGood;
+  }
   const StudySummary summary = Summarise(rows);
   Report(options, summary, say::StudyMerged(summary, files.size()), options.path, console);
   return exit_code::kGood;
@@ -201,8 +265,9 @@ int Run(const StudyOptions& options, Console& console) {
   output.shards = shard.of;
   output.threads = ThreadsOf(options);
   output.begins = [&] {
-    console.Remark(say::StudyBegins(
-        protocol.title, PlacesOf(protocol, shard.number, shard.of).size(), output.threads));
+    const std::size_t places = PlacesOf(protocol, shard.number, shard.of).size();
+    console.Remark(protocol.reading ? say::ReadingBegins(protocol.title, places, output.threads)
+                                    : say::StudyBegins(protocol.title, places, output.threads));
   };
   output.check = [&console] { console.CheckStop(); };
   output.progress = [&console](std::size_t done, std::size_t of) {
@@ -214,6 +279,10 @@ int Run(const StudyOptions& options, Console& console) {
   } catch (const Interrupted&) {
     console.Remark(say::StudyGoesOn(output.path));
     throw;
+  }
+  if (protocol.reading) {
+    ReportReading(options, rows, output.path, console);
+    return exit_code::kGood;
   }
   const StudySummary summary = Summarise(rows);
   Report(options, summary, say::StudyDone(summary), output.path, console);

@@ -95,6 +95,41 @@ std::string StudyProves() {
          "that the program works, not how people learn.";
 }
 
+std::string ReadingBegins(std::string_view title, std::size_t pages, int threads) {
+  return fmt::format("Study {}: {} by a simulated reader, {} at a time.", title,
+                     Counted(pages, "page", "pages"), threads);
+}
+
+std::string ReadingDone(std::size_t pages, std::size_t combinations) {
+  return fmt::format("Study done: {} of {} read.", Counted(pages, "page", "pages"),
+                     Counted(combinations, "kind", "kinds"));
+}
+
+std::string ReadingCellLine(const ReadingStudyCell& cell) {
+  return fmt::format("{}: {} right, CI {:.2f} to {:.2f}; {:.2f} s a sign, CI {:.2f} to {:.2f}",
+                     cell.condition, Percent(cell.right.value), 100 * cell.right.low,
+                     100 * cell.right.high, cell.seconds.value, cell.seconds.low,
+                     cell.seconds.high);
+}
+
+std::string ReadingErrorsLine(const ReadingStudyCell& cell) {
+  std::string line =
+      fmt::format("  {} signs on {}: {} wrong, {} missed, {} too many, spaces counted", cell.signs,
+                  Counted(cell.pages, "page", "pages"), cell.wrong, cell.missed, cell.extra);
+  if (cell.through > 0) line += fmt::format("; pressed through {}", Times(cell.through));
+  if (cell.unended > 0) line += fmt::format("; came to no end with {}", cell.unended);
+  return line;
+}
+
+std::string ReadingBest(std::string_view condition) {
+  return fmt::format("Surest, then quickest: {}.", condition);
+}
+
+std::string ReadingProves() {
+  return "CI: 95 percent, by pages drawn anew. A simulated reader: this compares pages and "
+         "devices, not people.";
+}
+
 std::string StudyRowsIn() { return "Rows are in"; }
 
 }  // namespace moontrace::say

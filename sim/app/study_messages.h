@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/study/reading_summary.h"
 #include "sim/study/study_summary.h"
 
 /// Sentences of `moontrace study`. What is wrong with a protocol or a study's file is said by the
@@ -37,20 +38,28 @@ std::string StudyExclusions(std::size_t count);
 std::string StudyExclusionLine(const StudyExclusion& exclusion);
 std::string StudyProves();
 std::string StudyRowsIn();
+// Of studies of reading.
+std::string ReadingBegins(std::string_view title, std::size_t pages, int threads);
+std::string ReadingDone(std::size_t pages, std::size_t combinations);
+std::string ReadingCellLine(const ReadingStudyCell& cell);
+std::string ReadingErrorsLine(const ReadingStudyCell& cell);
+std::string ReadingBest(std::string_view condition);
+std::string ReadingProves();
 
 namespace help {
 inline constexpr const char* kStudyCommand =
-    "runs a study of simulated learners from a protocol file";
+    "runs a study of simulated learners, or of pages read by touch, from a protocol file";
 inline constexpr const char* kStudyWords =
-    "a protocol (TOML), by path or by the name of a shipped one: guidance. Or merge, then files of "
-    "shards.";
+    "a protocol (TOML), by path or by the name of a shipped one: guidance, reading. Or merge, then "
+    "files of shards.";
 inline constexpr const char* kStudyOutput =
     "rows as CSV, one a trial; a run that was ended goes on where it was. Default: the protocol's "
     "name with .csv, of a shard with -K-of-N.csv, in this folder. Of merge it must be given.";
 inline constexpr const char* kStudyThreads =
-    "learners at the same time, 1 to 256; the bytes do not depend on it. Default: one a core.";
+    "learners or pages at the same time, 1 to 256; the bytes do not depend on it. Default: one a "
+    "core.";
 inline constexpr const char* kStudyShard =
-    "only every Nth learner, beginning with the Kth, for one of N machines. Default 1/1.";
+    "only every Nth learner or page, beginning with the Kth, for one of N machines. Default 1/1.";
 }  // namespace help
 
 }  // namespace moontrace::say

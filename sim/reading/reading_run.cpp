@@ -171,9 +171,10 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     // a hand knows it to within a millimetre or so
     Random random(setup.hand_seed ^ setup.reader_seed);
     const auto about = [&random] { return kRoughly * (2 * random.Uniform() - 1); };
-    const glm::dvec2 off_P = face->middle - start_P + glm::dvec2(about(), about());
+    const double up = about(), right = about(), higher = about(), wider = about();
+    const glm::dvec2 off_P = face->middle - start_P + glm::dvec2(right, up);
     const glm::dvec3 middle = sheet.ToHandFrame({off_P, 0});
-    knowledge.face = ReaderFace{glm::dvec2(middle), face->half + glm::dvec2(about(), about()),
+    knowledge.face = ReaderFace{glm::dvec2(middle), face->half + glm::dvec2(wider, higher),
                                 face->turn + setup.page_turn};
   }
   Reader reader(knowledge, tick, setup.reader_seed);
@@ -274,21 +275,6 @@ std::vector<int> MarksOf(const std::vector<ReadToken>& tokens, const Script& scr
     }
   }
   return marks;
-}
-
-ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Script& script,
-                            const HandModel& hand, const Muscle& muscle, const Senses& senses) {
-  ReaderKnowledge knowledge;
-  knowledge.shapes = std::move(shapes);
-  knowledge.space = script.space_advance;
-  knowledge.press = hand.press;
-  knowledge.hand_mass = hand.mass;
-  knowledge.hand_stiffness = hand.stiffness;
-  knowledge.hand_damping = hand.damping;
-  knowledge.delay = senses.delay;
-  knowledge.lag = muscle.lag;
-  knowledge.unsure = senses.unsure;
-  return knowledge;
 }
 
 // With s = tick / lag the inner lag's variance is kick^2 / (2 s) and the outer one's half of that,

@@ -82,11 +82,6 @@ std::vector<int> MarksOf(const TextPage& page, const Script& script);
 /// The same of what was read.
 std::vector<int> MarksOf(const std::vector<ReadToken>& tokens, const Script& script);
 
-/// What a reader of a script is told: every sign that some text can become, the groove, a range of
-/// sizes [m], the hand.
-ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Script& script,
-                            const HandModel& hand, const Muscle& muscle, const Senses& senses);
-
 /// How wrongly a hand knows where it is: an error that wanders smoothly over some 1.5 s, apart from
 /// where the hand truly is. Two equal lags in a row make it of white noise, so that it has a speed
 /// but no jitter; its correlation over a time t is (1 + t / lag) exp(-t / lag), whose integral, 1.5

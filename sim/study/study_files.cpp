@@ -56,7 +56,8 @@ class Part {
  public:
   Part(const std::string& folder, const StudyProtocol& protocol, const StudyPlace& place)
       : path_(fmt::format("{}/{}-{}.csv", folder, protocol.conditions[place.condition].name,
-                          place.seed)) {
+                          place.seed)),
+        kind_(protocol.kind()) {
     std::error_code error;
     const bool there = fs::exists(path_, error);
     if (error) CannotWrite(path_, error.value());
@@ -78,7 +79,7 @@ class Part {
   void Open() {
     file_ = Opened(path_, O_APPEND);
     if (!SyncFolder(FolderOf(path_))) CannotWrite(path_, errno);
-    if (!begun_) Append(StudyHeader());
+    if (!begun_) Append(StudyHeader(kind_));
   }
   /// The row is on disk when this returns.
   void Add(StudyRow row) {
@@ -95,6 +96,7 @@ class Part {
   }
 
   std::string path_;
+  StudyKind kind_;
   std::vector<StudyRow> rows_;
   bool begun_ = false;
   FileDescriptor file_;
@@ -140,10 +142,14 @@ class Workers {
         if (part.rows().size() < RowsOf(protocol_, places_[i])) {
           const std::vector<StudyRow> before = part.rows();
           part.Open();
-          RunStudyLearner(protocol_, places_[i], before, [this, &part](const StudyRow& row) {
-            part.Add(row);
+          const auto check = [this] {
             if (halt_) throw Halted();
-          });
+          };
+          const auto each = [&](const StudyRow& row) {
+            part.Add(row);
+            check();
+          };
+          RunStudyLearner(protocol_, places_[i], before, each, check);
           part.Close();
         }
         ++done_;
@@ -211,7 +217,8 @@ void CheckNoneMissing(const Learners& learners) {
 }  // namespace
 
 std::string StudyText(const std::vector<StudyRow>& rows) {
-  std::string text = StudyHeader();
+  const bool pages = !rows.empty() && rows.front().page;
+  std::string text = StudyHeader(pages ? StudyKind::kReading : StudyKind::kTracing);
   for (const StudyRow& row : rows) text += row.line;
   return text;
 }

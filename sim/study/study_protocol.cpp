@@ -158,6 +158,30 @@ void AddTraining(std::vector<StudyTrial>& trials, const StudyProtocol& protocol,
   }
 }
 
+/// Pages in place of learners, combinations in place of conditions.
+void ReadReading(const TomlTable& root, StudyProtocol& protocol) {
+  const TomlTable table = root.Table("reading");
+  protocol.learners = static_cast<int>(
+      InRange(table, "pages", Count(table, "pages", 20, kMostLearners), 1, kMostLearners));
+  protocol.reading = ReadSweep(table);
+  std::set<std::string> names;
+  for (const ReadingCell& cell : protocol.reading->cells) {
+    protocol.conditions.emplace_back().name = cell.name;
+    if (!names.insert(cell.name).second) {
+      root.Fail("reading", fmt::format("{} stands there twice: give each value once", cell.name));
+    }
+  }
+}
+
+void CheckTogether(const TomlTable& root, const StudyProtocol& protocol) {
+  const double together = 1.0 * protocol.learners * static_cast<double>(protocol.conditions.size());
+  if (together > kMostLearners) {
+    root.Fail(
+        protocol.reading ? "reading" : "learners",
+        fmt::format("{} in all conditions together: give at most {}", together, kMostLearners));
+  }
+}
+
 }  // namespace
 
 StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
@@ -166,11 +190,17 @@ StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
   protocol.file = name;
   protocol.digest = DigestOf(text);
   protocol.title = root.String("title");
+  protocol.first_seed = static_cast<std::uint64_t>(
+      InRange(root, "first_seed", static_cast<double>(root.Integer("first_seed", 1)), 0, 1e15));
+  if (root.Has("reading")) {
+    ReadReading(root, protocol);
+    CheckTogether(root, protocol);
+    root.FailUnknown();
+    return protocol;
+  }
   protocol.script = root.String("script", "moon");
   protocol.learners = static_cast<int>(
       InRange(root, "learners", Count(root, "learners", 20, kMostLearners), 1, kMostLearners));
-  protocol.first_seed = static_cast<std::uint64_t>(
-      InRange(root, "first_seed", static_cast<double>(root.Integer("first_seed", 1)), 0, 1e15));
   protocol.letters = Letters(root, "letters");
   protocol.size = Millimetres(root, "size_mm", 12);
   protocol.groove_depth_share =
@@ -185,11 +215,7 @@ StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
   if (root.Has("transfer")) ReadTransfer(root.Table("transfer"), protocol);
   if (root.Has("staircase")) protocol.staircase = ReadStaircase(root.Table("staircase"));
   ReadConditions(root, protocol);
-  const double together = 1.0 * protocol.learners * static_cast<double>(protocol.conditions.size());
-  if (together > kMostLearners) {
-    root.Fail("learners", fmt::format("{} in all conditions together: give at most {}", together,
-                                      kMostLearners));
-  }
+  CheckTogether(root, protocol);
   root.FailUnknown();
   return protocol;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lessons/course/guidance_mode.h"
+#include "sim/study/reading_sweep.h"
 
 namespace moontrace {
 
@@ -25,8 +26,12 @@ struct StudyStaircase {
   int lessons = 2;  ///< times that each letter is taught, named and felt, before
 };
 
+/// Who is studied: learners who trace letters, or a reader that reads pages by touch.
+enum class StudyKind { kTracing, kReading };
+
 /// A study: the same phases for each condition. From a TOML file, `lessons/studies/guidance.toml`
-/// shows all keys.
+/// shows all keys; of reading `lessons/studies/reading.toml`, where combinations are the conditions
+/// and pages the learners.
 struct StudyProtocol {
   std::string title, file, script = "moon";
   std::uint64_t digest = 0;  ///< of the file's bytes: which protocol a row was made by
@@ -44,6 +49,9 @@ struct StudyProtocol {
   std::optional<double> transfer_size;  ///< [m]
   std::vector<StudyCondition> conditions;
   std::optional<StudyStaircase> staircase;
+  std::optional<ReadingSweep> reading;  ///< then nothing above from `script` on is asked
+
+  StudyKind kind() const { return reading ? StudyKind::kReading : StudyKind::kTracing; }
 };
 
 /// Throws InputError: file:line:column, cause, cure with the nearest key.

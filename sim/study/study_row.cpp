@@ -15,9 +15,14 @@ namespace {
 constexpr const char* kColumns =
     "study,condition,seed,trial,phase,day,letter,size_mm,mode,help,coverage,mean_error_mm,"
     "rms_error_mm,wander_offs,duration_s,mean_force_n,mean_guidance_n,felt_error,excluded";
-constexpr std::size_t kColumnCount = 19;
+constexpr const char* kReadingColumns =
+    "study,condition,seed,trial,script,device,size_mm,width_share,depth_share,rounding_share,press_"
+    "n,"
+    "friction,drift_share,unsure_mm,signs,signs_right,wrong,missed,extra,duration_s,through,ended,"
+    "excluded";
+constexpr std::size_t kColumnCount = 19, kReadingColumnCount = 23;
 
-using Cells = std::array<std::string_view, kColumnCount>;
+using Cells = std::array<std::string_view, kReadingColumnCount>;
 
 [[noreturn]] void Fail(const std::string& where, std::size_t line, const std::string& problem) {
   throw InputError(fmt::format("{}:{}: {}", where, line, problem));
@@ -26,21 +31,22 @@ using Cells = std::array<std::string_view, kColumnCount>;
 /// Reads the cells of one row; every failure names file, line and column.
 class RowReader {
  public:
-  RowReader(std::string_view line, const std::string& where, std::size_t number)
+  RowReader(std::string_view line, std::size_t columns, const std::string& where,
+            std::size_t number)
       : where_(where), number_(number) {
     std::size_t count = 0;
     while (true) {
       const std::size_t comma = line.find(',');
-      if (count == kColumnCount) count = kColumnCount + 1;
-      if (count > kColumnCount) break;
+      if (count == columns) count = columns + 1;
+      if (count > columns) break;
       cells_[count++] = line.substr(0, comma);
       if (comma == std::string_view::npos) break;
       line.remove_prefix(comma + 1);
     }
-    if (count != kColumnCount) {
+    if (count != columns) {
       Fail(where_, number_,
            fmt::format("not {} cells as a study writes: take the file away and run the study again",
-                       kColumnCount));
+                       columns));
     }
   }
   std::string Text() { return std::string(cells_[next_++]); }
@@ -75,7 +81,7 @@ class RowReader {
 };
 
 StudyRow ParseRow(std::string_view line, const std::string& where, std::size_t number) {
-  RowReader cells(line, where, number);
+  RowReader cells(line, kColumnCount, where, number);
   StudyRow row;
   row.study = cells.Hexadecimal();
   row.condition = cells.Text();
@@ -103,11 +109,57 @@ StudyRow ParseRow(std::string_view line, const std::string& where, std::size_t n
   return row;
 }
 
+StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t number) {
+  RowReader cells(line, kReadingColumnCount, where, number);
+  StudyRow row;
+  row.study = cells.Hexadecimal();
+  row.condition = cells.Text();
+  row.seed = cells.Number<std::uint64_t>();
+  row.trial = cells.Number<std::size_t>();
+  ReadingCell& cell = row.page.emplace().cell;
+  cell.script = cells.Text();
+  cell.device = cells.Text();
+  cell.size = cells.Number<double>() / 1e3;
+  cell.width_share = cells.Number<double>();
+  cell.depth_share = cells.Number<double>();
+  cell.rounding_share = cells.Number<double>();
+  cell.press = cells.Number<double>();
+  cell.friction = cells.Number<double>();
+  cell.drift_share = cells.Number<double>();
+  cell.unsure = cells.Number<double>() / 1e3;
+  PageReading& read = row.page->read;
+  read.signs = cells.Number<std::size_t>();
+  read.signs_right = cells.Number<std::size_t>();
+  read.wrong = cells.Number<std::size_t>();
+  read.missed = cells.Number<std::size_t>();
+  read.extra = cells.Number<std::size_t>();
+  read.duration = cells.Number<double>();
+  read.through = cells.Number<std::size_t>();
+  read.ended = cells.Number<int>() != 0;
+  row.excluded = cells.Text();
+  row.line = std::string(line) + "\n";
+  return row;
+}
+
+std::string FormatPage(const StudyRow& row) {
+  const ReadingCell& cell = row.page->cell;
+  const PageReading& read = row.page->read;
+  return fmt::format("{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                     row.study, row.condition, row.seed, row.trial, cell.script, cell.device,
+                     1e3 * cell.size, cell.width_share, cell.depth_share, cell.rounding_share,
+                     cell.press, cell.friction, cell.drift_share, 1e3 * cell.unsure, read.signs,
+                     read.signs_right, read.wrong, read.missed, read.extra, read.duration,
+                     read.through, read.ended ? 1 : 0, row.excluded);
+}
+
 }  // namespace
 
-std::string StudyHeader() { return std::string(kColumns) + "\n"; }
+std::string StudyHeader(StudyKind kind) {
+  return std::string(kind == StudyKind::kReading ? kReadingColumns : kColumns) + "\n";
+}
 
 std::string FormatRow(const StudyRow& row) {
+  if (row.page) return FormatPage(row);
   const StudyTrial& given = row.given;
   return fmt::format("{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.study,
                      row.condition, row.seed, row.trial, given.phase, given.day, given.letter,
@@ -119,15 +171,19 @@ std::string FormatRow(const StudyRow& row) {
 std::vector<StudyRow> ParseRows(std::string_view text, const std::string& where) {
   std::vector<StudyRow> rows;
   std::size_t number = 0;
+  bool pages = false;
   while (true) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos) break;
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end + 1);
     if (++number == 1) {
-      if (line != kColumns) Fail(where, 1, "no study's file: its first line is not the columns'");
+      pages = line == kReadingColumns;
+      if (!pages && line != kColumns) {
+        Fail(where, 1, "no study's file: its first line is not the columns'");
+      }
     } else {
-      rows.push_back(ParseRow(line, where, number));
+      rows.push_back(pages ? ParsePage(line, where, number) : ParseRow(line, where, number));
     }
   }
   return rows;

@@ -1,14 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lessons/course/trial.h"
+#include "sim/study/page_reading.h"
+#include "sim/study/reading_sweep.h"
 #include "sim/study/study_protocol.h"
 
 namespace moontrace {
+
+/// A page that a simulated reader was given, and how it read it.
+struct StudyPage {
+  ReadingCell cell;  ///< without its name, which is the row's condition
+  PageReading read;
+};
 
 /// One trial of a study as a line of its CSV file, numbers with all their digits.
 struct StudyRow {
@@ -23,12 +32,13 @@ struct StudyRow {
   double duration = 0;                       ///< [s]
   double mean_force = 0, mean_guidance = 0;  ///< [N]
   double felt_error = 0;                     ///< TracedItem::felt_error
+  std::optional<StudyPage> page;             ///< of a study of reading, in place of the above
   std::string excluded;                      ///< why it does not count; empty: it does
   std::string line;                          ///< as read from a file, its end included
 };
 
-/// The columns' names, with a line's end.
-std::string StudyHeader();
+/// The columns' names, with a line's end, of rows of that kind.
+std::string StudyHeader(StudyKind kind);
 /// One line, its end included.
 std::string FormatRow(const StudyRow& row);
 /// The rows of a file with its header. `where` stands in messages. A last line without an end is

@@ -131,6 +131,20 @@ class StudyLearner {
   std::map<std::pair<std::string, double>, std::unique_ptr<ItemPage>> pages_;
 };
 
+/// One page has one row.
+StudyRow ReadStudyPage(const StudyProtocol& protocol, const StudyPlace& place,
+                       const std::function<void()>& check) {
+  const ReadingCell& cell = protocol.reading->cells.at(place.condition);
+  StudyRow row;
+  row.study = protocol.digest;
+  row.condition = cell.name;
+  row.seed = place.seed;
+  row.trial = 1;
+  const std::string text = SweepText(*protocol.reading, place.seed);
+  row.page = StudyPage{cell, ReadPage(cell, text, place.seed, check)};
+  return row;
+}
+
 }  // namespace
 
 std::vector<StudyPlace> PlacesOf(const StudyProtocol& protocol, int shard, int shards) {
@@ -150,6 +164,7 @@ std::vector<StudyPlace> PlacesOf(const StudyProtocol& protocol, int shard, int s
 }
 
 std::size_t RowsOf(const StudyProtocol& protocol, const StudyPlace& place) {
+  if (protocol.reading) return 1;
   const std::size_t trials =
       TrialsOf(protocol, protocol.conditions.at(place.condition), place.seed).size();
   return trials + (protocol.staircase ? 1 : 0);
@@ -157,13 +172,15 @@ std::size_t RowsOf(const StudyProtocol& protocol, const StudyPlace& place) {
 
 void RunStudyLearner(const StudyProtocol& protocol, const StudyPlace& place,
                      const std::vector<StudyRow>& rows,
-                     const std::function<void(const StudyRow&)>& each) {
+                     const std::function<void(const StudyRow&)>& each,
+                     const std::function<void()>& check) {
   for (const StudyRow& row : rows) {
     if (row.study != protocol.digest) {
       throw InputError("rows were made by another protocol: give another --output");
     }
   }
   if (rows.size() >= RowsOf(protocol, place)) return;
+  if (protocol.reading) return each(ReadStudyPage(protocol, place, check));
   StudyLearner(protocol, place).Run(rows, each);
 }
 

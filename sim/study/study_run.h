@@ -26,10 +26,12 @@ std::vector<StudyPlace> PlacesOf(const StudyProtocol& protocol, int shard, int s
 std::size_t RowsOf(const StudyProtocol& protocol, const StudyPlace& place);
 
 /// Runs the trials of one learner that are not among `rows`, its first ones; `each` is given every
-/// new row as soon as it is finished, and may throw to stop. What the learner had learnt is relived
+/// new row as soon as it is finished, and may throw to stop, as may `check`, if given, which is
+/// called within long ones. What the learner had learnt is relived
 /// from the rows' felt errors. Throws InputError: rows of another study.
 void RunStudyLearner(const StudyProtocol& protocol, const StudyPlace& place,
                      const std::vector<StudyRow>& rows,
-                     const std::function<void(const StudyRow&)>& each);
+                     const std::function<void(const StudyRow&)>& each,
+                     const std::function<void()>& check = {});
 
 }  // namespace moontrace

@@ -14,6 +14,7 @@
 #include "sim/book/book_messages.h"
 #include "sim/physics/page_field.h"
 #include "sim/reading/reading_run.h"
+#include "sim/reading/reading_setup.h"
 #include "sim/trial/trial.h"
 #include "textures/base/random.h"
 #include "textures/base/units.h"
@@ -64,20 +65,7 @@ Pages ReadAll(const std::string& text, bool structure) {
     setup.page = &page;
     setup.field = &field;
     setup.hand = ShippedHand();
-    setup.knowledge = KnowledgeOf(shapes, script, setup.hand, setup.muscle, setup.senses);
-    setup.knowledge.width = style.width;
-    setup.knowledge.depth = style.depth;
-    setup.knowledge.device_stiffness = setup.scene.coupling_stiffness;
-    if (structure) setup.knowledge.heading_scale = style.structure.heading_scale;
-    Random random(1 + read.pages);
-    setup.hand_seed = random.Bits();
-    setup.reader_seed = random.Bits();
-    setup.knowledge.least_size = style.size * std::exp2(-random.Uniform());
-    setup.knowledge.greatest_size = 2 * setup.knowledge.least_size;
-    setup.page_turn = 3 * kDegree * (2 * random.Uniform() - 1);
-    setup.start_P =
-        glm::dvec2(page.text_area_P.min.x, page.text_area_P.max.y) +
-        0.5 * style.size * glm::dvec2(2 * random.Uniform() - 1, 2 * random.Uniform() - 1);
+    CompleteSetup(setup, shapes, script, style, 1 + read.pages);
     const ReadingResult result = RunReading(setup);
     EXPECT_TRUE(result.ended) << "page " << read.pages + 1;
     read.score += Compare(MarksOf(page, script), MarksOf(result.tokens, script));

@@ -12,6 +12,7 @@
 #include "devices/catalogue/catalogue.h"
 #include "sim/physics/page_field.h"
 #include "sim/reading/read_text.h"
+#include "sim/reading/reading_setup.h"
 #include "sim/trial/trial.h"
 #include "textures/base/random.h"
 #include "textures/base/units.h"
@@ -38,20 +39,7 @@ struct Desk {
     made.page = &set.pages.front();
     made.field = field.get();
     made.hand = ShippedHand();
-    made.knowledge = KnowledgeOf(shapes, script, made.hand, made.muscle, made.senses);
-    made.knowledge.width = style.width;
-    made.knowledge.depth = style.depth;
-    made.knowledge.device_stiffness = made.scene.coupling_stiffness;
-    Random random(seed);
-    made.hand_seed = random.Bits();
-    made.reader_seed = random.Bits();
-    made.knowledge.least_size = style.size * std::exp2(-random.Uniform());
-    made.knowledge.greatest_size = 2 * made.knowledge.least_size;
-    made.page_turn = 3 * kDegree * (2 * random.Uniform() - 1);
-    const Box& area = made.page->text_area_P;
-    made.start_P =
-        glm::dvec2(area.min.x, area.max.y) +
-        0.5 * style.size * glm::dvec2(2 * random.Uniform() - 1, 2 * random.Uniform() - 1);
+    CompleteSetup(made, shapes, script, style, seed);
     return made;
   }
   ReadingScore Score(const ReadingResult& result) const {

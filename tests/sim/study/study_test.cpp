@@ -147,7 +147,8 @@ TEST_F(Study, LosesNothingWhenKilled) {
         std::vector<StudyRow> before;
         if (fs::exists(part)) before = ParseRows(BytesOf(part), part);
         std::ofstream file(part, std::ios::app);
-        if (before.empty() && fs::file_size(part) == 0) file << StudyHeader() << std::flush;
+        if (before.empty() && fs::file_size(part) == 0)
+          file << StudyHeader(StudyKind::kTracing) << std::flush;
         RunStudyLearner(protocol, place, before, [&](const StudyRow& row) {
           file << FormatRow(row) << std::flush;
           if (--left == 0) {
@@ -232,8 +233,8 @@ TEST_F(Study, RefusesWhatItCannotUse) {
   EXPECT_EQ(mistyped.code, 3);
   EXPECT_EQ(
       mistyped.err,
-      "no study \"guidence\": did you mean guidance? there is guidance; or name a TOML file by "
-      "its path\n");
+      "no study \"guidence\": did you mean guidance? there is guidance and reading; or name a TOML "
+      "file by its path\n");
   std::ofstream(Path("other.csv")) << "a,b\n";
   EXPECT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("other.csv")}).code, 3);
   const Outcome nowhere = RunLine({"study", Path("small.toml"), "--output", Path("none/a.csv")});

@@ -1,0 +1,57 @@
+#include "sim/reading/reading_setup.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "textures/base/random.h"
+#include "textures/base/units.h"
+
+namespace moontrace {
+namespace {
+
+constexpr double kGreatestTurn = 3 * kDegree;
+constexpr double kPutWithin = 0.5;  ///< sizes
+
+ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Script& script,
+                            const HandModel& hand, const Muscle& muscle, const Senses& senses) {
+  ReaderKnowledge knowledge;
+  knowledge.shapes = std::move(shapes);
+  knowledge.space = script.space_advance;
+  knowledge.press = hand.press;
+  knowledge.hand_mass = hand.mass;
+  knowledge.hand_stiffness = hand.stiffness;
+  knowledge.hand_damping = hand.damping;
+  knowledge.delay = senses.delay;
+  knowledge.lag = muscle.lag;
+  knowledge.unsure = senses.unsure;
+  return knowledge;
+}
+
+}  // namespace
+
+void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes,
+                   const Script& script, const TypeStyle& style, std::uint64_t seed) {
+  ReaderKnowledge& knowledge = setup.knowledge;
+  knowledge = KnowledgeOf(std::move(shapes), script, setup.hand, setup.muscle, setup.senses);
+  knowledge.width = style.width;
+  knowledge.depth = style.depth;
+  if (style.structure.read) knowledge.heading_scale = style.structure.heading_scale;
+  knowledge.device_stiffness = setup.scene.rendering == Rendering::kProxy
+                                   ? setup.scene.coupling_stiffness
+                                   : std::numeric_limits<double>::infinity();
+  // one draw a statement: compilers differ in the order of arguments
+  Random random(seed);
+  setup.hand_seed = random.Bits();
+  setup.reader_seed = random.Bits();
+  knowledge.least_size = style.size * std::exp2(-random.Uniform());
+  knowledge.greatest_size = 2 * knowledge.least_size;
+  setup.page_turn = kGreatestTurn * (2 * random.Uniform() - 1);
+  const double up = 2 * random.Uniform() - 1;
+  const double right = 2 * random.Uniform() - 1;
+  const Box& area = setup.page->text_area_P;
+  setup.start_P =
+      glm::dvec2(area.min.x, area.max.y) + kPutWithin * style.size * glm::dvec2(right, up);
+}
+
+}  // namespace moontrace

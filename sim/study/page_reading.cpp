@@ -1,0 +1,93 @@
+#include "sim/study/page_reading.h"
+
+#include <fmt/core.h>
+
+#include <glm/vector_relational.hpp>
+#include <memory>
+#include <optional>
+
+#include "devices/catalogue/catalogue.h"
+#include "sim/physics/page_field.h"
+#include "sim/reading/reading_setup.h"
+#include "sim/trial/trial.h"
+#include "textures/base/error.h"
+#include "textures/base/resources.h"
+#include "textures/fonts/script_library.h"
+#include "textures/typeset/typeset.h"
+
+namespace moontrace {
+namespace {
+
+TypeStyle StyleOf(const ReadingCell& cell, const Script& script) {
+  constexpr double kNoContractions = 0.5;  // a letter is a sign
+  TypeStyle style = DefaultStyle(cell.size, Relief::kEngraved, script);
+  style.grade = kNoContractions;
+  style.width *= cell.width_share;
+  style.depth *= cell.depth_share;
+  style.rounding *= cell.rounding_share;
+  return style;
+}
+
+std::optional<DeviceProfile> DeviceOf(const ReadingCell& cell) {
+  if (cell.device.empty()) return std::nullopt;
+  return FindProfile(cell.device, ProfilesFolder());
+}
+
+ReadingSetup SetupOf(const ReadingCell& cell, const TextPage& page, const TextureField& field) {
+  ReadingSetup setup;
+  setup.page = &page;
+  setup.field = &field;
+  setup.scene.friction = cell.friction;
+  setup.device = DeviceOf(cell);
+  setup.senses.unsure = cell.unsure;
+  setup.hand = ShippedHand();
+  setup.hand.press = cell.press;
+  setup.hand.drift *= cell.drift_share;
+  return setup;
+}
+
+}  // namespace
+
+PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint64_t seed,
+                     const std::function<void()>& check) {
+  const Script script = FindScript(cell.script);
+  const TypeStyle style = StyleOf(cell, script);
+  const Typeset set = SetText(text, script, style, FindPage("a4"));
+  const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
+  PageReading read;
+  read.ended = true;
+  std::uint64_t sheet_seed = seed;
+  for (const TextPage& page : set.pages) {
+    const TextureField field = PageField(page, script, style, false);
+    ReadingSetup setup = SetupOf(cell, page, field);
+    CompleteSetup(setup, shapes, script, style, sheet_seed);
+    setup.alive = check;
+    const ReadingResult result = RunReading(setup);
+    const ReadingScore score = Compare(MarksOf(page, script), MarksOf(result.tokens, script));
+    read.signs += score.signs;
+    read.signs_right += score.signs_right;
+    read.wrong += score.wrong;
+    read.missed += score.missed;
+    read.extra += score.extra;
+    read.duration += result.duration;
+    read.through += result.through;
+    read.ended = read.ended && result.ended;
+    sheet_seed = Random(sheet_seed).Bits();
+  }
+  return read;
+}
+
+void CheckCell(const ReadingCell& cell) {
+  const Script script = FindScript(cell.script);
+  if (!script.braille_tables.empty()) {
+    throw InputError("the reader follows grooves, Braille has none: name another script");
+  }
+  CheckStyle(StyleOf(cell, script), script);
+  const auto device = DeviceOf(cell);
+  if (device && (!glm::all(device->limits.measures) || !glm::all(device->limits.pushes))) {
+    throw InputError(
+        fmt::format("{} does not measure and push x, y and z: name another", cell.device));
+  }
+}
+
+}  // namespace moontrace
