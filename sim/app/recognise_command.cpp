@@ -130,13 +130,10 @@ struct Reading {
   std::vector<std::string> pictures;
 };
 
-/// A profile that gives a reader depth, and pushes it back.
+/// A profile that tells a reader of walls.
 DeviceProfile ReadableProfile(const std::string& name) {
   DeviceProfile profile = FindProfile(name, ProfilesFolder());
-  const DeviceLimits& limits = profile.limits;
-  if (!glm::all(limits.measures) || !glm::all(limits.pushes)) {
-    throw InputError(say::ReadsOnThreeAxesOnly(name));
-  }
+  if (!CanBeReadOn(profile.limits)) throw InputError(say::ReadsWhereWallsAreFelt(name));
   return profile;
 }
 
@@ -294,15 +291,17 @@ namespace {
 int ReadLabel(const RecogniseOptions& options, Console& console) {
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   Reading reading;
+  if (!options.device.empty()) reading.device = ReadableProfile(options.device);
+  LayoutOptions layout = options.layout;
+  if (reading.device && !layout.page_named) layout.page = SheetWithin(reading.device->limits);
   reading.text =
-      SetUpText({options.text, options.style, options.layout, options.feel, "recognise"}, console);
+      SetUpText({options.text, options.style, layout, options.feel, "recognise"}, console);
   SayReplacements(reading.text.set, [&console](const std::string& line) { console.Remark(line); });
   if (reading.text.set.style.relief == Relief::kEmbossed) {
     throw UsageError(say::ReadsGroovesOnly());
   }
   if (reading.text.set.style.links.reach != LinkReach::kNone) throw UsageError(say::ReadsNoLinks());
   if (!reading.text.script.braille_tables.empty()) throw UsageError(say::ReadsNoCells());
-  if (!options.device.empty()) reading.device = ReadableProfile(options.device);
   const Script& script = reading.text.script;
   const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
   const std::size_t pages = reading.text.set.pages.size();

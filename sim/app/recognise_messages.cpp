@@ -77,9 +77,9 @@ std::string ReadsNoCells() {
   return "recognise follows strokes and cannot read Braille yet: choose another --script";
 }
 
-std::string ReadsOnThreeAxesOnly(std::string_view profile) {
+std::string ReadsWhereWallsAreFelt(std::string_view profile) {
   return fmt::format(
-      "device profile {}: recognise needs one that measures and pushes x, y and z; name another",
+      "device profile {}: recognise needs one that measures and pushes x and y; name another",
       Quoted(profile));
 }
 

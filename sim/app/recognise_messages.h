@@ -22,8 +22,8 @@ std::string AsRead();
 std::string ReadsGroovesOnly();
 std::string ReadsNoLinks();
 std::string ReadsNoCells();
-/// The profile measures or pushes fewer than three axes.
-std::string ReadsOnThreeAxesOnly(std::string_view profile);
+/// The profile does not measure or push along the paper.
+std::string ReadsWhereWallsAreFelt(std::string_view profile);
 std::string ReaderStopped(std::size_t page);
 /// The tip went through the paper so often.
 std::string ReaderPressedThrough(std::size_t page, std::size_t count);
@@ -37,7 +37,9 @@ inline constexpr const char* kRecognise =
     "a simulated reader that only feels reads the text and is scored";
 inline constexpr const char* kReaderDevice =
     "the reader's hand is on that device: a profile's name, such as moontrace-raw, or its file. It "
-    "gets the place in the device's steps and the force that is commanded. Default: read exactly.";
+    "gets the place in the device's steps and the force that is commanded; the page lies within "
+    "its "
+    "reach. Default: read exactly.";
 inline constexpr const char* kReaderUnsure =
     "the hand is unsure of its place: rms error in mm that wanders over 1.5 s. Default 0.";
 inline constexpr const char* kReaderBlank = "the reader is given paper without grooves.";

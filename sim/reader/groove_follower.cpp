@@ -68,6 +68,7 @@ void GrooveFollower::Begin(const Felt& felt, glm::dvec2 aim, glm::dvec2 directio
   length_ = 0;
   swings_ = 0;
   leg_ = 0;
+  sure_ = 1;
   side_ = 1;
   lost_for_ = 0;
   has_moved_ = false;
@@ -284,7 +285,11 @@ glm::dvec2 GrooveFollower::Step(const Felt& felt) {
   if (felt.time < feels_from_) return aim_ = SwungAim(felt.time);
   wall_ += std::min(1.0, dt / kCalm) * (felt.wall - wall_);
   lost_for_ = felt.depth < kLostDepth ? lost_for_ + dt : 0;
-  if (lost_for_ > kLostTime) state_ = State::kLost;
+  if (felt.held) sure_ = path_.size();
+  if (lost_for_ > kLostTime) {
+    state_ = State::kLost;
+    path_.resize(std::max<std::size_t>(1, sure_));  // where it was held last
+  }
   if (state_ == State::kMoving) {
     Move(felt);
   } else if (state_ == State::kSwinging) {

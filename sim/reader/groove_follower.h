@@ -84,9 +84,10 @@ class GrooveFollower {
   bool glances_ = false;
   bool sharp_ = false;  ///< a corner that turns farther than the swing is tried
   int swings_ = 0;
-  double ahead_ = 0;     ///< speed of the aim [m/s]
-  std::size_t leg_ = 0;  ///< of the path's points: where the last corner was
-  double length_ = 0;    ///< of the path [m]
+  double ahead_ = 0;      ///< speed of the aim [m/s]
+  std::size_t sure_ = 1;  ///< of the path's points: when a wall held the tip last
+  std::size_t leg_ = 0;   ///< of the path's points: where the last corner was
+  double length_ = 0;     ///< of the path [m]
   std::vector<glm::dvec2> path_;
   std::vector<FeltPoint> blocked_;
 };

@@ -12,16 +12,17 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20. In em unless said.
-constexpr double kLift = 0.0015;    ///< above the paper [m]
-constexpr double kAirSpeed = 0.35;  ///< [m/s]
-constexpr double kPatience = 1.0;   ///< with a landing that does not come to rest [s]
-constexpr double kGivesUp = 300;    ///< after so long without a sign or a line [s]
-constexpr double kSteady = 0.03;    ///< for the hand to come to rest above a groove [s]
-constexpr double kCareful = 0.10;   ///< the same above what was never felt [s]
-constexpr double kFall = 0.08;      ///< onto the paper [s]
-constexpr double kLands = 0.02;     ///< before a sweep begins [s]
-constexpr double kBounce = 0.04;    ///< after which the paper is felt as it is [s]
-constexpr double kUp = 0.06;        ///< to leave a groove before moving aside [s]
+constexpr double kLift = 0.0015;     ///< above the paper [m]
+constexpr double kSurelyUp = 0.004;  ///< the same where it cannot feel the paper's height [m]
+constexpr double kAirSpeed = 0.35;   ///< [m/s]
+constexpr double kPatience = 1.0;    ///< with a landing that does not come to rest [s]
+constexpr double kGivesUp = 300;     ///< after so long without a sign or a line [s]
+constexpr double kSteady = 0.03;     ///< for the hand to come to rest above a groove [s]
+constexpr double kCareful = 0.10;    ///< the same above what was never felt [s]
+constexpr double kFall = 0.08;       ///< onto the paper [s]
+constexpr double kLands = 0.02;      ///< before a sweep begins [s]
+constexpr double kBounce = 0.04;     ///< after which the paper is felt as it is [s]
+constexpr double kUp = 0.06;         ///< to leave a groove before moving aside [s]
 // Of an object's face.
 constexpr double kInside = 0.001;      ///< of its edges a hand stays that is led by a groove [m]
 constexpr double kBeside = 0.003;      ///< and one that searches or lands [m]
@@ -72,7 +73,7 @@ Reader::Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed
 
 ReaderAction Reader::Step(const ReaderInput& input) {
   now_ = input.time;
-  const Felt& felt = sense_.Add(input);
+  const Felt& felt = sense_.Add(input, action_.press > 0);
   if (felt.touching) carried_ = felt.place;
   const bool long_enough = knowledge_.face && now_ > LongestOn(*knowledge_.face);
   if ((now_ - news_ > kGivesUp || long_enough) && phase_ != Phase::kDone) {
@@ -183,7 +184,7 @@ ReaderAction Reader::Act(const Felt& felt) {
     case Phase::kDone:
       break;
   }
-  return {{felt.tip.x, felt.tip.y, sense_.surface() + kLift}, 0};
+  return {{felt.tip.x, felt.tip.y, LiftedHeight()}, 0};
 }
 
 void Reader::FlyTo(glm::dvec2 to, Phase then) {
@@ -198,6 +199,10 @@ void Reader::FlyTo(glm::dvec2 to, Phase then) {
   drift_.Begin();
 }
 
+double Reader::LiftedHeight() const {
+  return knowledge_.feels_height ? sense_.surface() + kLift : kSurelyUp;
+}
+
 /// Up, over and down. What comes next begins before the landing is felt; the first one is waited
 /// for, since it tells where the paper is.
 ReaderAction Reader::Fly(const Felt& felt) {
@@ -210,7 +215,7 @@ ReaderAction Reader::Fly(const Felt& felt) {
   const double there = rise_ + moves + (sense_.level_known() ? careful : kCareful);
   const double felt_there = there + knowledge_.delay + knowledge_.lag;
   const double unknown = knowledge_.face ? put_ : felt.tip.z;
-  const double height = sense_.level_known() ? sense_.surface() + kLift : unknown;
+  const double height = sense_.level_known() ? LiftedHeight() : unknown;
   if (t < rise_) return {{fly_from_.x, fly_from_.y, height}, 0};
   if (t < there) {
     const glm::dvec2 over = glm::mix(fly_from_, fly_to_, std::min(1.0, (t - rise_) / moves));
@@ -529,6 +534,17 @@ void Reader::Think() {
   Accept();
 }
 
+/// A sign that tells no size clearly tells something of it all the same, and several together tell
+/// it.
+void Reader::WeighSizes() {
+  PlacePrior prior = PriorNow();
+  const std::vector<double> logs = SizeLogs(*knowledge_.shapes, evidence_, prior);
+  size_logs_.resize(sizes_.size(), 0);
+  for (std::size_t i = 0; i < logs.size(); ++i) size_logs_[i] += logs[i];
+  const double most = *std::max_element(size_logs_.begin(), size_logs_.end());
+  for (double& log : size_logs_) log -= most;
+}
+
 /// Where a sign was felt, from its left.
 void Reader::SweepAcross(const Box& box) {
   const double y = box.min.y + (box.max.y - box.min.y) * (0.3 + 0.4 * random_.Uniform());
@@ -550,6 +566,7 @@ bool Reader::SkipFirst() {
   if (clear) return false;
   const Box box = FeltBox();
   if (skips_++ == 0) first_skipped_ = box;
+  if (first) WeighSizes();
   const double a = first ? knowledge_.least_size : size_;
   const double y = 0.5 * (box.min.y + box.max.y);
   std::vector<glm::dvec2> way;

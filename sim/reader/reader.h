@@ -82,6 +82,7 @@ class Reader {
   void Missed();
   ReaderAction Settle(const Felt& felt);
   ReaderAction Follow(const Felt& felt);
+  double LiftedHeight() const;
   void EndLeg();
   void TrySides();
   void TakeGrooves();
@@ -105,6 +106,7 @@ class Reader {
   bool FeltASpot(double widths) const;
   bool GoRound();
   bool SkipFirst();
+  void WeighSizes();
   void SweepAcross(const Box& box);
   bool CrossBetween(const SignGuess& best, const SignGuess& other);
   void Accept();
@@ -189,6 +191,7 @@ class Reader {
   std::vector<SignRead> line_;
   double size_ = 0;
   std::vector<double> sizes_;       ///< that are tried [m]
+  std::vector<double> size_logs_;   ///< PlacePrior::size_logs, before the first sign is read
   std::vector<double> felt_sizes_;  ///< of the first signs [m]
   double turn_ = 0;
   double across_ = 0, along_ = 0;  ///< tangent sums for the turn [m^2]

@@ -63,6 +63,7 @@ struct ReaderKnowledge {
   double lag = 0;               ///< of its muscles [s]
   double unsure = 0;            ///< how wrongly it feels its place, rms [m]
   double device_stiffness = 0;  ///< of what the device renders [N/m]; infinite: a true surface
+  bool feels_height = true;     ///< else walls alone tell it of a groove while it presses
 
   /// Sideways force that a groove's wall takes at this press, by its slope [N]; the rounding is
   /// taken for a fifth of the width.
@@ -72,7 +73,7 @@ struct ReaderKnowledge {
 /// What a reader gets in each tick, and no more. All of it is as late as its senses are.
 struct ReaderInput {
   double time = 0;            ///< now [s]
-  glm::dvec3 tip{0, 0, 0};    ///< as the device reports it; z out of the paper [m]
+  glm::dvec3 tip{0, 0, 0};    ///< as the device reports it; z out of the paper, if measured [m]
   glm::dvec3 force{0, 0, 0};  ///< that was commanded on the tip [N]
 };
 

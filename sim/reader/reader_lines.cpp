@@ -66,6 +66,7 @@ SignPlace Reader::Expected() const {
 PlacePrior Reader::PriorNow() const {
   PlacePrior prior;
   prior.sizes = sizes_;
+  prior.size_logs = size_logs_;
   prior.other_sizes = OtherSizes();
   prior.turns = {turn_};
   if (signs_ < 4) {
@@ -100,6 +101,7 @@ PlacePrior Reader::PriorNow() const {
 /// The middle of what the first signs say; the more of them, the less it looks aside.
 void Reader::LearnSize(double size) {
   constexpr std::size_t kCounted = 15;
+  size_logs_.clear();
   if (knowledge_.least_size == knowledge_.greatest_size) return;
   if (felt_sizes_.size() < kCounted) felt_sizes_.push_back(size);
   std::vector<double> sorted = felt_sizes_;
@@ -331,6 +333,7 @@ bool Reader::StartAnew() {
   signs_ = unknowns_ = 0;
   skips_ = 0;
   felt_sizes_.clear();
+  size_logs_.clear();
   gaps_ = 0;
   gap_bias_ = turn_ = across_ = along_ = 0;
   sizes_ = AllSizes(knowledge_);

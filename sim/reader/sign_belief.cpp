@@ -142,6 +142,33 @@ Fit BestFit(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& fe
   return best;
 }
 
+/// Calls `each` with a sign, the frame that fits its evidence, the index of its size (those of
+/// prior.other_sizes come last) and the best fit there.
+template <typename Each>
+void TryAll(const SignShapes& shapes, const SignEvidence& evidence, const PlacePrior& prior,
+            Each each) {
+  std::vector<SignPlace> frames;
+  for (const std::vector<double>* sizes : {&prior.sizes, &prior.other_sizes}) {
+    for (const double size : *sizes) {
+      for (const double turn : prior.turns) {
+        frames.push_back({evidence.grooves.front().p, size, turn});
+      }
+    }
+  }
+  std::vector<ScaledEvidence> scaled;
+  std::vector<std::vector<glm::dvec2>> origins(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    scaled.push_back(Scaled(evidence, frames[i]));
+    for (const glm::dvec2 origin : prior.origins) origins[i].push_back(ToEm(frames[i], origin));
+  }
+  for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      const Fit fit = BestFit(shapes, sign, scaled[i], origins[i], prior);
+      each(sign, frames[i], i / prior.turns.size(), fit);
+    }
+  }
+}
+
 }  // namespace
 
 glm::dvec2 ToEm(const SignPlace& place, glm::dvec2 p) noexcept {
@@ -155,38 +182,49 @@ glm::dvec2 FromEm(const SignPlace& place, glm::dvec2 p_em) noexcept {
   return place.origin + place.size * glm::dvec2(c * p_em.x - s * p_em.y, s * p_em.x + c * p_em.y);
 }
 
+std::vector<double> SizeLogs(const SignShapes& shapes, const SignEvidence& evidence,
+                             const PlacePrior& prior) {
+  constexpr double kNoSign = 0.02;  // share of what is none
+  std::vector<double> logs(prior.sizes.size(), 0);
+  if (evidence.grooves.empty() || prior.sizes.empty() || prior.turns.empty()) return logs;
+  std::vector<double> sums(logs.size(), 0);
+  TryAll(shapes, evidence, prior,
+         [&sums](std::size_t, const SignPlace&, std::size_t size, const Fit& fit) {
+           if (size < sums.size()) sums[size] += std::exp(-fit.cost);
+         });
+  const double most = *std::max_element(sums.begin(), sums.end());
+  for (std::size_t i = 0; i < logs.size() && most > 0; ++i) {
+    logs[i] = std::log(kNoSign + (1 - kNoSign) * sums[i] / most);
+  }
+  return logs;
+}
+
 std::vector<SignGuess> Believe(const SignShapes& shapes, const SignEvidence& evidence,
                                const PlacePrior& prior) {
   std::vector<SignGuess> guesses;
   if (evidence.grooves.empty() || prior.sizes.empty() || prior.turns.empty()) return guesses;
   double weight = 0;
   for (const FeltPoint& groove : evidence.grooves) weight += groove.weight;
-  guesses.push_back({SignGuess::kUnknown, -kUnknownPrior - kUnknownCost * weight, 0, {}});
-  std::vector<SignPlace> frames;
-  for (const std::vector<double>* sizes : {&prior.sizes, &prior.other_sizes}) {
-    for (const double size : *sizes) {
-      for (const double turn : prior.turns) {
-        frames.push_back({evidence.grooves.front().p, size, turn});
-      }
-    }
-  }
-  const std::size_t usual = prior.sizes.size() * prior.turns.size();
-  std::vector<ScaledEvidence> scaled;
-  std::vector<std::vector<glm::dvec2>> origins(frames.size());
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    scaled.push_back(Scaled(evidence, frames[i]));
-    for (const glm::dvec2 origin : prior.origins) origins[i].push_back(ToEm(frames[i], origin));
-  }
+  std::vector<SignGuess> signs(shapes.size());
   for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
-    SignGuess guess{sign, -std::numeric_limits<double>::infinity(), 0, {}};
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      Fit fit = BestFit(shapes, sign, scaled[i], origins[i], prior);
-      if (i >= usual) fit.cost += kOtherSize;
-      if (-fit.cost <= guess.log_likelihood) continue;
-      guess.log_likelihood = -fit.cost;
-      guess.place = frames[i];
-      guess.place.origin = FromEm(frames[i], fit.shift);
-    }
+    signs[sign] = {sign, -std::numeric_limits<double>::infinity(), 0, {}};
+  }
+  TryAll(shapes, evidence, prior,
+         [&](std::size_t sign, const SignPlace& frame, std::size_t size, const Fit& fit) {
+           double log = -fit.cost;
+           if (size >= prior.sizes.size()) {
+             log -= kOtherSize;
+           } else if (!prior.size_logs.empty()) {
+             log += prior.size_logs[size];
+           }
+           SignGuess& guess = signs[sign];
+           if (log <= guess.log_likelihood) return;
+           guess.log_likelihood = log;
+           guess.place = frame;
+           guess.place.origin = FromEm(frame, fit.shift);
+         });
+  guesses.push_back({SignGuess::kUnknown, -kUnknownPrior - kUnknownCost * weight, 0, {}});
+  for (const SignGuess& guess : signs) {
     if (std::isfinite(guess.log_likelihood)) guesses.push_back(guess);
   }
   std::sort(guesses.begin(), guesses.end(), [](const SignGuess& a, const SignGuess& b) {

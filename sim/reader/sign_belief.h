@@ -36,8 +36,9 @@ struct SignEvidence {
 struct PlacePrior {
   /// Expected left edges on the base line [m]; none: anywhere.
   std::vector<glm::dvec2> origins;
-  double along = 0, across = 0;  ///< standard deviations from those [em]
-  std::vector<double> sizes;     ///< of an em, equally likely [m]
+  double along = 0, across = 0;   ///< standard deviations from those [em]
+  std::vector<double> sizes;      ///< of an em [m]
+  std::vector<double> size_logs;  ///< log of how likely each of them is; empty: equally
   /// Of lines that are rarer, such as headings: e^-8 as likely. Ours: a letter's fit at a wrong
   /// size is worse than that, a ring is a ring at any [m].
   std::vector<double> other_sizes;
@@ -52,6 +53,12 @@ struct SignGuess {
   double probability = 0;
   SignPlace place;
 };
+
+/// What was felt of one sign, whichever it is, says of the sizes: the log likelihood of each of
+/// `prior.sizes`, the greatest 0. A sign that is none of the script's speaks for no size: no value
+/// is below log 0.02. Of nothing felt: zeros.
+std::vector<double> SizeLogs(const SignShapes& shapes, const SignEvidence& evidence,
+                             const PlacePrior& prior);
 
 /// Probabilities of all signs, each at its best place, and of something unknown, best first. A
 /// groove point costs the squared distance from the sign's lines over twice the variance, up to a

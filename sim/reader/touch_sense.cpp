@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kSmooth = 0.008;    ///< of the vertical speed [s]
 constexpr double kRest = 0.040;      ///< the level is taken after so long a rest [s]
+constexpr double kSettles = 0.6;     ///< or so long after a first landing that hums on [s]
+constexpr double kHum = 0.2;         ///< over which its height is taken then [s]
 constexpr double kMostGive = 0.005;  ///< of device and paper [m/N]
 constexpr double kResting = 0.003;   ///< slower up and down is at rest [m/s]
 
@@ -20,23 +22,51 @@ TouchSense::TouchSense(const ReaderKnowledge& knowledge, double tick)
       depth_(knowledge.depth),
       width_(knowledge.width),
       give_(1 / knowledge.device_stiffness),
-      yields_(give_) {}
+      yields_(give_),
+      feels_height_(knowledge.feels_height),
+      hold_(knowledge.Hold()),
+      late_(knowledge.delay + knowledge.lag),
+      level_known_(!knowledge.feels_height) {}
 
-void TouchSense::Lift() noexcept { resting_for_ = 0; }
+void TouchSense::Lift() noexcept {
+  resting_for_ = presses_for_ = 0;
+  calm_ = {0, 0};
+  if (!feels_height_) felt_.depth = 0;
+}
+
+/// A hand knows that it presses, and what it feels from then on comes late.
+void TouchSense::FeelWalls(bool presses) noexcept {
+  constexpr double kCalm = 0.010;    // [s]
+  constexpr double kSurely = 0.5;    // of the hold is surely a wall
+  constexpr double kHeld = 0.2;      // of that is a wall all the same
+  constexpr double kForgets = 4;     // without a wall, as on a straight way [s]
+  constexpr double kLanding = 0.05;  // [s]
+  presses_for_ = presses ? presses_for_ + tick_ : 0;
+  felt_.touching = presses_for_ > late_ + kLanding;
+  resting_for_ = felt_.touching ? resting_for_ + tick_ : 0;
+  if (!felt_.touching) return;
+  calm_ += std::min(1.0, tick_ / kCalm) * (felt_.wall - calm_);
+  const double held = std::min(1.0, glm::length(calm_) / (kSurely * hold_));
+  felt_.held = held > kHeld;
+  felt_.depth = std::max(held, felt_.depth - tick_ / kForgets);
+}
 
 /// The level of flat paper is where the tip comes to rest under its press, and no groove is higher.
 void TouchSense::FindLevel() noexcept {
   resting_for_ = felt_.touching && std::abs(sink_) < kResting ? resting_for_ + tick_ : 0;
-  if (resting_for_ < kRest) return;
   const double z = felt_.tip.z;
-  if (!level_known_) {
-    level_ = z;
+  touches_for_ = felt_.touching ? touches_for_ + tick_ : 0;
+  mean_height_ += tick_ / std::min(kHum, std::max(touches_for_, tick_)) * (z - mean_height_);
+  const bool rests = resting_for_ >= kRest;
+  if (!level_known_ && (rests || touches_for_ > kSettles)) {
+    level_ = rests ? z : mean_height_;
     level_known_ = true;
   }
+  if (!rests) return;
   const double above = z - level_;
   if (std::abs(above) < 0.15 * depth_) level_ += tick_ / 0.5 * above;
   // what is higher and wide is the flat; a ridge is narrow
-  constexpr double kWide = 3;  // widths of a groove
+  constexpr double kWide = 1.2;  // widths of a groove
   const bool above_now = above > 0.15 * depth_;
   if (above_now && !above_) above_from_ = felt_.place;
   above_ = above_now;
@@ -58,7 +88,7 @@ void TouchSense::FindGive(const ReaderInput& input) noexcept {
   landed_ = true;
 }
 
-const Felt& TouchSense::Add(const ReaderInput& input) noexcept {
+const Felt& TouchSense::Add(const ReaderInput& input, bool presses) noexcept {
   if (!begun_) last_height_ = input.tip.z;
   begun_ = true;
   sink_ += std::min(1.0, tick_ / kSmooth) * ((input.tip.z - last_height_) / tick_ - sink_);
@@ -67,6 +97,11 @@ const Felt& TouchSense::Add(const ReaderInput& input) noexcept {
   felt_.tip = input.tip;
   felt_.wall = glm::dvec2(input.force);
   felt_.place = glm::dvec2(input.tip) + give_ * felt_.wall;
+  if (!feels_height_) {
+    felt_.tip.z = 0;
+    FeelWalls(presses);
+    return felt_;
+  }
   const bool touching = input.force.z > 0.3 * press_;
   if (touching && !felt_.touching && level_known_) FindGive(input);
   felt_.touching = touching;

@@ -15,18 +15,22 @@ struct Felt {
   glm::dvec3 tip{0, 0, 0};  ///< [m]
   glm::dvec2 place{0, 0};   ///< where the tip is on the paper, the device's give allowed for [m]
   glm::dvec2 wall{0, 0};    ///< sideways force on the tip [N]
-  double depth = 0;         ///< below the flat, as a share of a groove's depth
-  bool touching = false;    ///< the paper carries the press
+  /// Below the flat, as a share of a groove's depth; of a hand that does not feel its height how
+  /// surely walls hold the tip, 0-1.
+  double depth = 0;
+  bool touching = false;  ///< the paper carries the press
+  bool held = true;       ///< a wall holds the tip just now; true where height is felt
 };
 
-/// Keeps the level of flat paper.
+/// Keeps the level of flat paper. Without a height it goes by the walls: a tip that one holds is in
+/// a groove, and stays in it for a while after, since nothing is felt where it lies at the bottom.
 class TouchSense {
  public:
   TouchSense() = default;
   explicit TouchSense(const ReaderKnowledge& knowledge, double tick);
 
-  /// One tick's reading.
-  const Felt& Add(const ReaderInput& input) noexcept;
+  /// One tick's reading, while the hand means to press or not.
+  const Felt& Add(const ReaderInput& input, bool presses) noexcept;
   /// The hand is lifted.
   void Lift() noexcept;
 
@@ -38,6 +42,7 @@ class TouchSense {
   bool level_known() const { return level_known_; }
 
  private:
+  void FeelWalls(bool presses) noexcept;
   void FindLevel() noexcept;
   void FindGive(const ReaderInput& input) noexcept;
 
@@ -45,10 +50,17 @@ class TouchSense {
   double press_ = 1, depth_ = 1, width_ = 1, give_ = 0;
   double yields_ = 0;  ///< device and paper, under a press [m/N]
   bool landed_ = false;
+  bool feels_height_ = true;
+  double hold_ = 1;         ///< ReaderKnowledge::Hold [N]
+  double late_ = 0;         ///< how late it feels [s]
+  double presses_for_ = 0;  ///< [s]
+  glm::dvec2 calm_{0, 0};   ///< the walls' force without trembling [N]
   Felt felt_;
   double level_ = 0;
   bool level_known_ = false, begun_ = false;
   double resting_for_ = 0;       ///< [s]
+  double touches_for_ = 0;       ///< [s]
+  double mean_height_ = 0;       ///< since it touches, over a while [m]
   bool above_ = false;           ///< the level
   glm::dvec2 above_from_{0, 0};  ///< where it came to be [m]
   double last_height_ = 0;       ///< [m]

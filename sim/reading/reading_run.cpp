@@ -167,6 +167,7 @@ ReadingResult RunReading(const ReadingSetup& setup) {
   ReaderKnowledge knowledge = setup.knowledge;
   knowledge.press = hand.press;
   if (setup.device) knowledge.device_stiffness = scene.options().coupling_stiffness;
+  if (setup.device) knowledge.feels_height = setup.device->limits.measures.z;
   if (face) {
     // a hand knows it to within a millimetre or so
     Random random(setup.hand_seed ^ setup.reader_seed);

@@ -43,7 +43,7 @@ struct ReadingSetup {
   Muscle muscle;
   Senses senses;
   /// What the hand is on; none: a tip that is read exactly, in every tick. Must measure and push
-  /// three axes.
+  /// along the paper (CanBeReadOn); without a height the reader goes by walls alone.
   std::optional<DeviceProfile> device;
   /// On a device its stiffness is what the page is felt through there, whatever stands here.
   ReaderKnowledge knowledge;

@@ -1,11 +1,13 @@
 #include "sim/reading/reading_setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "textures/base/random.h"
 #include "textures/base/units.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {
@@ -52,6 +54,18 @@ void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes
   const Box& area = setup.page->text_area_P;
   setup.start_P =
       glm::dvec2(area.min.x, area.max.y) + kPutWithin * style.size * glm::dvec2(right, up);
+}
+
+bool CanBeReadOn(const DeviceLimits& limits) {
+  return limits.measures.x && limits.measures.y && limits.pushes.x && limits.pushes.y;
+}
+
+PageSpec SheetWithin(const DeviceLimits& limits) {
+  constexpr double kMargin = 0.005;  // [m]
+  PageSpec sheet = FindPage("a4");
+  const glm::dvec2 reach = 2.0 * glm::dvec2(limits.workspace_D);
+  if (!(reach.x < sheet.width) && !(reach.y < sheet.height)) return sheet;
+  return {"custom", std::min(sheet.width, reach.x), std::min(sheet.height, reach.y), kMargin};
 }
 
 }  // namespace moontrace

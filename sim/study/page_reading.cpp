@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <glm/vector_relational.hpp>
 #include <memory>
 #include <optional>
 
@@ -52,7 +51,9 @@ PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint
                      const std::function<void()>& check) {
   const Script script = FindScript(cell.script);
   const TypeStyle style = StyleOf(cell, script);
-  const Typeset set = SetText(text, script, style, FindPage("a4"));
+  const auto device = DeviceOf(cell);
+  const PageSpec sheet = device ? SheetWithin(device->limits) : FindPage("a4");
+  const Typeset set = SetText(text, script, style, sheet);
   const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
   PageReading read;
   read.ended = true;
@@ -84,9 +85,9 @@ void CheckCell(const ReadingCell& cell) {
   }
   CheckStyle(StyleOf(cell, script), script);
   const auto device = DeviceOf(cell);
-  if (device && (!glm::all(device->limits.measures) || !glm::all(device->limits.pushes))) {
+  if (device && !CanBeReadOn(device->limits)) {
     throw InputError(
-        fmt::format("{} does not measure and push x, y and z: name another", cell.device));
+        fmt::format("{} does not measure and push x and y: name another", cell.device));
   }
 }
 

@@ -90,13 +90,19 @@ TEST_F(RecogniseCommand, PutsTheHandOnADevice) {
   EXPECT_EQ(json["device"], "moontrace-raw");
   EXPECT_EQ(json["through"], 0);
   EXPECT_TRUE(Recognised({})["device"].is_null());
-  // a joystick has no depth, a puck no force
-  for (const char* name : {"generic-pid", "spacemouse"}) {
-    const Outcome refused = RunLine({"recognise", "so", "--device", name});
-    EXPECT_EQ(refused.code, 3);
-    EXPECT_NE(refused.err.find("measures and pushes x, y and z"), std::string::npos);
-  }
+  const Outcome refused = RunLine({"recognise", "so", "--device", "spacemouse"});
+  EXPECT_EQ(refused.code, 3);  // it has no force
+  EXPECT_NE(refused.err.find("measures and pushes x and y"), std::string::npos);
   EXPECT_EQ(RunLine({"recognise", "so", "--device", "nowhere"}).code, 3);
+}
+
+// Its stick goes 140 mm each way and has no height: letters of 20 mm stand on two sheets.
+TEST_F(RecogniseCommand, TurnsThePagesOfAJoystick) {
+  const Outcome outcome = RunLine({"recognise", "so moon shine on rain", "--device", "openffboard",
+                                   "--size-mm", "20", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.Json()["read"].back()["page"], 1);
+  EXPECT_GE(outcome.Json()["signs_right"], 16);  // of 17; of 800 others 1 was wrong
 }
 
 TEST_F(RecogniseCommand, SaysWhereThePaperGaveWay) {

@@ -30,10 +30,10 @@ ReaderInput On(double time, double force) {
 TouchSense Landed() {
   TouchSense sense(Knowledge(), kTick);
   double t = 0;
-  for (; t < 0.2; t += kTick) sense.Add(On(t, 1));
+  for (; t < 0.2; t += kTick) sense.Add(On(t, 1), true);
   sense.Lift();
-  for (; t < 0.4; t += kTick) sense.Add({t, {0, 0, 2e-3}, {0, 0, 0}});
-  for (double force = 0; force < 1; force += 0.05, t += kTick) sense.Add(On(t, force));
+  for (; t < 0.4; t += kTick) sense.Add({t, {0, 0, 2e-3}, {0, 0, 0}}, false);
+  for (double force = 0; force < 1; force += 0.05, t += kTick) sense.Add(On(t, force), true);
   return sense;
 }
 
@@ -42,7 +42,7 @@ TouchSense Landed() {
 TEST(TouchSense, FlatPaperIsFlatUnderATipThatBounces) {
   TouchSense sense = Landed();
   for (double t = 0; t < 0.3; t += kTick) {
-    const Felt& felt = sense.Add(On(1 + t, 1 + 0.33 * std::sin(80 * t)));
+    const Felt& felt = sense.Add(On(1 + t, 1 + 0.33 * std::sin(80 * t)), true);
     EXPECT_LT(std::abs(felt.depth), 0.1) << t;
   }
 }
@@ -52,7 +52,42 @@ TEST(TouchSense, AGrooveIsFeltAsDeepAsItIsUnderATipThatBounces) {
   for (double t = 0; t < 0.1; t += kTick) {
     ReaderInput input = On(1 + t, 1 + 0.33 * std::sin(80 * t));
     input.tip.z -= 0.3e-3;
-    EXPECT_NEAR(sense.Add(input).depth, 1, 0.1) << t;
+    EXPECT_NEAR(sense.Add(input, true).depth, 1, 0.1) << t;
+  }
+}
+
+/// A hand without height that presses from the beginning, held by a wall with `force` after 0.4 s
+/// and for 0.1 s.
+double DepthAfter(double force, double seconds) {
+  ReaderKnowledge knowledge = Knowledge();
+  knowledge.feels_height = false;
+  knowledge.delay = 0.12;
+  knowledge.lag = 0.03;
+  TouchSense sense(knowledge, kTick);
+  for (double t = 0; t < seconds; t += kTick) {
+    const bool held = t > 0.4 && t < 0.5;
+    sense.Add({t, {0, 0, 0}, {held ? force : 0, 0, 0}}, true);
+  }
+  return sense.felt().depth;
+}
+
+// A groove's wall takes up to press times slope sideways, Knowledge().Hold() = 1.43 N.
+TEST(TouchSense, WallsTellOfAGrooveWhereHeightIsNotFelt) {
+  EXPECT_EQ(DepthAfter(1.4, 0.4), 0);
+  EXPECT_EQ(DepthAfter(1.4, 0.5), 1);
+  EXPECT_LT(DepthAfter(0.05, 0.5), 0.12);  // a device's grit is flat paper
+  EXPECT_GT(DepthAfter(1.4, 2.5), 0.3);    // a straight way has no walls ahead
+  EXPECT_LT(DepthAfter(1.4, 4.8), 0.1);
+}
+
+TEST(TouchSense, FeelsNoWallBeforeTheLandingIsFelt) {
+  ReaderKnowledge knowledge = Knowledge();
+  knowledge.feels_height = false;
+  knowledge.delay = 0.12;
+  knowledge.lag = 0.03;
+  TouchSense sense(knowledge, kTick);
+  for (double t = 0; t < 0.14; t += kTick) {
+    EXPECT_EQ(sense.Add({t, {0, 0, 0}, {1, 0, 0}}, true).depth, 0);
   }
 }
 

@@ -56,8 +56,9 @@ TEST(ReadingSweep, RefusesWhatCannotBeRead) {
   EXPECT_NE(ErrorOf("width_share = [5.0]"), "");  // wider than half a letter
   EXPECT_NE(ErrorOf("script = [\"nowhere\"]").find("r.toml: reading, page: "), std::string::npos);
   EXPECT_NE(ErrorOf("script = [\"braille\"]").find("follows grooves"), std::string::npos);
-  const std::string stick = ErrorOf("device = [\"sidewinder-ff2\"]");
-  EXPECT_NE(stick.find("does not measure and push x, y and z"), std::string::npos) << stick;
+  const std::string puck = ErrorOf("device = [\"spacemouse\"]");
+  EXPECT_NE(puck.find("does not measure and push x and y"), std::string::npos) << puck;
+  EXPECT_EQ(ErrorOf("device = [\"sidewinder-ff2\"]\nsize_mm = [20.0]"), "");
 }
 
 TEST(ReadingSweep, HasTheSameTextForASeedOnly) {
