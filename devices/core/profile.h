@@ -76,6 +76,7 @@ struct DeviceProfile {
   double force_step = 0;        ///< resolution [N]
   double coulomb_friction = 0;  ///< f_c [N]
   double velocity_cutoff = 0;   ///< of the velocity filter [Hz]; 0: none
+  double read_size = 0;         ///< the simulated reader reads letters from this on [m]; 0: untried
   StickMap stick;               ///< kPid
   ArmGeometry arm;              ///< kWoodenHaptics
   PuckMap puck;                 ///< kPuck

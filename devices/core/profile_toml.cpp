@@ -314,6 +314,7 @@ std::vector<Number> ProfileNumbers(DeviceProfile& profile) {
       {"force_step_mn", &profile.force_step, 1e-3, 0, 10000},
       {"coulomb_friction_n", &profile.coulomb_friction, 1, 0, 20},
       {"velocity_cutoff_hz", &profile.velocity_cutoff, 1, 0, 5000},
+      {"read_mm", &profile.read_size, 1e-3, 0, 1000},
   };
 }
 

@@ -74,6 +74,7 @@ Json EntryJson(const DeviceEntry& entry) {
   json["position_step_um"] =
       profile.position_step > 0 ? Json(1e6 * profile.position_step) : Json(nullptr);
   json["smallest_letter_mm"] = OrNull(kMillimetres * SmallestLetter(profile));
+  json["read_letter_mm"] = profile.read_size > 0 ? Json(kMillimetres * profile.read_size) : Json();
   json["rate_hz"] = profile.rate;
   json["delay_ms"] = kMillimetres * profile.delay;
   json["dead_man_ms"] = limits.dead_man > 0 ? Json(kMillimetres * limits.dead_man) : Json(nullptr);
@@ -88,6 +89,7 @@ void SayFigures(const DeviceEntry& entry, Console& console) {
   console.Result(say::DevicePushes(profile));
   console.Result(say::DeviceMeasures(profile));
   console.Result(say::DeviceLetters(profile, SmallestLetter(profile)));
+  if (profile.read_size > 0) console.Result(say::DeviceReads(profile));
   if (glm::any(profile.limits.pushes)) console.Result(say::DeviceCoupling(profile));
   console.Result(say::DeviceRate(profile));
   console.Result(say::DeviceLetsGo(profile));

@@ -181,6 +181,7 @@ Json ReadingCellJson(const ReadingStudyCell& cell) {
               {"friction", given.friction},
               {"drift_share", given.drift_share},
               {"unsure_mm", kMillimetres * given.unsure},
+              {"paper", given.paper.empty() ? Json() : Json(given.paper)},
               {"pages", cell.pages},
               {"signs", cell.signs},
               {"right_share", EstimateJson(cell.right)},

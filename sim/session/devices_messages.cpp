@@ -118,6 +118,11 @@ std::string DeviceLetters(const DeviceProfile& profile, double smallest) {
                             Short(std::ceil(10 * kMillimetres * smallest - 1e-9) / 10, 1));
 }
 
+std::string DeviceReads(const DeviceProfile& profile) {
+  return fmt::format("A simulated reader reads letters on it from {} mm on, by touch alone.",
+                     Short(kMillimetres * profile.read_size, 1));
+}
+
 std::string DeviceCoupling(const DeviceProfile& profile) {
   const CouplingGains coupling = CouplingOf(profile);
   std::string line = fmt::format("The page is felt through a spring of {} N/m, damped by {} N s/m",

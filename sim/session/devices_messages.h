@@ -28,6 +28,8 @@ std::string MendByPlugging();
 std::string DevicePushes(const DeviceProfile& profile);
 std::string DeviceMeasures(const DeviceProfile& profile);
 std::string DeviceLetters(const DeviceProfile& profile, double smallest);
+/// Of a profile with DeviceProfile::read_size.
+std::string DeviceReads(const DeviceProfile& profile);
 std::string DeviceCoupling(const DeviceProfile& profile);
 std::string DeviceRate(const DeviceProfile& profile);
 std::string DeviceLetsGo(const DeviceProfile& profile);

@@ -32,6 +32,12 @@ std::optional<DeviceProfile> DeviceOf(const ReadingCell& cell) {
   return FindProfile(cell.device, ProfilesFolder());
 }
 
+PageSpec PaperOf(const ReadingCell& cell) {
+  if (!cell.paper.empty()) return FindPage(cell.paper);
+  const auto device = DeviceOf(cell);
+  return device ? SheetWithin(device->limits) : FindPage("a4");
+}
+
 ReadingSetup SetupOf(const ReadingCell& cell, const TextPage& page, const TextureField& field) {
   ReadingSetup setup;
   setup.page = &page;
@@ -51,9 +57,7 @@ PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint
                      const std::function<void()>& check) {
   const Script script = FindScript(cell.script);
   const TypeStyle style = StyleOf(cell, script);
-  const auto device = DeviceOf(cell);
-  const PageSpec sheet = device ? SheetWithin(device->limits) : FindPage("a4");
-  const Typeset set = SetText(text, script, style, sheet);
+  const Typeset set = SetText(text, script, style, PaperOf(cell));
   const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
   PageReading read;
   read.ended = true;
@@ -84,6 +88,7 @@ void CheckCell(const ReadingCell& cell) {
     throw InputError("the reader follows grooves, Braille has none: name another script");
   }
   CheckStyle(StyleOf(cell, script), script);
+  PaperOf(cell);
   const auto device = DeviceOf(cell);
   if (device && !CanBeReadOn(device->limits)) {
     throw InputError(

@@ -117,7 +117,8 @@ ReadingSweep ReadSweep(const TomlTable& table) {
       NumberAxis(table, "press_n", 1, 0.01, 20, 1, "n", &ReadingCell::press),
       NumberAxis(table, "friction", 0, 0, 2, 1, "friction", &ReadingCell::friction),
       NumberAxis(table, "drift_share", 1, 0, 10, 1, "drift", &ReadingCell::drift_share),
-      NumberAxis(table, "unsure_mm", 0, 0, 20, kMillimetre, "unsure", &ReadingCell::unsure)};
+      NumberAxis(table, "unsure_mm", 0, 0, 20, kMillimetre, "unsure", &ReadingCell::unsure),
+      NameAxis(table, "paper", "", "reach", &ReadingCell::paper)};
   sweep.cells = Combined(axes);
   if (sweep.cells.size() > kMostCells) {
     table.Fail("", fmt::format("more than {} combinations: give fewer values", kMostCells));

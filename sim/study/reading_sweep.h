@@ -23,6 +23,7 @@ struct ReadingCell {
   double friction = 0;        ///< Coulomb's, of the page
   double drift_share = 1;     ///< of the shipped hand's sideways drift
   double unsure = 0;          ///< how wrongly the hand feels its place, rms [m]
+  std::string paper;          ///< as FindPage; empty: A4, within the device's reach
 };
 
 /// Pages that a simulated reader reads, for every combination of its axes' values. From the table

@@ -18,9 +18,10 @@ constexpr const char* kColumns =
 constexpr const char* kReadingColumns =
     "study,condition,seed,trial,script,device,size_mm,width_share,depth_share,rounding_share,press_"
     "n,"
-    "friction,drift_share,unsure_mm,signs,signs_right,wrong,missed,extra,duration_s,through,ended,"
+    "friction,drift_share,unsure_mm,paper,signs,signs_right,wrong,missed,extra,duration_s,through,"
+    "ended,"
     "excluded";
-constexpr std::size_t kColumnCount = 19, kReadingColumnCount = 23;
+constexpr std::size_t kColumnCount = 19, kReadingColumnCount = 24;
 
 using Cells = std::array<std::string_view, kReadingColumnCount>;
 
@@ -127,6 +128,7 @@ StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t 
   cell.friction = cells.Number<double>();
   cell.drift_share = cells.Number<double>();
   cell.unsure = cells.Number<double>() / 1e3;
+  cell.paper = cells.Text();
   PageReading& read = row.page->read;
   read.signs = cells.Number<std::size_t>();
   read.signs_right = cells.Number<std::size_t>();
@@ -144,12 +146,12 @@ StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t 
 std::string FormatPage(const StudyRow& row) {
   const ReadingCell& cell = row.page->cell;
   const PageReading& read = row.page->read;
-  return fmt::format("{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                     row.study, row.condition, row.seed, row.trial, cell.script, cell.device,
-                     1e3 * cell.size, cell.width_share, cell.depth_share, cell.rounding_share,
-                     cell.press, cell.friction, cell.drift_share, 1e3 * cell.unsure, read.signs,
-                     read.signs_right, read.wrong, read.missed, read.extra, read.duration,
-                     read.through, read.ended ? 1 : 0, row.excluded);
+  return fmt::format(
+      "{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.study,
+      row.condition, row.seed, row.trial, cell.script, cell.device, 1e3 * cell.size,
+      cell.width_share, cell.depth_share, cell.rounding_share, cell.press, cell.friction,
+      cell.drift_share, 1e3 * cell.unsure, cell.paper, read.signs, read.signs_right, read.wrong,
+      read.missed, read.extra, read.duration, read.through, read.ended ? 1 : 0, row.excluded);
 }
 
 }  // namespace
