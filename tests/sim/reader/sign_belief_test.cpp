@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "textures/base/units.h"
 #include "textures/fonts/script_library.h"
@@ -104,6 +106,52 @@ TEST_F(SignBelief, FlatPaperSpeaksAgainstAStroke) {
   const std::vector<SignGuess> belief = Believe(shapes_, felt, Anywhere());
   EXPECT_LT(share(belief, "ch"), 0.01);
   EXPECT_GT(share(belief, "c"), 0.98);
+}
+
+/// Sizes 4 percent apart, from half of kSize to twice.
+PlacePrior OfAnySize() {
+  PlacePrior prior;
+  for (double size = 0.5 * kSize; size < 2 * kSize; size *= 1.04) prior.sizes.push_back(size);
+  prior.turns = {0};
+  return prior;
+}
+
+// A ring is one at any size, to O or H it belongs; a zigzag has its bars as far apart as the letter
+// is high. What is no sign speaks for no size.
+TEST_F(SignBelief, SignsTellOfTheSizeTogether) {
+  const PlacePrior prior = OfAnySize();
+  const auto at_true = [&](const std::vector<double>& logs) {
+    double near = -INFINITY;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      if (std::abs(std::log(prior.sizes[i] / kSize)) < 0.05) near = std::max(near, logs[i]);
+    }
+    return near;
+  };
+  std::vector<double> sum(prior.sizes.size(), 0);
+  for (const char* name : {"r", "p", "p", "o", "g"}) {
+    const std::vector<double> logs = SizeLogs(shapes_, AlongGlyph(name, {{0, 0}, kSize, 0}), prior);
+    ASSERT_EQ(logs.size(), sum.size());
+    EXPECT_GT(at_true(logs), -2) << name;  // each alone leaves it open
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      EXPECT_LE(logs[i], 1e-12);
+      EXPECT_GE(logs[i], std::log(0.02) - 1e-12);
+      sum[i] += logs[i];
+    }
+  }
+  const auto best = std::max_element(sum.begin(), sum.end()) - sum.begin();
+  EXPECT_NEAR(std::log(prior.sizes[static_cast<std::size_t>(best)] / kSize), 0, 0.07);
+  EXPECT_EQ(SizeLogs(shapes_, {}, prior), std::vector<double>(prior.sizes.size(), 0));
+}
+
+TEST_F(SignBelief, ALikelierSizeDecidesWhatCouldBeEither) {
+  // a ring of O's size is an H of larger letters
+  const SignEvidence felt = AlongGlyph("o", {{0, 0}, kSize, 0});
+  PlacePrior prior = OfAnySize();
+  const auto size_of_best = [&] { return Believe(shapes_, felt, prior).front().place.size; };
+  for (const double size : prior.sizes) {
+    prior.size_logs.push_back(std::abs(std::log(size / kSize)) < 0.05 ? 0 : std::log(1e-4));
+  }
+  EXPECT_NEAR(std::log(size_of_best() / kSize), 0, 0.05);
 }
 
 /// A tip in a dot, and on flat paper all round it.
