@@ -75,6 +75,7 @@ class Part {
       }
     }
   }
+  const std::string& path() const { return path_; }
   const std::vector<StudyRow>& rows() const { return rows_; }
   void Open() {
     file_ = Opened(path_, O_APPEND);
@@ -101,6 +102,22 @@ class Part {
   bool begun_ = false;
   FileDescriptor file_;
 };
+
+/// What another study or share left there would be lost when this one is done.
+void CheckNoOthers(const std::string& folder, const std::vector<Part>& parts) {
+  std::set<std::string> own;
+  for (const Part& part : parts) own.insert(fs::path(part.path()).filename().string());
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (it->path().extension() == ".csv" && own.count(name) == 0) {
+      throw InputError(fmt::format(
+          "{}/{}: is another study's or share's: give another --output, or take it away", folder,
+          name));
+    }
+  }
+  if (error) CannotWrite(folder, error.value());
+}
 
 /// Ends all threads' work at the next trial.
 struct Halted {};
@@ -242,6 +259,7 @@ std::vector<StudyRow> RunStudy(const StudyProtocol& protocol, const StudyOutput&
     std::vector<Part> parts;
     parts.reserve(places.size());
     for (const StudyPlace& place : places) parts.emplace_back(folder, protocol, place);
+    CheckNoOthers(folder, parts);
     if (output.begins) output.begins();
     Workers(protocol, places, parts).Run(output);
     for (const Part& part : parts) {

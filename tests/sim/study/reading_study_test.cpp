@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -158,6 +159,16 @@ TEST_F(ReadingStudy, GivesTheSameBytesForAnyNumberOfThreadsAndReadsThemBack) {
   EXPECT_EQ(rows[0].page->read.signs, 5U);
   EXPECT_EQ(rows[3].condition, "12mm");
   EXPECT_GT(rows[3].page->read.duration, 10);
+}
+
+TEST_F(ReadingStudy, TakesNoOutputThatAnotherStudyHasBegun) {
+  WriteAll(In("small.toml"), kSmall);
+  std::filesystem::create_directories(In("a.csv.parts"));
+  WriteAll(In("a.csv.parts/full-1.csv"), "begun\n");
+  const Outcome outcome = RunLine({"study", In("small.toml"), "--output", In("a.csv")});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("full-1.csv: is another study's"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(In("a.csv.parts/full-1.csv")));
 }
 
 TEST_F(ReadingStudy, SharesMergeToTheWhole) {
