@@ -37,9 +37,8 @@ inline constexpr const char* kRecognise =
     "a simulated reader that only feels reads the text and is scored";
 inline constexpr const char* kReaderDevice =
     "the reader's hand is on that device: a profile's name, such as moontrace-raw, or its file. It "
-    "gets the place in the device's steps and the force that is commanded; the page lies within "
-    "its "
-    "reach. Default: read exactly.";
+    "gets the place in the device's steps and the force that is commanded; the page lies "
+    "within its reach. Default: read exactly.";
 inline constexpr const char* kReaderUnsure =
     "the hand is unsure of its place: rms error in mm that wanders over 1.5 s. Default 0.";
 inline constexpr const char* kReaderBlank = "the reader is given paper without grooves.";

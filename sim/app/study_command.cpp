@@ -14,8 +14,8 @@
 #include "sim/app/study_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
+#include "sim/study/page_reading.h"
 #include "sim/study/reading_summary.h"
-#include "sim/study/reading_sweep.h"
 #include "sim/study/study_files.h"
 #include "sim/study/study_protocol.h"
 #include "sim/study/study_summary.h"
@@ -198,13 +198,14 @@ void ReportReading(const StudyOptions& options, const std::vector<StudyRow>& row
                    const std::string& path, Console& console) {
   const ReadingSummary summary = SummariseReading(rows);
   if (options.output.json) {
+    const Json best = summary.cells.empty() ? Json() : Json(summary.cells[summary.best].condition);
     Json cells = Json::array();
     for (const ReadingStudyCell& cell : summary.cells) cells.push_back(ReadingCellJson(cell));
     console.Json(Dump(Json{{"rows", path},
                            {"pages", rows.size()},
                            {"simulated", true},
                            {"cells", std::move(cells)},
-                           {"best", summary.cells.at(summary.best).condition}}));
+                           {"best", best}}));
     return;
   }
   console.Result(say::ReadingDone(rows.size(), summary.cells.size()));

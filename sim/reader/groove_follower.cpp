@@ -29,7 +29,6 @@ constexpr double kClosed = 0.6;      ///< from where it was before: a ring
 constexpr double kMoved = 0.6;       ///< is motion out of a stop
 constexpr double kSwingAngle = 100 * kDegree;
 constexpr double kSwingRate = 12;              ///< [rad/s]
-constexpr double kGlanceRate = 12;             ///< of a glance [rad/s]
 constexpr double kSharpAngle = 140 * kDegree;  ///< for a corner that is expected to be sharp
 constexpr double kSharpTime = 0.10;            ///< longer on a side then [s]
 constexpr double kLostDepth = 0.25;            ///< of the groove's depth
@@ -123,19 +122,13 @@ void GrooveFollower::Try(bool left, bool right, bool sharp) {
   state_ = State::kSwinging;
 }
 
-void GrooveFollower::End() {
-  NoteBlocked();
-  state_ = State::kEnded;
-}
-
 /// The angle of the swing after a time; a glance does not wait on either side for what it feels.
 double GrooveFollower::AngleAt(double t) const {
   const double most = SwingAngle();
-  const double rate = glances_ ? kGlanceRate : kSwingRate;
-  const double first = glances_ ? most / rate : SideTime();
+  const double first = glances_ ? most / kSwingRate : SideTime();
   if (t < 0) return 0;
-  if (t < first) return side_ * std::min(most, rate * t);
-  return side_ * std::max(-most, most - rate * (t - first));
+  if (t < first) return side_ * std::min(most, kSwingRate * t);
+  return side_ * std::max(-most, most - kSwingRate * (t - first));
 }
 
 double GrooveFollower::SwingAngle() const { return sharp_ ? kSharpAngle : kSwingAngle; }
@@ -146,7 +139,7 @@ double GrooveFollower::SideTime() const {
 }
 
 double GrooveFollower::SwingTime() const {
-  if (glances_) return 3 * SwingAngle() / kGlanceRate + wait_;
+  if (glances_) return 3 * SwingAngle() / kSwingRate + wait_;
   const double over = SwingAngle() / kSwingRate;
   return left_ && right_ ? over + 2 * SideTime() : SideTime();
 }
@@ -267,7 +260,10 @@ void GrooveFollower::Swing(const Felt& felt) {
   // straight on at first where nothing has moved yet, then to one side, then to the other
   const double t = felt.time - since_ - (has_moved_ ? 0 : wait_);
   angle_ = AngleAt(t);
-  if (t > SwingTime()) End();
+  if (t > SwingTime()) {
+    NoteBlocked();
+    state_ = State::kEnded;
+  }
   if (swings_ > kMostSwings) state_ = State::kEnded;
 }
 

@@ -61,7 +61,6 @@ class GrooveFollower {
   double SideTime() const;
   double SwingAngle() const;
   void NoteBlocked();
-  void End();
   void Stop(const Felt& felt);
 
   double width_ = 0, hold_ = 0, stiffness_ = 1, late_ = 0, wait_ = 0, speed_ = 0, gentle_ = 0,

@@ -119,8 +119,9 @@ std::string DeviceLetters(const DeviceProfile& profile, double smallest) {
 }
 
 std::string DeviceReads(const DeviceProfile& profile) {
-  return fmt::format("A simulated reader reads letters on it from {} mm on, by touch alone.",
-                     Short(kMillimetres * profile.read_size, 1));
+  return fmt::format(
+      "The smallest letters that a simulated reader reads on it by touch are {} mm high.",
+      Short(kMillimetres * profile.read_size, 1));
 }
 
 std::string DeviceCoupling(const DeviceProfile& profile) {

@@ -51,6 +51,20 @@ ReadingSetup SetupOf(const ReadingCell& cell, const TextPage& page, const Textur
   return setup;
 }
 
+void CheckCell(const ReadingCell& cell) {
+  const Script script = FindScript(cell.script);
+  if (!script.braille_tables.empty()) {
+    throw InputError("the reader follows grooves, Braille has none: name another script");
+  }
+  CheckStyle(StyleOf(cell, script), script);
+  PaperOf(cell);
+  const auto device = DeviceOf(cell);
+  if (device && !CanBeReadOn(device->limits)) {
+    throw InputError(
+        fmt::format("{} does not measure and push x and y: name another", cell.device));
+  }
+}
+
 }  // namespace
 
 PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint64_t seed,
@@ -82,17 +96,13 @@ PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint
   return read;
 }
 
-void CheckCell(const ReadingCell& cell) {
-  const Script script = FindScript(cell.script);
-  if (!script.braille_tables.empty()) {
-    throw InputError("the reader follows grooves, Braille has none: name another script");
-  }
-  CheckStyle(StyleOf(cell, script), script);
-  PaperOf(cell);
-  const auto device = DeviceOf(cell);
-  if (device && !CanBeReadOn(device->limits)) {
-    throw InputError(
-        fmt::format("{} does not measure and push x and y: name another", cell.device));
+void CheckSweep(const ReadingSweep& sweep, const std::string& file) {
+  for (const ReadingCell& cell : sweep.cells) {
+    try {
+      CheckCell(cell);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: reading, {}: {}", file, cell.name, error.what()));
+    }
   }
 }
 

@@ -26,8 +26,9 @@ struct PageReading {
 PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint64_t seed,
                      const std::function<void()>& check);
 
-/// Throws InputError where such a page cannot be read: no such script or profile, Braille, a device
-/// that does not measure and push three axes, a groove that cannot be cut.
-void CheckCell(const ReadingCell& cell);
+/// Tells before the work begins which page could not be read: no such script, profile or paper,
+/// Braille, a device that does not measure and push along the paper, a groove that cannot be cut.
+/// Throws InputError, its line begins with `file`.
+void CheckSweep(const ReadingSweep& sweep, const std::string& file);
 
 }  // namespace moontrace

@@ -7,15 +7,14 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/study/page_reading.h"
-#include "textures/base/error.h"
 #include "textures/base/random.h"
 #include "textures/base/units.h"
 
 namespace moontrace {
 namespace {
 
-constexpr std::size_t kMostValues = 100, kMostCells = 10000;
+constexpr std::size_t kMostValues = 100;
+constexpr double kMostCells = 10000;
 
 /// One axis: what its value does to a cell, and how the value is called in the cell's name.
 struct Axis {
@@ -69,6 +68,13 @@ Axis NameAxis(const TomlTable& table, const char* key, const std::string& otherw
   return axis;
 }
 
+/// How many combinations there are; of very many only that.
+double Combinations(const std::vector<Axis>& axes) {
+  double count = 1;
+  for (const Axis& axis : axes) count *= static_cast<double>(axis.set.size());
+  return count;
+}
+
 /// All combinations, named by what differs.
 std::vector<ReadingCell> Combined(const std::vector<Axis>& axes) {
   std::vector<ReadingCell> cells = {ReadingCell()};
@@ -82,7 +88,6 @@ std::vector<ReadingCell> Combined(const std::vector<Axis>& axes) {
         more.back().name += (cell.name.empty() ? "" : "-") + axis.names[i];
       }
     }
-    if (more.size() > kMostCells) return more;
     cells = std::move(more);
   }
   for (ReadingCell& cell : cells) {
@@ -119,22 +124,12 @@ ReadingSweep ReadSweep(const TomlTable& table) {
       NumberAxis(table, "drift_share", 1, 0, 10, 1, "drift", &ReadingCell::drift_share),
       NumberAxis(table, "unsure_mm", 0, 0, 20, kMillimetre, "unsure", &ReadingCell::unsure),
       NameAxis(table, "paper", "", "reach", &ReadingCell::paper)};
-  sweep.cells = Combined(axes);
-  if (sweep.cells.size() > kMostCells) {
+  if (Combinations(axes) > kMostCells) {
     table.Fail("", fmt::format("more than {} combinations: give fewer values", kMostCells));
   }
+  sweep.cells = Combined(axes);
   table.FailUnknown();
   return sweep;
-}
-
-void CheckSweep(const ReadingSweep& sweep, const std::string& file) {
-  for (const ReadingCell& cell : sweep.cells) {
-    try {
-      CheckCell(cell);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: reading, {}: {}", file, cell.name, error.what()));
-    }
-  }
 }
 
 std::string SweepText(const ReadingSweep& sweep, std::uint64_t seed) {

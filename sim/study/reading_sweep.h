@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,10 +38,6 @@ struct ReadingSweep {
 
 /// Throws InputError: file:line:column, cause, cure.
 ReadingSweep ReadSweep(const TomlTable& table);
-
-/// Looks up scripts and profiles and tries all grooves: what could not be read is told before the
-/// work begins. Throws InputError, its line begins with `file`.
-void CheckSweep(const ReadingSweep& sweep, const std::string& file);
 
 /// The text of the page with this seed: the same in all cells, if their scripts have its signs.
 std::string SweepText(const ReadingSweep& sweep, std::uint64_t seed);

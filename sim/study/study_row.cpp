@@ -16,12 +16,10 @@ constexpr const char* kColumns =
     "study,condition,seed,trial,phase,day,letter,size_mm,mode,help,coverage,mean_error_mm,"
     "rms_error_mm,wander_offs,duration_s,mean_force_n,mean_guidance_n,felt_error,excluded";
 constexpr const char* kReadingColumns =
-    "study,condition,seed,trial,script,device,size_mm,width_share,depth_share,rounding_share,press_"
-    "n,"
-    "friction,drift_share,unsure_mm,paper,signs,signs_right,wrong,missed,extra,duration_s,through,"
-    "ended,"
-    "excluded";
-constexpr std::size_t kColumnCount = 19, kReadingColumnCount = 24;
+    "study,condition,seed,trial,script,device,size_mm,width_share,depth_share,rounding_share,"
+    "press_n,friction,drift_share,unsure_mm,paper,signs,signs_right,wrong,missed,extra,duration_s,"
+    "through,ended";
+constexpr std::size_t kColumnCount = 19, kReadingColumnCount = 23;
 
 using Cells = std::array<std::string_view, kReadingColumnCount>;
 
@@ -81,13 +79,18 @@ class RowReader {
   Cells cells_{};
 };
 
-StudyRow ParseRow(std::string_view line, const std::string& where, std::size_t number) {
-  RowReader cells(line, kColumnCount, where, number);
-  StudyRow row;
+/// The columns that all rows begin with.
+void ReadWho(RowReader& cells, StudyRow& row) {
   row.study = cells.Hexadecimal();
   row.condition = cells.Text();
   row.seed = cells.Number<std::uint64_t>();
   row.trial = cells.Number<std::size_t>();
+}
+
+StudyRow ParseRow(std::string_view line, const std::string& where, std::size_t number) {
+  RowReader cells(line, kColumnCount, where, number);
+  StudyRow row;
+  ReadWho(cells, row);
   row.given.phase = cells.Text();
   row.given.day = cells.Number<double>();
   row.given.letter = cells.Text();
@@ -113,10 +116,7 @@ StudyRow ParseRow(std::string_view line, const std::string& where, std::size_t n
 StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t number) {
   RowReader cells(line, kReadingColumnCount, where, number);
   StudyRow row;
-  row.study = cells.Hexadecimal();
-  row.condition = cells.Text();
-  row.seed = cells.Number<std::uint64_t>();
-  row.trial = cells.Number<std::size_t>();
+  ReadWho(cells, row);
   ReadingCell& cell = row.page.emplace().cell;
   cell.script = cells.Text();
   cell.device = cells.Text();
@@ -138,7 +138,6 @@ StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t 
   read.duration = cells.Number<double>();
   read.through = cells.Number<std::size_t>();
   read.ended = cells.Number<int>() != 0;
-  row.excluded = cells.Text();
   row.line = std::string(line) + "\n";
   return row;
 }
@@ -146,12 +145,12 @@ StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t 
 std::string FormatPage(const StudyRow& row) {
   const ReadingCell& cell = row.page->cell;
   const PageReading& read = row.page->read;
-  return fmt::format(
-      "{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.study,
-      row.condition, row.seed, row.trial, cell.script, cell.device, 1e3 * cell.size,
-      cell.width_share, cell.depth_share, cell.rounding_share, cell.press, cell.friction,
-      cell.drift_share, 1e3 * cell.unsure, cell.paper, read.signs, read.signs_right, read.wrong,
-      read.missed, read.extra, read.duration, read.through, read.ended ? 1 : 0, row.excluded);
+  return fmt::format("{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                     row.study, row.condition, row.seed, row.trial, cell.script, cell.device,
+                     1e3 * cell.size, cell.width_share, cell.depth_share, cell.rounding_share,
+                     cell.press, cell.friction, cell.drift_share, 1e3 * cell.unsure, cell.paper,
+                     read.signs, read.signs_right, read.wrong, read.missed, read.extra,
+                     read.duration, read.through, read.ended ? 1 : 0);
 }
 
 }  // namespace

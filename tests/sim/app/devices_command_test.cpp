@@ -81,8 +81,9 @@ TEST(DevicesCommand, GivesTheSameAsJson) {
   EXPECT_GT(device["smallest_letter_mm"], 0);
   EXPECT_GE(device["read_letter_mm"], 10);
   EXPECT_LE(device["read_letter_mm"], 22);
-  EXPECT_NE(RunLine({"devices"}).out.find("A simulated reader reads letters on it from "),
-            std::string::npos);
+  EXPECT_NE(
+      RunLine({"devices"}).out.find("The smallest letters that a simulated reader reads on it"),
+      std::string::npos);
   // fine steps: as stiff as it holds, damped to 0.7 of critical for a proxy of 50 g
   EXPECT_EQ(device["coupling_stiffness_n_per_m"], 500);
   EXPECT_NEAR(device["coupling_damping_ns_per_m"], 1.4 * std::sqrt(0.05 * 500), 1e-9);

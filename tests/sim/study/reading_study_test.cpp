@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/study/page_reading.h"
 #include "sim/study/reading_summary.h"
 #include "sim/study/study_files.h"
 #include "tests/sim/cli_fixture.h"
@@ -54,6 +55,12 @@ TEST(ReadingSweep, RefusesWhatCannotBeRead) {
   EXPECT_NE(ErrorOf("size_mm = [1000.0]"), "");
   EXPECT_NE(ErrorOf("size_mm = [nan]"), "");
   EXPECT_NE(ErrorOf("pages = 0"), "");
+  std::string many = "[0.0";
+  for (int i = 1; i < 100; ++i) many += ", " + std::to_string(0.01 * i);
+  many += "]";
+  const std::string all =
+      ErrorOf("unsure_mm = " + many + "\nfriction = " + many + "\ndrift_share = " + many);
+  EXPECT_NE(all.find("more than 10000 combinations"), std::string::npos) << all;
   EXPECT_NE(ErrorOf("width_share = [5.0]"), "");  // wider than half a letter
   EXPECT_NE(ErrorOf("script = [\"nowhere\"]").find("r.toml: reading, page: "), std::string::npos);
   EXPECT_NE(ErrorOf("script = [\"braille\"]").find("follows grooves"), std::string::npos);
@@ -169,6 +176,15 @@ TEST_F(ReadingStudy, TakesNoOutputThatAnotherStudyHasBegun) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_NE(outcome.err.find("full-1.csv: is another study's"), std::string::npos) << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(In("a.csv.parts/full-1.csv")));
+}
+
+TEST_F(ReadingStudy, AShareMayHaveNoPage) {
+  WriteAll(In("small.toml"), kSmall);
+  const Outcome none =
+      RunLine({"study", In("small.toml"), "--shard", "9/9", "--json", "--output", In("none.csv")});
+  EXPECT_EQ(none.code, 0) << none.err;
+  EXPECT_EQ(none.Json()["pages"], 0);
+  EXPECT_TRUE(none.Json()["best"].is_null());
 }
 
 TEST_F(ReadingStudy, SharesMergeToTheWhole) {
