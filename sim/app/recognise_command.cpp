@@ -29,11 +29,15 @@
 #include "sim/setup/typeset_report.h"
 #include "textures/base/error.h"
 #include "textures/base/units.h"
+#include "textures/base/utf8.h"
 #include "textures/fonts/script.h"
+#include "textures/typeset/braille_reader.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {
+
+constexpr char32_t kFirstCell = 0x2800;  ///< of Unicode's Braille patterns
 
 /// The tip's path while it touches, searching (kTravel) or following (kStroke), a track each.
 std::vector<Mark> Tracks(const std::vector<PathPoint>& path, glm::dvec2 from_P, double width) {
@@ -63,11 +67,13 @@ std::vector<Mark> PrintOf(const ReadingResult& result, const Script& script, glm
   for (const ReadToken& token : result.tokens) {
     const bool known = token.kind == ReadToken::Kind::kSign;
     if (!known && token.kind != ReadToken::Kind::kUnknown) continue;
-    std::string word = known ? TextOfSign(token.glyph, script) : "unknown";
-    if (known && token.probability < 0.99) word += " " + say::Percent(token.probability);
-    const glm::dvec2 at = FromEm(token.place, {0, -0.35});
+    const glm::dvec2 at = kMillimetres * (FromEm(token.place, {0, -0.35}) - from_P);
     marks.emplace_back(
-        TextMark{kMillimetres * (at - from_P), height, std::move(word), palette::kInk});
+        TextMark{at, height, known ? TextOfSign(token.glyph, script) : "unknown", palette::kInk});
+    if (!known || token.probability >= 0.99) continue;
+    const double percent = std::round(100 * token.probability);
+    marks.emplace_back(TextMark{at - glm::dvec2(0, 1.2 * height), 0.8 * height,
+                                fmt::format("{} %", percent), palette::kInk});
   }
   return marks;
 }
@@ -100,8 +106,10 @@ Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeSty
   while (!read.empty() && read.back() == '\n') read.pop_back();
   std::replace(read.begin(), read.end(), '\n', ' ');
   drawing.description = say::ReadingPictureWords(text, read);
-  const std::string words = fmt::format("{}. {} {}", drawing.title, drawing.description,
-                                        say::ReadingPictureLegend(style, blank));
+  const std::string words =
+      fmt::format("{}. {} {}", drawing.title, drawing.description,
+
+                  say::ReadingPictureLegend(style, IsFollowed(style.relief, script), blank));
   std::vector<TextMark> lines =
       TextBlock(words, {border, 0}, drawing.width - 2 * border, print, palette::kInk);
   const double words_height = (lines.empty() ? 0 : -lines.back().at.y) + border;
@@ -130,13 +138,6 @@ struct Reading {
   std::vector<std::string> pictures;
 };
 
-/// A profile that tells a reader of walls.
-DeviceProfile ReadableProfile(const std::string& name) {
-  DeviceProfile profile = FindProfile(name, ProfilesFolder());
-  if (!CanBeReadOn(profile.limits)) throw InputError(say::ReadsWhereWallsAreFelt(name));
-  return profile;
-}
-
 /// What decides one page's reading. How the page lies, the range of sizes that the reader is told
 /// and all that is left to chance come from the seed alone.
 ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, std::size_t page,
@@ -153,9 +154,7 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   setup.device = reading.device;
   setup.senses.unsure = options.unsure.value_or(0);
   setup.hand = ShippedHand();
-  PlanOptions plan;
-  SetPress(setup.hand, style.relief, options.press, plan);
-  setup.hand.press = plan.press;
+  setup.hand.press = options.press.value_or(ReadingPress(setup.hand, style.relief, text.script));
   setup.press_given = options.press.has_value();
   CompleteSetup(setup, shapes, text.script, style, options.seed + page * 0x9e3779b9u);
   if (!options.picture.empty()) setup.path_spacing = style.width / 20;
@@ -189,11 +188,35 @@ void ReadPage(const RecogniseOptions& options, std::size_t page,
   reading.pages.push_back(std::move(result));
 }
 
+bool IsBraille(const Reading& reading) { return !reading.text.script.braille_tables.empty(); }
+
 std::string WholeText(const Reading& reading) {
   std::string text;
   for (const ReadingResult& page : reading.pages)
     text += TextRead(page.tokens, reading.text.script);
   return text;
+}
+
+/// What cells that were read say in print, a line each; what was not known parts them.
+std::string InPrint(const std::string& cells, const TextSetup& text) {
+  BrailleReader reader(text.script, text.set.style);
+  std::string print;
+  std::vector<std::uint8_t> run;
+  const auto end_run = [&] {
+    print += reader.Read(run);
+    run.clear();
+  };
+  for (const char32_t c : ToCodePoints(cells)) {
+    const bool cell = c >= kFirstCell && c < kFirstCell + 0x100;
+    if (cell || c == ' ') {
+      run.push_back(cell ? static_cast<std::uint8_t>(c - kFirstCell) : 0);
+    } else {
+      end_run();
+      print += ToUtf8(c);
+    }
+  }
+  end_run();
+  return print;
 }
 
 /// By what the hand was at; all but its rest at the end.
@@ -204,13 +227,15 @@ Json SecondsJson(const std::array<double, kReaderActivities>& seconds) {
   return {
       {"flying", of(ReaderActivity::kFlying)},       {"searching", of(ReaderActivity::kSearching)},
       {"crossing", of(ReaderActivity::kCrossing)},   {"settling", of(ReaderActivity::kSettling)},
-      {"following", of(ReaderActivity::kFollowing)}, {"turning", of(ReaderActivity::kTurning)}};
+      {"following", of(ReaderActivity::kFollowing)}, {"turning", of(ReaderActivity::kTurning)},
+      {"hatching", of(ReaderActivity::kHatching)}};
 }
 
 Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
   const ReadingScore& score = reading.score;
   Json json;
   json["text"] = WholeText(reading);
+  if (IsBraille(reading)) json["print"] = InPrint(WholeText(reading), reading.text);
   json["right"] = score.right;
   json["wrong"] = score.wrong;
   json["missed"] = score.missed;
@@ -248,6 +273,11 @@ Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
   return json;
 }
 
+void SayLines(const std::string& text, Console& console) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) console.Result(line);
+}
+
 void SayReading(const Reading& reading, Console& console) {
   const ReadingScore& score = reading.score;
   const std::string text = WholeText(reading);
@@ -260,8 +290,11 @@ void SayReading(const Reading& reading, Console& console) {
     const std::string confusions = say::Confusions(score, reading.text.script);
     if (!confusions.empty()) console.Result(confusions);
     console.Result(say::AsRead());
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) console.Result(line);
+    SayLines(text, console);
+    if (IsBraille(reading)) {
+      console.Result(say::InPrint());
+      SayLines(InPrint(text, reading.text), console);
+    }
   }
   if (!reading.pictures.empty()) console.Result(say::PictureIn());
   for (const std::string& path : reading.pictures) console.Path(path);
@@ -291,19 +324,19 @@ namespace {
 int ReadLabel(const RecogniseOptions& options, Console& console) {
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   Reading reading;
-  if (!options.device.empty()) reading.device = ReadableProfile(options.device);
+  if (!options.device.empty()) reading.device = FindProfile(options.device, ProfilesFolder());
   LayoutOptions layout = options.layout;
   if (reading.device && !layout.page_named) layout.page = SheetWithin(reading.device->limits);
   reading.text =
       SetUpText({options.text, options.style, layout, options.feel, "recognise"}, console);
   SayReplacements(reading.text.set, [&console](const std::string& line) { console.Remark(line); });
-  if (reading.text.set.style.relief == Relief::kEmbossed) {
-    throw UsageError(say::ReadsGroovesOnly());
+  const bool followed = IsFollowed(reading.text.set.style.relief, reading.text.script);
+  if (reading.device && !CanBeReadOn(reading.device->limits, followed)) {
+    throw InputError(say::ReadsWhereLettersAreFelt(options.device, followed));
   }
   if (reading.text.set.style.links.reach != LinkReach::kNone) throw UsageError(say::ReadsNoLinks());
-  if (!reading.text.script.braille_tables.empty()) throw UsageError(say::ReadsNoCells());
-  const Script& script = reading.text.script;
-  const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
+  const auto shapes =
+      KnownShapes(reading.text.script, reading.text.set.style.relief, reading.text.set.pages);
   const std::size_t pages = reading.text.set.pages.size();
   std::optional<PagePictures> pictures;
   if (!options.picture.empty()) pictures.emplace(options.picture, pages);

@@ -65,22 +65,17 @@ std::string Confusions(const ReadingScore& score, const Script& script) {
 
 std::string AsRead() { return "As read, line by line:"; }
 
-std::string ReadsGroovesOnly() {
-  return "recognise follows grooves and cannot read ridges yet: leave --embossed out";
-}
+std::string InPrint() { return "In print, line by line:"; }
 
 std::string ReadsNoLinks() {
   return "recognise cannot read links between letters yet: leave --links out";
 }
 
-std::string ReadsNoCells() {
-  return "recognise follows strokes and cannot read Braille yet: choose another --script";
-}
-
-std::string ReadsWhereWallsAreFelt(std::string_view profile) {
-  return fmt::format(
-      "device profile {}: recognise needs one that measures and pushes x and y; name another",
-      Quoted(profile));
+std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed) {
+  return fmt::format("device profile {}: recognise needs one that {}; name another",
+                     Quoted(profile),
+                     followed ? "measures and pushes x and y"
+                              : "measures z too for ridges and Braille, which are not followed");
 }
 
 std::string ReaderPressedThrough(std::size_t page, std::size_t count) {
@@ -101,13 +96,15 @@ std::string ReadingPictureWords(std::string_view text, std::string_view read) {
   return fmt::format("Text: {}. Read: {}.", OneLine(text), OneLine(read));
 }
 
-std::string ReadingPictureLegend(const TypeStyle& style, bool blank) {
-  const std::string ground = blank ? std::string("Dashed grey: where each groove would be.")
-                                   : fmt::format("Grey band: the groove, {} mm wide.",
+std::string ReadingPictureLegend(const TypeStyle& style, bool followed, bool blank) {
+  const char* letters = style.relief == Relief::kEmbossed ? "ridge" : "groove";
+  const std::string ground = blank ? fmt::format("Dashed grey: where each {} would be.", letters)
+                                   : fmt::format("Grey band: the {}, {} mm wide.", letters,
                                                  Short(kMillimetres * style.width, 2));
-  return ground +
-         " Orange line: the tip where it searches. Blue line: where it follows a groove. Print: "
-         "what was read, and how sure it is where that is below 99 percent.";
+  return fmt::format(
+      "{} Orange line: the tip where it searches{}. Print: what was read, and how sure it is where "
+      "that is below 99 percent.",
+      ground, followed ? ". Blue line: where it follows a groove" : " and goes over a line");
 }
 
 }  // namespace moontrace::say

@@ -18,19 +18,19 @@ std::string ReadingTime(const ReadingScore& score, double seconds, double real_t
 /// What stood there and what was read instead, the most frequent first; empty where there is none.
 std::string Confusions(const ReadingScore& score, const Script& script);
 std::string AsRead();
-/// Ridges were asked for.
-std::string ReadsGroovesOnly();
+/// Of Braille, behind the cells.
+std::string InPrint();
 std::string ReadsNoLinks();
-std::string ReadsNoCells();
-/// The profile does not measure or push along the paper.
-std::string ReadsWhereWallsAreFelt(std::string_view profile);
+/// The profile does not measure or push along the paper, or not up and down where signs are not
+/// followed.
+std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed);
 std::string ReaderStopped(std::size_t page);
 /// The tip went through the paper so often.
 std::string ReaderPressedThrough(std::size_t page, std::size_t count);
 
 std::string ReadingPictureTitle(const Script& script, const TypeStyle& style);
 std::string ReadingPictureWords(std::string_view text, std::string_view read);
-std::string ReadingPictureLegend(const TypeStyle& style, bool blank);
+std::string ReadingPictureLegend(const TypeStyle& style, bool followed, bool blank);
 
 namespace help {
 inline constexpr const char* kRecognise =

@@ -57,7 +57,7 @@ Shard ShardOf(const std::string& given) {
 
 StudyProtocol ProtocolAt(const std::string& file) {
   StudyProtocol protocol = LoadStudy(file);
-  if (protocol.reading) CheckSweep(*protocol.reading, file);
+  if (protocol.reading) CompleteSweep(*protocol.reading, file);
   try {
     FindScript(protocol.script);
   } catch (const InputError& error) {
@@ -172,6 +172,7 @@ Json ReadingCellJson(const ReadingStudyCell& cell) {
   const ReadingCell& given = cell.cell;
   return Json{{"condition", cell.condition},
               {"script", given.script},
+              {"relief", given.relief == Relief::kEmbossed ? "embossed" : "engraved"},
               {"device", given.device.empty() ? Json() : Json(given.device)},
               {"size_mm", kMillimetres * given.size},
               {"width_share", given.width_share},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/reader/groove_follower.h"
+#include "sim/reader/page_reader.h"
 #include "sim/reader/reader_knowledge.h"
 #include "sim/reader/sign_belief.h"
 #include "sim/reader/touch_sense.h"
@@ -14,47 +15,18 @@
 
 namespace moontrace {
 
-/// One thing read: a sign, a space or the end of a line.
-struct ReadToken {
-  enum class Kind { kSign, kUnknown, kSpace, kLineEnd } kind = Kind::kSign;
-  std::size_t glyph = 0;   ///< of a sign: index into the script's glyphs
-  double probability = 1;  ///< of that sign against all others
-  double time = 0;         ///< when it was decided [s]
-  SignPlace place;         ///< of a sign
-};
-
-/// What a reader's hand is at, as its time is told.
-enum class ReaderActivity {
-  kFlying,     ///< lifted, until it rests on the paper again
-  kSearching,  ///< for a groove
-  kCrossing,   ///< a place that tells signs apart
-  kSettling,   ///< back at a groove that it met
-  kFollowing,  ///< a groove
-  kTurning,    ///< looks where a groove that stopped goes on
-  kDone,
-};
-inline constexpr std::size_t kReaderActivities = 7;
-
-/// Reads a page by touch alone. A value: the same knowledge, seed and inputs give the same actions
-/// and the same text. It looks for the first line from where its hand is put, finds that line's
-/// first sign, follows the grooves of each sign, feels again where two signs are still likely, goes
-/// on line by line, and ends by itself where no further line comes.
-class Reader {
+/// Reads grooves by following them. It looks for the first line from where its hand is put, finds
+/// that line's first sign, follows the grooves of each sign, feels again where two signs are still
+/// likely, goes on line by line, and ends by itself where no further line comes.
+class Reader final : public PageReader {
  public:
   /// `tick` [s].
   Reader(const ReaderKnowledge& knowledge, double tick, std::uint64_t seed);
 
-  /// What the hand is to do next. Most ticks take well below a microsecond; where it decides, some
-  /// milliseconds, as a mind does: not for the haptic thread.
-  ReaderAction Step(const ReaderInput& input);
-
-  bool done() const { return phase_ == Phase::kDone; }
-  /// What has been read, a line at a time.
-  const std::vector<ReadToken>& tokens() const { return tokens_; }
-  /// Whether it looks for a groove or follows one, for pictures.
-  bool is_searching() const { return phase_ == Phase::kSweep; }
-  bool is_following() const { return phase_ == Phase::kFollow; }
-  ReaderActivity activity() const;
+  ReaderAction Step(const ReaderInput& input) override;
+  bool done() const override { return phase_ == Phase::kDone; }
+  const std::vector<ReadToken>& tokens() const override { return tokens_; }
+  ReaderActivity activity() const override;
 
  private:
   enum class Phase { kStart, kFly, kSweep, kSettle, kFollow, kDone };

@@ -42,12 +42,14 @@ struct ReaderFace {
   }
 };
 
-/// What a reader is told before it feels anything: the script, its letters' groove, its own hand
-/// and its device; of an object its face. Nothing of the page.
+/// What a reader is told before it feels anything: the script, its letters' groove or ridge, its
+/// own hand and its device; of an object its face. Nothing of the page.
 struct ReaderKnowledge {
   std::shared_ptr<const SignShapes> shapes;
   double width = 0;          ///< of a groove, rim to rim [m]
   double depth = 0;          ///< of a groove [m]
+  bool raised = false;       ///< ridges in place of grooves, so wide and so high
+  bool followed = true;      ///< grooves, in which a tip can go; else ridges or dots
   double least_size = 0;     ///< letters are at least so large [m]
   double greatest_size = 0;  ///< and at most [m]
   double space = 0;          ///< advance of a space in the script [em]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <set>
 
@@ -10,7 +11,7 @@
 namespace moontrace {
 namespace {
 
-constexpr double kSpot = 0.3;         ///< fills that are no larger are spots [em]
+constexpr double kSpot = 0.301;       ///< fills that are smaller are spots, Braille's too [em]
 constexpr double kSpotFloor = 0.055;  ///< a tip in a spot lies so far within its outline [em]
 
 /// A dot: so small that a tip in it feels no direction.
@@ -22,8 +23,13 @@ bool IsSpot(const Stroke& stroke) {
 }
 
 /// To a stroke's centre line; within a fill the distance to its outline, below zero; to the floor
-/// of a spot, 0 there.
-double DistanceToStroke(const Stroke& stroke, glm::dvec2 p) {
+/// of a spot, 0 there, or to its middle.
+double DistanceToStroke(const Stroke& stroke, glm::dvec2 p, SignShapes::Dots dots) {
+  if (dots == SignShapes::Dots::kMiddles && IsSpot(stroke)) {
+    Box box;
+    for (const Piece& piece : stroke.pieces) Include(box, BoundsOf(piece));
+    return glm::distance(p, 0.5 * (box.min + box.max));
+  }
   double nearest = std::numeric_limits<double>::infinity();
   for (const Piece& piece : stroke.pieces) nearest = std::min(nearest, DistanceTo(piece, p));
   if (stroke.kind != StrokeKind::kStroke && IsInside(stroke.pieces, p)) nearest = -nearest;
@@ -32,9 +38,10 @@ double DistanceToStroke(const Stroke& stroke, glm::dvec2 p) {
 
 }  // namespace
 
-SignShapes::SignShapes(const Script& script, const std::vector<std::size_t>& which) {
+SignShapes::SignShapes(const Script& script, const std::vector<std::size_t>& which, Dots dots) {
   for (const std::size_t index : which) {
-    if (!script.glyphs[index].strokes.empty()) signs_.push_back(Make(script.glyphs[index], index));
+    const Glyph& glyph = script.glyphs[index];
+    if (!glyph.strokes.empty()) signs_.push_back(Make(glyph, index, dots));
   }
   for (Sign& sign : signs_) {
     for (const auto& [name, forms] : script.forms) {
@@ -46,7 +53,7 @@ SignShapes::SignShapes(const Script& script, const std::vector<std::size_t>& whi
   }
 }
 
-SignShapes::Sign SignShapes::Make(const Glyph& glyph, std::size_t index) {
+SignShapes::Sign SignShapes::Make(const Glyph& glyph, std::size_t index, Dots dots) {
   constexpr double kSpacing = 0.05;  // [em]
   Sign sign;
   sign.glyph = sign.meaning = index;
@@ -63,11 +70,11 @@ SignShapes::Sign SignShapes::Make(const Glyph& glyph, std::size_t index) {
       }
     }
   }
-  FillTable(glyph, sign);
+  FillTable(glyph, dots, sign);
   return sign;
 }
 
-void SignShapes::FillTable(const Glyph& glyph, Sign& sign) {
+void SignShapes::FillTable(const Glyph& glyph, Dots dots, Sign& sign) {
   const Box box = Grown(sign.bounds, kFarthest);
   sign.corner = box.min;
   sign.columns = static_cast<int>(std::ceil((box.max.x - box.min.x) * kPerEm));
@@ -78,7 +85,7 @@ void SignShapes::FillTable(const Glyph& glyph, Sign& sign) {
       const glm::dvec2 p = box.min + glm::dvec2(i + 0.5, j + 0.5) / kPerEm;
       double nearest = kFarthest;
       for (const Stroke& stroke : glyph.strokes) {
-        nearest = std::min(nearest, DistanceToStroke(stroke, p));
+        nearest = std::min(nearest, DistanceToStroke(stroke, p, dots));
       }
       sign.table.push_back(static_cast<float>(nearest));
     }

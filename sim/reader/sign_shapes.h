@@ -22,9 +22,13 @@ class SignShapes {
   /// A coordinate beyond a sign's own box by more than this is as far as it gets [em].
   static constexpr double kFarthest = 0.4;
 
+  /// What stands for a small dot: the floor that a tip in it keeps to, or its middle.
+  enum class Dots { kFloors, kMiddles };
+
   SignShapes() = default;
   /// `which`: indices into the script's glyphs. Glyphs without strokes are left out.
-  SignShapes(const Script& script, const std::vector<std::size_t>& which);
+  SignShapes(const Script& script, const std::vector<std::size_t>& which,
+             Dots dots = Dots::kFloors);
 
   std::size_t size() const { return signs_.size(); }
   /// Index into the script's glyphs.
@@ -36,8 +40,8 @@ class SignShapes {
   const Box& Bounds(std::size_t sign) const { return signs_[sign].bounds; }  ///< of centre lines
   /// Along its strokes, 0.05 em apart; of fills the outline.
   const std::vector<SignPoint>& Points(std::size_t sign) const { return signs_[sign].points; }
-  /// To the nearest centre line or floor of a dot; within a larger fill the distance to its
-  /// outline, below zero; at most kFarthest [em]. From a table of 0.02 em.
+  /// To the nearest centre line, or floor or middle of a dot; within a larger fill the distance to
+  /// its outline, below zero; at most kFarthest [em]. From a table of 0.02 em.
   double Distance(std::size_t sign, glm::dvec2 p) const noexcept {
     const Sign& s = signs_[sign];
     const int i = static_cast<int>((p.x - s.corner.x) * kPerEm);
@@ -59,8 +63,8 @@ class SignShapes {
     int columns = 0, rows = 0;
     std::vector<float> table;  ///< row by row from below, at the middles of cells
   };
-  static Sign Make(const Glyph& glyph, std::size_t index);
-  static void FillTable(const Glyph& glyph, Sign& sign);
+  static Sign Make(const Glyph& glyph, std::size_t index, Dots dots);
+  static void FillTable(const Glyph& glyph, Dots dots, Sign& sign);
 
   std::vector<Sign> signs_;
 };

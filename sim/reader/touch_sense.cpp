@@ -21,6 +21,7 @@ TouchSense::TouchSense(const ReaderKnowledge& knowledge, double tick)
       press_(knowledge.press),
       depth_(knowledge.depth),
       width_(knowledge.width),
+      up_(knowledge.raised ? -1 : 1),
       give_(1 / knowledge.device_stiffness),
       yields_(give_),
       feels_height_(knowledge.feels_height),
@@ -51,7 +52,8 @@ void TouchSense::FeelWalls(bool presses) noexcept {
   felt_.depth = std::max(held, felt_.depth - tick_ / kForgets);
 }
 
-/// The level of flat paper is where the tip comes to rest under its press, and no groove is higher.
+/// The level of flat paper is where the tip comes to rest under its press; no groove is higher and
+/// no ridge lower.
 void TouchSense::FindLevel() noexcept {
   resting_for_ = felt_.touching && std::abs(sink_) < kResting ? resting_for_ + tick_ : 0;
   const double z = felt_.tip.z;
@@ -63,8 +65,8 @@ void TouchSense::FindLevel() noexcept {
     level_known_ = true;
   }
   if (!rests) return;
-  const double above = z - level_;
-  if (std::abs(above) < 0.15 * depth_) level_ += tick_ / 0.5 * above;
+  const double above = up_ * (z - level_);  // or below, beside ridges
+  if (std::abs(above) < 0.15 * depth_) level_ += up_ * tick_ / 0.5 * above;
   // what is higher and wide is the flat; a ridge is narrow
   constexpr double kWide = 1.2;  // widths of a groove
   const bool above_now = above > 0.15 * depth_;
@@ -108,7 +110,7 @@ const Felt& TouchSense::Add(const ReaderInput& input, bool presses) noexcept {
   FindLevel();
   // what the press does not carry yet, device and paper have not yet yielded to
   const double height = input.tip.z - level_ + yields_ * (input.force.z - press_);
-  felt_.depth = level_known_ && felt_.touching ? -height / depth_ : 0;
+  felt_.depth = level_known_ && felt_.touching ? -up_ * height / depth_ : 0;
   return felt_;
 }
 
@@ -135,6 +137,25 @@ void AimDrift::Add(const Felt& felt, glm::dvec2 aim) noexcept {
   aims_[slot] = aim;
   if (count_++ < aims_.size() || !felt.touching || felt.depth > kFlat) return;
   drift_ += tick_ / kLearn * (glm::dvec2(felt.tip) - then - drift_);
+}
+
+void AsideDrift::Begin() noexcept {
+  count_ = 0;
+  left_ = 0;
+}
+
+AsideDrift::AsideDrift(const ReaderKnowledge& knowledge, double tick)
+    : tick_(tick),
+      then_(static_cast<std::size_t>(std::lround((knowledge.delay + knowledge.lag) / tick)) + 1) {}
+
+void AsideDrift::Add(glm::dvec2 tip, bool flat, glm::dvec2 aim, glm::dvec2 heading) noexcept {
+  constexpr double kSteady = 0.99;  // cosine between headings then and now
+  Then& slot = then_[count_ % then_.size()];
+  const Then then = slot;
+  slot = {aim, heading};
+  if (count_++ < then_.size() || !flat || glm::dot(then.heading, heading) < kSteady) return;
+  const glm::dvec2 off = tip - then.aim;
+  left_ += tick_ / kLearn * (then.heading.x * off.y - then.heading.y * off.x - left_);
 }
 
 }  // namespace moontrace

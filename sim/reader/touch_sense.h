@@ -15,8 +15,8 @@ struct Felt {
   glm::dvec3 tip{0, 0, 0};  ///< [m]
   glm::dvec2 place{0, 0};   ///< where the tip is on the paper, the device's give allowed for [m]
   glm::dvec2 wall{0, 0};    ///< sideways force on the tip [N]
-  /// Below the flat, as a share of a groove's depth; of a hand that does not feel its height how
-  /// surely walls hold the tip, 0-1.
+  /// Below the flat, as a share of a groove's depth, or above it of a ridge's height; of a hand
+  /// that does not feel its height how surely walls hold the tip, 0-1.
   double depth = 0;
   bool touching = false;  ///< the paper carries the press
   bool held = true;       ///< a wall holds the tip just now; true where height is felt
@@ -47,7 +47,9 @@ class TouchSense {
   void FindGive(const ReaderInput& input) noexcept;
 
   double tick_ = 1e-3;
-  double press_ = 1, depth_ = 1, width_ = 1, give_ = 0;
+  double press_ = 1, depth_ = 1, width_ = 1;
+  double up_ = 1;      ///< from letters to flat paper: out of the paper, or into it from ridges
+  double give_ = 0;    ///< of the device [m/N]
   double yields_ = 0;  ///< device and paper, under a press [m/N]
   bool landed_ = false;
   bool feels_height_ = true;
@@ -86,6 +88,29 @@ class AimDrift {
   std::vector<glm::dvec2> aims_;  ///< of the time by which it feels late, a ring buffer [m]
   std::size_t count_ = 0;
   glm::dvec2 drift_{0, 0};
+};
+
+/// How far a hand strays to the left of where it is heading, without meaning to, as it finds when
+/// it compares where it feels itself to be on flat paper with where it aimed at that time.
+class AsideDrift {
+ public:
+  /// `tick` [s].
+  AsideDrift(const ReaderKnowledge& knowledge, double tick);
+
+  /// A landing: where it aimed before says nothing.
+  void Begin() noexcept;
+  /// One tick with this aim and heading, unit; `flat`: nothing but paper is felt.
+  void Add(glm::dvec2 tip, bool flat, glm::dvec2 aim, glm::dvec2 heading) noexcept;
+  double left() const { return left_; }  ///< [m]
+
+ private:
+  struct Then {
+    glm::dvec2 aim{0, 0}, heading{1, 0};
+  };
+  double tick_ = 1e-3;
+  std::vector<Then> then_;  ///< of the time by which it feels late, a ring buffer
+  std::size_t count_ = 0;
+  double left_ = 0;
 };
 
 }  // namespace moontrace

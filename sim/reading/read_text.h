@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/reader/reader.h"
+#include "sim/reader/page_reader.h"
 #include "textures/fonts/script.h"
 
 namespace moontrace {

@@ -9,6 +9,8 @@
 
 #include "sim/console/console.h"
 #include "sim/physics/scene.h"
+#include "sim/reader/hatch_reader.h"
+#include "sim/reader/reader.h"
 #include "sim/trial/hand_on_device.h"
 #include "textures/base/resources.h"
 
@@ -92,15 +94,28 @@ class LateSenses {
   std::size_t slot_ = 0;
 };
 
-void Keep(std::vector<PathPoint>& path, const TickResult& felt, const Reader& reader,
+/// How a path is drawn where the reader was at this.
+TracePhase PhaseOf(ReaderActivity activity) {
+  switch (activity) {
+    case ReaderActivity::kSearching:
+    case ReaderActivity::kCrossing:
+    case ReaderActivity::kHatching:
+      return TracePhase::kTravel;
+    case ReaderActivity::kFollowing:
+    case ReaderActivity::kTurning:
+      return TracePhase::kStroke;
+    default:
+      return TracePhase::kAir;
+  }
+}
+
+void Keep(std::vector<PathPoint>& path, const TickResult& felt, ReaderActivity activity,
           double spacing) {
   if (spacing <= 0) return;
   PathPoint point;
   point.tip_P = felt.proxy_P;
   point.in_contact = felt.depth > 0;
-  point.phase = reader.is_searching()   ? TracePhase::kTravel
-                : reader.is_following() ? TracePhase::kStroke
-                                        : TracePhase::kAir;
+  point.phase = PhaseOf(activity);
   if (!path.empty() && path.back().in_contact == point.in_contact &&
       path.back().phase == point.phase && glm::distance(path.back().tip_P, point.tip_P) < spacing) {
     return;
@@ -142,6 +157,16 @@ HandOnDevice OnDevice(std::unique_ptr<StylusOnSheet> stylus, const ReadingSetup&
   return {std::move(stylus), on_device, X_WP};
 }
 
+namespace {
+
+std::unique_ptr<PageReader> ReaderFor(const ReaderKnowledge& knowledge, double tick,
+                                      std::uint64_t seed) {
+  if (knowledge.followed) return std::make_unique<Reader>(knowledge, tick, seed);
+  return std::make_unique<HatchReader>(knowledge, tick);
+}
+
+}  // namespace
+
 ReadingResult RunReading(const ReadingSetup& setup) {
   Scene scene = Scene::Load(setup.model_path, setup.scene);
   if (setup.device) scene.SetOptions(HeldOn(*setup.device, setup.scene, scene.proxy_mass()));
@@ -178,7 +203,8 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     knowledge.face = ReaderFace{glm::dvec2(middle), face->half + glm::dvec2(wider, higher),
                                 face->turn + setup.page_turn};
   }
-  Reader reader(knowledge, tick, setup.reader_seed);
+  const std::unique_ptr<PageReader> made_reader = ReaderFor(knowledge, tick, setup.reader_seed);
+  PageReader& reader = *made_reader;
   LateSenses senses(setup.senses.delay, tick, {0, start, {0, 0, 0}});
   UnsurePlace unsure(setup.senses.unsure, tick, ~setup.hand_seed);
 
@@ -205,7 +231,7 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     result.seconds[static_cast<std::size_t>(reader.activity())] += tick;
     if (setup.watch) setup.watch(late, reader);
     stylus.Lead({action.aim, action.press});
-    Keep(result.path, felt, reader, setup.path_spacing);
+    Keep(result.path, felt, reader.activity(), setup.path_spacing);
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   result.tokens = reader.tokens();

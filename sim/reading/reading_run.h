@@ -15,7 +15,7 @@
 #include "devices/hand/led_stylus.h"
 #include "sim/physics/label_place.h"
 #include "sim/physics/scene_options.h"
-#include "sim/reader/reader.h"
+#include "sim/reader/page_reader.h"
 #include "sim/reading/reading_score.h"
 #include "sim/trial/trial_result.h"
 #include "textures/base/random.h"
@@ -55,7 +55,7 @@ struct ReadingSetup {
   double longest = 14400;         ///< a reader that has not ended by then is stopped [s]
   const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
   /// Called in each tick, after the reader: what it was given, and itself. None: costs nothing.
-  std::function<void(const ReaderInput& input, const Reader& reader)> watch;
+  std::function<void(const ReaderInput& input, const PageReader& reader)> watch;
   std::function<void()> alive;  ///< called each simulated second
 };
 

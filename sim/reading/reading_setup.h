@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "devices/core/device.h"
 #include "sim/reading/reading_run.h"
@@ -11,6 +12,19 @@
 
 namespace moontrace {
 
+/// Whether a tip can follow the signs: grooves, not ridges and not Braille's dots. The others are
+/// gone over line by line (HatchReader).
+bool IsFollowed(Relief relief, const Script& script);
+
+/// The signs of a script as a reader knows them. Of Braille the cells of six dots, and those of
+/// eight where some page has one: that a text is in eight dots is said before.
+std::shared_ptr<const SignShapes> KnownShapes(const Script& script, Relief relief,
+                                              const std::vector<TextPage>& pages);
+
+/// The press of a hand that reads, unless another is asked for [N]: light over ridges, from which a
+/// firm one slips, and lighter over raised dots, round which it would slide.
+double ReadingPress(const HandModel& hand, Relief relief, const Script& script);
+
 /// Completes a setup whose page, field, scene, hand and senses are there: what the reader is told,
 /// and, by the seed alone, how the page lies and what is left to chance. The page is turned by up
 /// to 3 degrees, the hand put on the text's upper left corner to within half a size, and the range
@@ -18,9 +32,10 @@ namespace moontrace {
 void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes,
                    const Script& script, const TypeStyle& style, std::uint64_t seed);
 
-/// Whether a device tells its hand of walls: it measures and pushes along the paper. Without a
-/// height its hand presses and lifts by other means, a button or a lever say.
-bool CanBeReadOn(const DeviceLimits& limits);
+/// Whether a device tells its hand of letters: it measures and pushes along the paper. What is
+/// followed can be felt without a height; such a hand presses and lifts by other means, a button or
+/// a lever say.
+bool CanBeReadOn(const DeviceLimits& limits, bool followed);
 
 /// The greatest sheet, A4 at most, that lies within a device's reach.
 PageSpec SheetWithin(const DeviceLimits& limits);

@@ -18,9 +18,9 @@ namespace moontrace {
 namespace {
 
 TypeStyle StyleOf(const ReadingCell& cell, const Script& script) {
-  constexpr double kNoContractions = 0.5;  // a letter is a sign
-  TypeStyle style = DefaultStyle(cell.size, Relief::kEngraved, script);
-  style.grade = kNoContractions;
+  constexpr double kNoContractions = 0.5, kUncontracted = 1;  // of Moon, of Braille
+  TypeStyle style = DefaultStyle(cell.size, cell.relief, script);
+  style.grade = script.braille_tables.empty() ? kNoContractions : kUncontracted;
   style.width *= cell.width_share;
   style.depth *= cell.depth_share;
   style.rounding *= cell.rounding_share;
@@ -53,15 +53,12 @@ ReadingSetup SetupOf(const ReadingCell& cell, const TextPage& page, const Textur
 
 void CheckCell(const ReadingCell& cell) {
   const Script script = FindScript(cell.script);
-  if (!script.braille_tables.empty()) {
-    throw InputError("the reader follows grooves, Braille has none: name another script");
-  }
   CheckStyle(StyleOf(cell, script), script);
   PaperOf(cell);
   const auto device = DeviceOf(cell);
-  if (device && !CanBeReadOn(device->limits)) {
+  if (device && !CanBeReadOn(device->limits, IsFollowed(cell.relief, script))) {
     throw InputError(
-        fmt::format("{} does not measure and push x and y: name another", cell.device));
+        fmt::format("{} does not measure and push all that it takes: name another", cell.device));
   }
 }
 
@@ -72,7 +69,7 @@ PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint
   const Script script = FindScript(cell.script);
   const TypeStyle style = StyleOf(cell, script);
   const Typeset set = SetText(text, script, style, PaperOf(cell));
-  const auto shapes = std::make_shared<const SignShapes>(script, WrittenGlyphs(script));
+  const auto shapes = KnownShapes(script, cell.relief, set.pages);
   PageReading read;
   read.ended = true;
   std::uint64_t sheet_seed = seed;
@@ -96,10 +93,13 @@ PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint
   return read;
 }
 
-void CheckSweep(const ReadingSweep& sweep, const std::string& file) {
-  for (const ReadingCell& cell : sweep.cells) {
+void CompleteSweep(ReadingSweep& sweep, const std::string& file) {
+  for (ReadingCell& cell : sweep.cells) {
     try {
       CheckCell(cell);
+      if (!(cell.press > 0)) {
+        cell.press = ReadingPress(ShippedHand(), cell.relief, FindScript(cell.script));
+      }
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: reading, {}: {}", file, cell.name, error.what()));
     }

@@ -26,9 +26,10 @@ struct PageReading {
 PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint64_t seed,
                      const std::function<void()>& check);
 
-/// Tells before the work begins which page could not be read: no such script, profile or paper,
-/// Braille, a device that does not measure and push along the paper, a groove that cannot be cut.
-/// Throws InputError, its line begins with `file`.
-void CheckSweep(const ReadingSweep& sweep, const std::string& file);
+/// Gives each page its press, and tells before the work begins which could not be read: no such
+/// script, profile or paper, a device that does not measure and push along the paper, or not up and
+/// down where ridges or dots are read, a groove that cannot be cut. Throws InputError, its line
+/// begins with `file`.
+void CompleteSweep(ReadingSweep& sweep, const std::string& file);
 
 }  // namespace moontrace

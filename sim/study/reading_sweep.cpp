@@ -68,6 +68,22 @@ Axis NameAxis(const TomlTable& table, const char* key, const std::string& otherw
   return axis;
 }
 
+Axis ReliefAxis(const TomlTable& table) {
+  Axis axis;
+  std::vector<std::string> values = {"engraved"};
+  if (table.Has("relief")) values = table.Strings("relief");
+  for (const std::string& value : values) {
+    if (value != "engraved" && value != "embossed") {
+      table.Fail("relief", "give \"engraved\", \"embossed\" or both");
+    }
+    const Relief relief = value == "embossed" ? Relief::kEmbossed : Relief::kEngraved;
+    axis.set.emplace_back([relief](ReadingCell& cell) { cell.relief = relief; });
+    axis.names.push_back(value);
+  }
+  if (values.empty() || values.size() > 2) table.Fail("relief", "give one or two");
+  return axis;
+}
+
 /// How many combinations there are; of very many only that.
 double Combinations(const std::vector<Axis>& axes) {
   double count = 1;
@@ -114,12 +130,13 @@ ReadingSweep ReadSweep(const TomlTable& table) {
   sweep.letters = static_cast<int>(InRange(table, "letters", letters, 1, 10000));
   const std::vector<Axis> axes = {
       NameAxis(table, "script", "moon", "moon", &ReadingCell::script),
+      ReliefAxis(table),
       NameAxis(table, "device", "", "exact", &ReadingCell::device),
       NumberAxis(table, "size_mm", 12, 1, 100, kMillimetre, "mm", &ReadingCell::size),
       NumberAxis(table, "width_share", 1, 0.1, 5, 1, "width", &ReadingCell::width_share),
       NumberAxis(table, "depth_share", 1, 0.1, 5, 1, "depth", &ReadingCell::depth_share),
       NumberAxis(table, "rounding_share", 1, 0.1, 5, 1, "round", &ReadingCell::rounding_share),
-      NumberAxis(table, "press_n", 1, 0.01, 20, 1, "n", &ReadingCell::press),
+      NumberAxis(table, "press_n", 0, 0, 20, 1, "n", &ReadingCell::press),
       NumberAxis(table, "friction", 0, 0, 2, 1, "friction", &ReadingCell::friction),
       NumberAxis(table, "drift_share", 1, 0, 10, 1, "drift", &ReadingCell::drift_share),
       NumberAxis(table, "unsure_mm", 0, 0, 20, kMillimetre, "unsure", &ReadingCell::unsure),

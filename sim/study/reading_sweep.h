@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "textures/base/toml_reader.h"
+#include "textures/typeset/style.h"
 
 namespace moontrace {
 
@@ -13,12 +14,13 @@ namespace moontrace {
 struct ReadingCell {
   std::string name;  ///< of what differs between the cells, "6mm-0.5n"; of a single one "page"
   std::string script = "moon";
+  Relief relief = Relief::kEngraved;
   std::string device;         ///< profile, a name or a file; empty: read exactly
   double size = 0.012;        ///< [m]
   double width_share = 1;     ///< of the groove's default width for that size
   double depth_share = 1;     ///< of its default depth
   double rounding_share = 1;  ///< of its default rounding
-  double press = 1;           ///< [N]
+  double press = 0;           ///< [N]; 0 until CompleteSweep: the hand's usual one
   double friction = 0;        ///< Coulomb's, of the page
   double drift_share = 1;     ///< of the shipped hand's sideways drift
   double unsure = 0;          ///< how wrongly the hand feels its place, rms [m]

@@ -16,10 +16,13 @@ constexpr const char* kColumns =
     "study,condition,seed,trial,phase,day,letter,size_mm,mode,help,coverage,mean_error_mm,"
     "rms_error_mm,wander_offs,duration_s,mean_force_n,mean_guidance_n,felt_error,excluded";
 constexpr const char* kReadingColumns =
-    "study,condition,seed,trial,script,device,size_mm,width_share,depth_share,rounding_share,"
+    "study,condition,seed,trial,script,relief,device,size_mm,width_share,depth_share,rounding_"
+    "share,"
     "press_n,friction,drift_share,unsure_mm,paper,signs,signs_right,wrong,missed,extra,duration_s,"
     "through,ended";
-constexpr std::size_t kColumnCount = 19, kReadingColumnCount = 23;
+constexpr std::size_t kColumnCount = 19, kReadingColumnCount = 24;
+
+constexpr const char *kEngraved = "engraved", *kEmbossed = "embossed";
 
 using Cells = std::array<std::string_view, kReadingColumnCount>;
 
@@ -49,6 +52,11 @@ class RowReader {
     }
   }
   std::string Text() { return std::string(cells_[next_++]); }
+  Relief OneRelief() {
+    const std::string_view cell = cells_[next_++];
+    if (cell != kEmbossed && cell != kEngraved) Refuse(cell);
+    return cell == kEmbossed ? Relief::kEmbossed : Relief::kEngraved;
+  }
   template <typename T>
   T Number() {
     const std::string_view cell = cells_[next_++];
@@ -119,6 +127,7 @@ StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t 
   ReadWho(cells, row);
   ReadingCell& cell = row.page.emplace().cell;
   cell.script = cells.Text();
+  cell.relief = cells.OneRelief();
   cell.device = cells.Text();
   cell.size = cells.Number<double>() / 1e3;
   cell.width_share = cells.Number<double>();
@@ -145,12 +154,13 @@ StudyRow ParsePage(std::string_view line, const std::string& where, std::size_t 
 std::string FormatPage(const StudyRow& row) {
   const ReadingCell& cell = row.page->cell;
   const PageReading& read = row.page->read;
-  return fmt::format("{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                     row.study, row.condition, row.seed, row.trial, cell.script, cell.device,
-                     1e3 * cell.size, cell.width_share, cell.depth_share, cell.rounding_share,
-                     cell.press, cell.friction, cell.drift_share, 1e3 * cell.unsure, cell.paper,
-                     read.signs, read.signs_right, read.wrong, read.missed, read.extra,
-                     read.duration, read.through, read.ended ? 1 : 0);
+  return fmt::format(
+      "{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.study,
+      row.condition, row.seed, row.trial, cell.script,
+      cell.relief == Relief::kEmbossed ? kEmbossed : kEngraved, cell.device, 1e3 * cell.size,
+      cell.width_share, cell.depth_share, cell.rounding_share, cell.press, cell.friction,
+      cell.drift_share, 1e3 * cell.unsure, cell.paper, read.signs, read.signs_right, read.wrong,
+      read.missed, read.extra, read.duration, read.through, read.ended ? 1 : 0);
 }
 
 }  // namespace

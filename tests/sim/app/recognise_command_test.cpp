@@ -125,12 +125,20 @@ TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(RunLine({"recognise", "so", "--script", "nowhere"}).code, 3);
   EXPECT_EQ(RunLine({"recognise", "so", "--picture", In("none/p.svg")}).code, 4);
   EXPECT_EQ(RunLine({"recognise", "so", "more"}).code, 2);
-  const Outcome ridges = RunLine({"recognise", "so", "--embossed"});
-  EXPECT_EQ(ridges.code, 2);
-  EXPECT_NE(ridges.err.find("leave --embossed out"), std::string::npos);
+  // nothing on a joystick tells how high a ridge is
+  const Outcome ridges = RunLine({"recognise", "so", "--embossed", "--device", "sidewinder-ff2"});
+  EXPECT_EQ(ridges.code, 3);
+  EXPECT_NE(ridges.err.find("measures z too"), std::string::npos) << ridges.err;
   const Outcome links = RunLine({"recognise", "so", "--links", "words"});
   EXPECT_EQ(links.code, 2);
   EXPECT_NE(links.err.find("leave --links out"), std::string::npos) << links.err;
+}
+
+TEST_F(RecogniseCommand, TellsBrailleInPrintToo) {
+  const Outcome words = RunLine({"recognise", "lego", "--script", "braille", "--seed", "2"});
+  ASSERT_EQ(words.code, 0) << words.err;
+  EXPECT_NE(words.out.find("⠇⠑⠛⠕\nIn print, line by line:\nlego\n"), std::string::npos)
+      << words.out;
 }
 
 /// A word on a button of 58 by 26 mm that gives way, its letters 4 mm from the edge and more.

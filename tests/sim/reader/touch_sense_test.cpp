@@ -96,5 +96,56 @@ TEST(TouchSense, ALandingTellsWhereThePaperBegins) {
   EXPECT_NEAR(Landed().surface(), kSurface, 0.05e-3);
 }
 
+ReaderKnowledge LateHand() {
+  ReaderKnowledge knowledge;
+  knowledge.delay = 0.120;
+  knowledge.lag = 0.030;
+  return knowledge;
+}
+
+TEST(AsideDrift, FindsWhatAHandStraysToTheLeftOfItsWay) {
+  constexpr double kStrays = 0.8e-3;
+  AsideDrift drift(LateHand(), kTick);
+  // upwards at 20 mm/s, felt 150 ms late and 0.8 mm to the left of the aim, which corrects itself
+  std::vector<glm::dvec2> aims;
+  for (int n = 0; n < 2000; ++n) {
+    aims.emplace_back(drift.left(), 0.02 * n * kTick);
+    const glm::dvec2 then = aims[n > 150 ? static_cast<std::size_t>(n - 150) : 0];
+    drift.Add(then + glm::dvec2(-kStrays, 0), true, aims.back(), {0, 1});
+  }
+  EXPECT_NEAR(drift.left(), kStrays, 0.02 * kStrays);
+  drift.Begin();
+  EXPECT_EQ(drift.left(), 0);
+}
+
+TEST(AsideDrift, LearnsNothingOnASlopeOrRoundACorner) {
+  AsideDrift drift(LateHand(), 1e-3);
+  for (int n = 0; n < 1000; ++n) drift.Add({1e-3, 0}, false, {0, 0}, {0, 1});
+  EXPECT_EQ(drift.left(), 0);
+  for (int n = 0; n < 1000; ++n) {
+    const bool up = n / 100 % 2 == 0;  // it has turned since what it feels
+    drift.Add({1e-3, 0}, true, {0, 0}, {0, up ? 1 : -1});
+  }
+  EXPECT_LT(std::abs(drift.left()), 1e-3);
+}
+
+// Of a ridge the flat is the lowest: a tip that lands on a slope finds it when it has come down.
+TEST(TouchSense, FeelsRidgesAboveTheFlat) {
+  ReaderKnowledge knowledge = Knowledge();
+  knowledge.raised = true;
+  TouchSense sense(knowledge, 1e-3);
+  const auto feel = [&](double z, double x, int ticks) {
+    for (int n = 0; n < ticks; ++n) {
+      sense.Add({n * 1e-3, {x + n * 1e-5, 0, z}, {0, 0, knowledge.press}}, true);
+    }
+  };
+  feel(0, 0, 300);
+  EXPECT_NEAR(sense.felt().depth, 0, 0.01);
+  feel(knowledge.depth, 0.003, 60);
+  EXPECT_NEAR(sense.felt().depth, 1, 0.01);
+  feel(-0.5 * knowledge.depth, 0.004, 600);  // it had rested on a slope
+  EXPECT_NEAR(sense.felt().depth, 0, 0.02);
+}
+
 }  // namespace
 }  // namespace moontrace

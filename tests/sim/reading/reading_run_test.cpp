@@ -1,4 +1,5 @@
 #include "sim/reading/reading_run.h"
+#include "sim/reader/reader.h"
 
 #include <gtest/gtest.h>
 
@@ -194,7 +195,7 @@ TEST(Reading, IsToldTheForceOfPushedAxesOnly) {
   setup.device = FindProfile("moontrace-raw", ProfilesFolder());
   setup.device->limits.pushes = {false, true, true};
   double across = 0, along = 0;
-  setup.watch = [&](const ReaderInput& input, const Reader&) {
+  setup.watch = [&](const ReaderInput& input, const PageReader&) {
     along = std::max(along, std::abs(input.force.x));
     across = std::max(across, std::abs(input.force.y));
   };
@@ -230,7 +231,7 @@ TEST(Reading, OneStreamOfInputsGivesOneAnswerWhateverLiesBehindIt) {
   std::vector<ReaderInput> inputs;
   std::vector<glm::dvec3> aims;
   ReadingSetup setup = desk.setup;
-  setup.watch = [&inputs](const ReaderInput& input, const Reader&) { inputs.push_back(input); };
+  setup.watch = [&inputs](const ReaderInput& input, const PageReader&) { inputs.push_back(input); };
   const ReadingResult result = RunReading(setup);
   Reader alone(setup.knowledge, setup.scene.tick, setup.reader_seed);
   for (const ReaderInput& input : inputs) alone.Step(input);

@@ -11,6 +11,7 @@
 #include "sim/study/page_reading.h"
 #include "sim/study/reading_summary.h"
 #include "sim/study/study_files.h"
+#include "sim/trial/trial.h"
 #include "tests/sim/cli_fixture.h"
 #include "textures/base/error.h"
 
@@ -19,8 +20,8 @@ namespace {
 
 std::string ErrorOf(const std::string& reading) {
   try {
-    const StudyProtocol protocol = ParseStudy("title = \"T\"\n[reading]\n" + reading, "r.toml");
-    CheckSweep(*protocol.reading, "r.toml");
+    StudyProtocol protocol = ParseStudy("title = \"T\"\n[reading]\n" + reading, "r.toml");
+    CompleteSweep(*protocol.reading, "r.toml");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -63,10 +64,37 @@ TEST(ReadingSweep, RefusesWhatCannotBeRead) {
   EXPECT_NE(all.find("more than 10000 combinations"), std::string::npos) << all;
   EXPECT_NE(ErrorOf("width_share = [5.0]"), "");  // wider than half a letter
   EXPECT_NE(ErrorOf("script = [\"nowhere\"]").find("r.toml: reading, page: "), std::string::npos);
-  EXPECT_NE(ErrorOf("script = [\"braille\"]").find("follows grooves"), std::string::npos);
+  EXPECT_EQ(ErrorOf("script = [\"braille\"]\nrelief = [\"engraved\", \"embossed\"]"), "");
+  EXPECT_NE(ErrorOf("relief = [\"flat\"]").find("give \"engraved\", \"embossed\" or both"),
+            std::string::npos);
   const std::string puck = ErrorOf("device = [\"spacemouse\"]");
-  EXPECT_NE(puck.find("does not measure and push x and y"), std::string::npos) << puck;
+  EXPECT_NE(puck.find("does not measure and push all that it takes"), std::string::npos) << puck;
   EXPECT_EQ(ErrorOf("device = [\"sidewinder-ff2\"]\nsize_mm = [20.0]"), "");
+  // which does not feel how high its hand is
+  const std::string ridges =
+      ErrorOf("device = [\"sidewinder-ff2\"]\nsize_mm = [20.0]\nrelief = [\"embossed\"]");
+  EXPECT_NE(ridges.find("does not measure and push all that it takes"), std::string::npos)
+      << ridges;
+}
+
+// Grooves hold a firm hand; a ridge wants a light one, and raised dots a lighter one still.
+TEST(ReadingSweep, GivesEachReliefItsUsualPressUnlessOneIsAskedFor) {
+  StudyProtocol protocol = ParseStudy(
+      "title = \"T\"\n[reading]\nscript = [\"moon\", \"braille\"]\nsize_mm = [6.0]\n"
+      "relief = [\"engraved\", \"embossed\"]",
+      "r.toml");
+  CompleteSweep(*protocol.reading, "r.toml");
+  const std::vector<ReadingCell>& cells = protocol.reading->cells;
+  ASSERT_EQ(cells.size(), 4U);
+  EXPECT_EQ(cells[0].press, ShippedHand().press);
+  EXPECT_EQ(cells[1].press, ShippedHand().light_press);
+  EXPECT_LT(cells[3].press, cells[1].press);
+  EXPECT_LT(cells[3].press, cells[2].press);
+  EXPECT_EQ(cells[2].name, "braille-engraved");
+  StudyProtocol asked =
+      ParseStudy("title = \"T\"\n[reading]\npress_n = [0.5]\nrelief = [\"embossed\"]", "r.toml");
+  CompleteSweep(*asked.reading, "r.toml");
+  EXPECT_EQ(asked.reading->cells.front().press, 0.5);
 }
 
 TEST(ReadingSweep, HasTheSameTextForASeedOnly) {
@@ -150,7 +178,9 @@ class ReadingStudy : public CliTest {
     StudyOutput output;
     output.path = In("whole-" + std::to_string(threads) + ".csv");
     output.threads = threads;
-    RunStudy(LoadStudy(In("small.toml")), output);
+    StudyProtocol protocol = LoadStudy(In("small.toml"));
+    CompleteSweep(*protocol.reading, "small.toml");
+    RunStudy(protocol, output);
     std::ifstream file(output.path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }

@@ -1,0 +1,462 @@
+#include "sim/reader/hatch_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "sim/reader/line_frame.h"
+#include "textures/base/units.h"
+
+namespace moontrace {
+namespace {
+
+// Ours, chosen on seeds 1 to 20. In em unless said.
+constexpr double kLift = 0.003;      ///< above the paper [m]
+constexpr double kAirSpeed = 0.25;   ///< [m/s]
+constexpr double kUp = 0.08;         ///< before it moves aside [s]
+constexpr double kSteady = 0.08;     ///< for the hand to come to rest above the paper [s]
+constexpr double kRests = 0.05;      ///< on the paper [s]
+constexpr double kPatience = 1.0;    ///< with a landing that does not come to rest [s]
+constexpr double kGivesUp = 300;     ///< after so long without a sign or a line [s]
+constexpr double kPerSecond = 14;    ///< widths of a ridge, over which it goes
+constexpr double kColumn = 0.11;     ///< from one way across a line to the next
+constexpr double kDotColumn = 0.08;  ///< the same where all signs are of dots
+constexpr double kSample = 0.25;     ///< from one felt place to the next, in widths
+constexpr double kInk = 0.2;         ///< share of a ridge's height
+constexpr double kInkTime = 0.004;   ///< [s]
+constexpr double kFlat = 0.1;        ///< more is not flat paper
+constexpr double kSlope = 0.2;       ///< more is a slope
+constexpr double kDotSlope = 0.15;   ///< the same of raised dots, round which the tip slides
+constexpr double kEdge = 0.2;        ///< beyond a line's ink it is hatched
+constexpr double kEdgeUnsure = 0.3;  ///< the same of a line that is only expected
+constexpr double kBefore = 0.5;      ///< left of where lines began
+constexpr double kRow = 0.13;        ///< between ways that look for a line; less than a dot
+constexpr double kAcrossRows = 3;    ///< their length
+constexpr double kDeepest = 4;       ///< the next line lies no deeper
+constexpr double kToFrame = 7;       ///< so much of a line tells size and turn
+constexpr double kToLine = 4;        ///< or height alone
+constexpr double kLookAhead = 1.6;   ///< behind a sign that is decided
+constexpr double kThinks = 0.3;      ///< after so much more was felt
+constexpr double kBeginsLeft = 0.9;  ///< of its ink a sign begins at most
+constexpr double kBeginsRight = 0.2;
+constexpr double kMetBeyond = 0.1;  ///< a line's ink, where it was met
+constexpr int kMostRestarts = 2;    ///< of the search for the first line
+constexpr double kInside = 0.002;   ///< of a face's edges the hand stays [m]
+constexpr double kLeastFit = 20;    ///< nats, else what was felt is no line
+constexpr double kGreatestTurn = 3 * kDegree;
+
+}  // namespace
+
+HatchReader::HatchReader(const ReaderKnowledge& knowledge, double tick)
+    : knowledge_(knowledge),
+      belief_(*knowledge.shapes, knowledge.width, knowledge.space),
+      sense_(knowledge, tick),
+      drift_(knowledge, tick),
+      size_(knowledge.greatest_size) {
+  for (std::size_t sign = 0; sign < knowledge.shapes->size(); ++sign) {
+    dots_ = dots_ && knowledge.shapes->IsDots(sign);
+  }
+}
+
+ReaderActivity HatchReader::activity() const {
+  switch (phase_) {
+    case Phase::kStart:
+    case Phase::kFly:
+      return ReaderActivity::kFlying;
+    case Phase::kSweep:
+      return errand_ == Errand::kLine ? ReaderActivity::kHatching : ReaderActivity::kSearching;
+    case Phase::kDone:
+      break;
+  }
+  return ReaderActivity::kDone;
+}
+
+ReaderAction HatchReader::Step(const ReaderInput& input) {
+  now_ = input.time;
+  const Felt& felt = sense_.Add(input, action_.press > 0);
+  if (now_ - news_ > kGivesUp && phase_ != Phase::kDone) {
+    if (!line_.empty()) LineDone();
+    phase_ = Phase::kDone;
+  }
+  switch (phase_) {
+    case Phase::kStart:
+      start_ = glm::dvec2(felt.tip);
+      put_ = felt.tip.z;
+      SearchFirstLine(start_.y);
+      action_ = Fly(felt);
+      break;
+    case Phase::kFly:
+      action_ = Fly(felt);
+      break;
+    case Phase::kSweep:
+      action_ = Sweep(felt);
+      break;
+    case Phase::kDone:
+      action_ = {{felt.tip.x, felt.tip.y, sense_.surface() + kLift}, 0};
+      break;
+  }
+  if (knowledge_.face && action_.press > 0) {
+    action_.aim = {knowledge_.face->Held(glm::dvec2(action_.aim), kInside), action_.aim.z};
+  }
+  return action_;
+}
+
+/// Lifts the hand, and goes along `way_` from its first point.
+void HatchReader::SweepFrom(glm::dvec2 from, Errand errand) {
+  errand_ = errand;
+  phase_ = Phase::kFly;
+  fly_from_ = glm::dvec2(sense_.felt().tip);
+  fly_to_ = aim_ = from;
+  next_ = 0;
+  waited_ = inked_for_ = 0;
+  since_ = now_;
+  sense_.Lift();
+  drift_.Begin();
+}
+
+ReaderAction HatchReader::Fly(const Felt& felt) {
+  const double t = now_ - since_;
+  // an even movement over whole periods of its spring leaves a hand at rest
+  const double period = kTurn * std::sqrt(knowledge_.hand_mass / knowledge_.hand_stiffness);
+  const double distance = glm::distance(fly_from_, fly_to_);
+  const double moves = period * std::max(1.0, std::ceil(distance / (kAirSpeed * period)));
+  const double there = kUp + moves + kSteady;
+  const double height = sense_.level_known() ? sense_.surface() + kLift : put_;
+  if (t < there) {
+    const double share = std::clamp((t - kUp) / moves, 0.0, 1.0);
+    const glm::dvec2 over = glm::mix(fly_from_, fly_to_, share);
+    return {{over.x, over.y, height}, 0};
+  }
+  const double felt_there = there + knowledge_.delay + knowledge_.lag;
+  const bool rests = sense_.level_known() && sense_.resting_for() > kRests;
+  if (t >= felt_there && (rests || t > felt_there + kPatience)) {
+    phase_ = Phase::kSweep;
+    since_ = now_;
+  }
+  return {{fly_to_.x, fly_to_.y, felt.tip.z}, knowledge_.press};
+}
+
+/// Without the steps of a device and what they shake loose.
+Felt HatchReader::Calm(const Felt& felt, double dt) {
+  constexpr double kCalm = 0.006;  // [s]
+  const double share = felt.touching && calm_.touching ? std::min(1.0, dt / kCalm) : 1;
+  calm_.time = felt.time;
+  calm_.touching = felt.touching;
+  calm_.tip = felt.tip;
+  calm_.place += share * (felt.place - calm_.place);
+  calm_.wall += share * (felt.wall - calm_.wall);
+  calm_.depth += share * (felt.depth - calm_.depth);
+  return calm_;
+}
+
+ReaderAction HatchReader::Sweep(const Felt& raw) {
+  const double dt = now_ - since_;
+  since_ = now_;
+  const Felt felt = Calm(raw, dt);
+  inked_for_ = felt.touching && felt.depth > kInk ? inked_for_ + dt : 0;
+  if (errand_ == Errand::kLine) {
+    Feel(felt);
+  } else if (inked_for_ > kInkTime) {
+    BeginLine(felt.place);
+  }
+  if (phase_ != Phase::kSweep) return action_;
+  double step = dt * kPerSecond * knowledge_.width;
+  while (step > 0) {
+    if (next_ >= way_.size() && errand_ == Errand::kLine) GoOn();
+    if (next_ >= way_.size()) break;
+    const glm::dvec2 left = way_[next_] - aim_;
+    const double length = glm::length(left);
+    if (length > 0) heading_ = left / length;
+    if (length > step) {
+      aim_ += step / length * left;
+      step = 0;
+    } else {
+      aim_ = way_[next_++];
+      step -= length;
+    }
+  }
+  // what is felt comes late: wait at the end
+  waited_ = next_ >= way_.size() ? waited_ + dt : 0;
+  if (waited_ > knowledge_.delay + knowledge_.lag + 0.05) {
+    if (line_starts_.empty() && ++restarts_ <= kMostRestarts) {
+      SearchFirstLine(start_.y - restarts_ * kRow * knowledge_.least_size / (kMostRestarts + 1));
+    } else {
+      phase_ = Phase::kDone;
+    }
+    return action_;
+  }
+  const glm::dvec2 aim = aim_ - drift_.left() * glm::dvec2(-heading_.y, heading_.x);
+  drift_.Add(glm::dvec2(felt.tip), felt.touching && felt.depth < kFlat, aim, heading_);
+  return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
+}
+
+double HatchReader::ColumnWidth() const {
+  return (dots_ ? kDotColumn : kColumn) *
+         (line_starts_.empty() && !framed_ ? knowledge_.least_size : size_);
+}
+
+/// The next column, upwards or downwards in turn.
+void HatchReader::GoOn() {
+  way_.push_back(FromEm(hatch_, {column_, upwards_ ? high_ : low_}));
+  column_ += ColumnWidth();
+  upwards_ = !upwards_;
+}
+
+/// From where the hand was put to and fro, downwards.
+void HatchReader::SearchFirstLine(double top) {
+  constexpr int kRows = 90;
+  const double a = knowledge_.least_size;
+  way_.clear();
+  for (int i = 0; i < kRows; ++i) {
+    way_.emplace_back(start_.x + a * (i % 2 == 0 ? -0.5 : kAcrossRows), top - kRow * a * i);
+  }
+  SweepFrom(way_.front(), Errand::kFirstLine);
+}
+
+/// To and fro below the last line, over its first signs.
+void HatchReader::SearchNextLine(double down) {
+  way_.clear();
+  const SignPlace& last = line_starts_.back();
+  bool right = true;
+  for (double y = down; y < kDeepest; y += kRow, right = !right) {
+    way_.push_back(FromEm(last, {right ? -kBefore : kAcrossRows, -y}));
+    way_.push_back(FromEm(last, {right ? kAcrossRows : -kBefore, -y}));
+  }
+  SweepFrom(way_.front(), Errand::kNextLine);
+}
+
+/// Ink was met: it belongs to some sign near the beginning of a line, at any height of it.
+void HatchReader::BeginLine(glm::dvec2 ink) {
+  met_ = ink;
+  const double height = belief_.bounds().max.y - belief_.bounds().min.y;
+  SignPlace frame{ink, 1, turn_};
+  const double low = -(height + kEdge) * size_;
+  if (line_starts_.empty()) {
+    // met from above, near its upper edge
+    frame.origin.x = std::min(start_.x - 0.7 * size_, ink.x - size_);
+    HatchLine(frame, low, 0.6 * size_);
+  } else {
+    const SignPlace& last = line_starts_.back();
+    const double room = ToEm(last, ink).y - belief_.bounds().min.y + 0.1;
+    frame.origin = FromEm(last, {-kBefore, ToEm(last, ink).y});
+    HatchLine(frame, low, std::min(0.6 * height, std::max(kEdge, -room)) * size_);
+  }
+}
+
+/// Goes over a line from its left. `frame` in metres.
+void HatchReader::HatchLine(const SignPlace& frame, double low, double high) {
+  expected_ = false;
+  hatch_ = frame;
+  low_ = low;
+  high_ = high;
+  column_ = 0;
+  upwards_ = false;
+  points_.clear();
+  line_.clear();
+  framed_ = inked_ = false;
+  thought_at_ = waits_ = 0;
+  way_.clear();
+  GoOn();
+  SweepFrom(way_.front(), Errand::kLine);
+}
+
+/// A line at the pitch of those before.
+void HatchReader::HatchExpectedLine() {
+  const double count = static_cast<double>(line_starts_.size()) - 1;
+  const glm::dvec2 pitch = (line_starts_.back().origin - line_starts_.front().origin) / count;
+  SignPlace frame{line_starts_.back().origin + pitch, size_, turn_};
+  frame.origin = FromEm(frame, {-kBefore, 0});
+  met_ = FromEm(frame, {0, 0.5 * (belief_.bounds().min.y + belief_.bounds().max.y)});
+  frame.size = 1;
+  HatchLine(frame, (belief_.bounds().min.y - kEdgeUnsure) * size_,
+            (belief_.bounds().max.y + kEdgeUnsure) * size_);
+  expected_ = true;
+}
+
+/// How far along the line everything was felt, and ink last [m].
+double HatchReader::FeltTo() const { return ToEm(hatch_, sense_.felt().place).x - ColumnWidth(); }
+
+void HatchReader::Feel(const Felt& felt) {
+  if (!felt.touching || !sense_.level_known()) return;
+  const bool far =
+      points_.empty() || glm::distance(sampled_, felt.place) > kSample * knowledge_.width;
+  if (!far) return;
+  sampled_ = felt.place;
+  HatchPoint point{felt.place, felt.depth > (dots_ && knowledge_.raised ? kDotSlope : kSlope)};
+  const double push = glm::length(felt.wall);
+  if (point.ink && push > 0) {
+    // a ridge pushes the tip away from its middle, a groove towards it
+    const double off = 0.5 * knowledge_.width * std::max(0.0, 1 - felt.depth) / push;
+    point.p += (knowledge_.raised ? -off : off) * felt.wall;
+  }
+  if (point.ink || felt.depth < kFlat) points_.push_back(point);
+  const double x = ToEm(hatch_, felt.place).x;
+  if (felt.depth > kInk && inked_for_ > kInkTime) {
+    if (!inked_) ink_from_ = ink_to_ = x;
+    inked_ = true;
+    ink_to_ = std::max(ink_to_, x);
+  }
+  if (FeltTo() - thought_at_ > kThinks * size_) Think();
+}
+
+/// What the line says so far.
+void HatchReader::Think() {
+  thought_at_ = FeltTo();
+  const double to_end = (belief_.widest() + knowledge_.space + 0.6) * size_;
+  const bool ended = FeltTo() - (inked_ ? ink_to_ : 0) > to_end + (inked_ ? 0 : kBefore * size_);
+  if (!inked_ && ended) {
+    if (line_starts_.empty()) return SearchFirstLine(hatch_.origin.y - kRow * size_);
+    return SearchNextLine(0.25 - belief_.bounds().min.y);
+  }
+  if (!inked_) return;
+  const double enough = line_starts_.empty() ? kToFrame * knowledge_.least_size : kToLine * size_;
+  if (!framed_ && (ended || FeltTo() - ink_from_ > enough) && !FindFrame()) {
+    if (line_starts_.empty()) return SearchFirstLine(met_.y - kRow * size_);
+    phase_ = Phase::kDone;
+    return;
+  }
+  if (!framed_) return;
+  while (ReadOn(ended)) {
+  }
+  if (ended) LineDone();
+}
+
+LinePrior HatchReader::PriorNow() const {
+  LinePrior prior;
+  prior.next = frame_;
+  prior.gap = gap_bias_;
+  prior.unsure = knowledge_.unsure;
+  prior.anywhere = line_.empty();
+  if (prior.anywhere) {
+    prior.before = kBeginsLeft;
+    prior.behind = kBeginsRight;
+  }
+  prior.felt_to = ToEm(frame_, FromEm(hatch_, {FeltTo(), 0})).x;
+  return prior;
+}
+
+/// Where the line's base lies, and on the first line how large its letters are and how they lie.
+bool HatchReader::FindFrame() {
+  FrameRange range;
+  range.met = met_;
+  range.felt_to = FromEm(hatch_, {FeltTo(), 0});
+  range.unsure = knowledge_.unsure;
+  range.before = kBeginsLeft;
+  range.behind = kBeginsRight;
+  const Box& ink = belief_.bounds();
+  const double middle = 0.5 * (ink.min.y + ink.max.y);
+  range.from = expected_ ? middle - kEdgeUnsure : ink.min.y - kMetBeyond;
+  range.to = expected_ ? middle + kEdgeUnsure : ink.max.y + kMetBeyond;
+  range.sizes = {size_};
+  range.turns = {turn_};
+  if (line_starts_.empty()) {
+    const double ratio = knowledge_.greatest_size / knowledge_.least_size;
+    const int count = std::max(1, static_cast<int>(std::lround(std::log(ratio) / 0.04)));
+    range.sizes.clear();
+    for (int i = 0; i <= count; ++i) {
+      range.sizes.push_back(knowledge_.least_size * std::pow(ratio, 1.0 * i / count));
+    }
+    range.turns = {-0.67 * kGreatestTurn, 0, 0.67 * kGreatestTurn};
+  }
+  const FrameFit found = FitFrame(belief_, points_, range);
+  if (found.log_likelihood < kLeastFit) return false;
+  frame_ = found.frame;
+  size_ = frame_.size;
+  turn_ = frame_.turn;
+  framed_ = true;
+  return true;
+}
+
+/// Decides on the next sign if enough of the line was felt behind it.
+bool HatchReader::ReadOn(bool line_ended) {
+  const LinePrior prior = PriorNow();
+  const double ahead = belief_.widest() + kLookAhead;
+  if (!line_ended && prior.felt_to < ahead + waits_) return false;
+  const NextOnLine next = belief_.Next(points_, prior);
+  if (next.end) return false;
+  const double space = next.space ? knowledge_.space : 0;
+  if (!line_ended && prior.felt_to < ahead + space) {
+    waits_ = space;
+    return false;
+  }
+  waits_ = 0;
+  Take(next);
+  return true;
+}
+
+void HatchReader::Take(const NextOnLine& next) {
+  news_ = now_;
+  if (next.space) tokens_.push_back({ReadToken::Kind::kSpace, 0, 1, now_, {}});
+  ReadToken token;
+  token.time = now_;
+  token.probability = next.sign.probability;
+  token.place = next.sign.place;
+  const bool known = next.sign.sign != SignGuess::kUnknown;
+  token.kind = known ? ReadToken::Kind::kSign : ReadToken::Kind::kUnknown;
+  if (known) token.glyph = knowledge_.shapes->GlyphOf(next.sign.sign);
+  tokens_.push_back(token);
+  LearnFrame(next.sign);
+}
+
+/// Height, turn and gaps, and from there where the next sign is expected.
+void HatchReader::LearnFrame(const SignGuess& read) {
+  constexpr double kHeightShare = 0.3;  // of a sign's own height
+  constexpr double kTurnSpread = 0.01;  // before it is felt [rad]
+  const bool known = read.sign != SignGuess::kUnknown;
+  const double off = known ? ToEm(frame_, read.place.origin).y : 0;
+  if (known && !line_.empty() && line_.back().sign != SignGuess::kUnknown) {
+    const SignGuess& before = line_.back();
+    const glm::dvec2 way = ToEm(before.place, read.place.origin);
+    const double gap = way.x - knowledge_.shapes->Advance(before.sign);
+    const double bias = gap > 0.7 * knowledge_.space ? gap - knowledge_.space : gap;
+    if (std::abs(bias) < 0.3) {
+      ++gaps_;
+      gap_bias_ += (bias - gap_bias_) / std::min(gaps_ + 3, 20);
+    }
+  }
+  line_.push_back(read);
+  if (line_.size() > 3 && known) {
+    const glm::dvec2 way = read.place.origin - line_.front().place.origin;
+    across_ += way.x * (way.y - turn_ * way.x);
+    along_ += way.x * way.x;
+    const double few = 0.05 * size_ / kTurnSpread;
+    const double turned = across_ / (along_ + few * few);
+    turn_ += 0.2 * turned;
+  }
+  frame_ = read.place;
+  frame_.size = size_;
+  frame_.turn = turn_;
+  const double advance = known ? knowledge_.shapes->Advance(read.sign) + gap_bias_ : 0.6;
+  frame_.origin = FromEm(frame_, {advance, known ? (kHeightShare - 1) * off : 0});
+  // the columns follow
+  SignPlace hatch = frame_;
+  hatch.size = 1;
+  const double at = ToEm(hatch, FromEm(hatch_, {column_, 0})).x;
+  const double ink = ToEm(hatch, FromEm(hatch_, {ink_to_, 0})).x;
+  const double thought = ToEm(hatch, FromEm(hatch_, {thought_at_, 0})).x;
+  hatch_ = hatch;
+  column_ = at;
+  ink_to_ = ink;
+  thought_at_ = thought;
+  low_ = (belief_.bounds().min.y - kEdge) * size_;
+  high_ = (belief_.bounds().max.y + kEdge) * size_;
+}
+
+void HatchReader::LineDone() {
+  news_ = now_;
+  tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, {}});
+  if (!line_.empty()) {
+    SignPlace start = line_.front().place;
+    start.turn = turn_;
+    line_starts_.push_back(start);
+  }
+  if (line_starts_.empty()) {
+    phase_ = Phase::kDone;
+    return;
+  }
+  if (line_starts_.size() > 1) return HatchExpectedLine();
+  SearchNextLine(0.25 - belief_.bounds().min.y);
+}
+
+}  // namespace moontrace

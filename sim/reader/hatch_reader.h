@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/reader/line_belief.h"
+#include "sim/reader/page_reader.h"
+#include "sim/reader/touch_sense.h"
+
+namespace moontrace {
+
+/// Reads what cannot be followed, ridges and dots: it goes up and down over each line, a little
+/// further to the right each time, and makes out the signs from where it felt the paper high or
+/// low. Looks for the first line from where its hand is put, tells size, turn and height from that
+/// line's beginning, goes on line by line, and ends where no further line comes. Its hand must feel
+/// its height.
+class HatchReader final : public PageReader {
+ public:
+  /// `tick` [s]. The shapes have dots by their middles.
+  HatchReader(const ReaderKnowledge& knowledge, double tick);
+
+  ReaderAction Step(const ReaderInput& input) override;
+  bool done() const override { return phase_ == Phase::kDone; }
+  const std::vector<ReadToken>& tokens() const override { return tokens_; }
+  ReaderActivity activity() const override;
+
+ private:
+  enum class Phase { kStart, kFly, kSweep, kDone };
+  enum class Errand { kFirstLine, kNextLine, kLine };
+
+  ReaderAction Fly(const Felt& felt);
+  Felt Calm(const Felt& felt, double dt);
+  ReaderAction Sweep(const Felt& raw);
+  void SweepFrom(glm::dvec2 from, Errand errand);
+  void GoOn();
+  bool FeelsInk(const Felt& felt);
+  void Feel(const Felt& felt);
+  void SearchFirstLine(double top);
+  void SearchNextLine(double down);
+  void BeginLine(glm::dvec2 ink);
+  void HatchLine(const SignPlace& frame, double low, double high);
+  void HatchExpectedLine();
+  double ColumnWidth() const;
+  double FeltTo() const;
+  double InkTo() const;
+  void Think();
+  bool FindFrame();
+  LinePrior PriorNow() const;
+  bool ReadOn(bool line_ended);
+  void Take(const NextOnLine& next);
+  void LearnFrame(const SignGuess& read);
+  void LineDone();
+
+  ReaderKnowledge knowledge_;
+  LineBelief belief_;
+  bool dots_ = true;  ///< and nothing else in the script
+  TouchSense sense_;
+  Felt calm_;
+  AsideDrift drift_;
+  ReaderAction action_;
+  Phase phase_ = Phase::kStart;
+  Errand errand_ = Errand::kFirstLine;
+  double now_ = 0, since_ = 0;
+  double news_ = 0;  ///< when it last found a sign or a line's end [s]
+  glm::dvec2 start_{0, 0};
+  double put_ = 0;  ///< how high [m]
+  int restarts_ = 0;
+  // flying
+  glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
+  // sweeping
+  std::vector<glm::dvec2> way_;
+  std::size_t next_ = 0;
+  glm::dvec2 aim_{0, 0};
+  glm::dvec2 heading_{1, 0};  ///< of the aim, unit
+  double waited_ = 0;         ///< at the end of a way [s]
+  double inked_for_ = 0;      ///< [s]
+  // a line
+  SignPlace frame_;            ///< where the next sign is expected, once the line is known
+  bool framed_ = false;        ///< it is
+  bool expected_ = false;      ///< the line lies at the pitch of those before
+  double low_ = 0, high_ = 0;  ///< edges of what is hatched, from `frame_`'s base line [m]
+  double column_ = 0;          ///< of the newest way, from the line's left [m]
+  bool upwards_ = false;       ///< goes the next column
+  SignPlace hatch_;            ///< what columns are measured from
+  std::vector<HatchPoint> points_;
+  glm::dvec2 sampled_{0, 0};          ///< where the newest of them was felt [m]
+  glm::dvec2 met_{0, 0};              ///< a place of the line, between its edges [m]
+  double ink_from_ = 0, ink_to_ = 0;  ///< of the line, from `hatch_` [m]
+  bool inked_ = false;
+  double thought_at_ = 0;  ///< how far was felt then [m]
+  double waits_ = 0;       ///< for so much more of the line, behind a space [em]
+  std::vector<SignGuess> line_;
+  // the page
+  double size_ = 0, turn_ = 0, gap_bias_ = 0;
+  int gaps_ = 0;
+  double across_ = 0, along_ = 0;  ///< tangent sums for the turn [m^2]
+  std::vector<SignPlace> line_starts_;
+  std::vector<ReadToken> tokens_;
+};
+
+}  // namespace moontrace

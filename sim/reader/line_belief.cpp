@@ -1,0 +1,262 @@
+#include "sim/reader/line_belief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace moontrace {
+namespace {
+
+// In em and nats; ours, chosen on seeds 1 to 20.
+constexpr double kSpread = 0.06;        ///< of ink about a sign's lines
+constexpr double kSpreadWidths = 0.15;  ///< the same, in widths
+constexpr double kInk = 5;              ///< cost of ink on flat paper
+constexpr double kFlat = 4;             ///< cost of flat paper on a line
+constexpr double kInner = 0.6;          ///< of half a width, where no flat is felt
+constexpr double kWeight = 0.6;         ///< of a point; what is felt side by side errs together
+constexpr double kUnknownWide = 0.6;
+constexpr double kUnknownCost = 2;    ///< of each point of ink, for what is no sign
+constexpr double kUnknownPrior = 12;  ///< before anything was felt
+constexpr double kSpacePrior = 1.6;
+constexpr int kMostSpaces = 3;  ///< in a row
+constexpr double kEndPrior = 4;
+constexpr double kSlack = 0.05;   ///< of a sign's beginning about where it is expected
+constexpr double kMostSlack = 3;  ///< the same at most, in standard deviations
+constexpr double kFineStep = 0.04;
+constexpr double kNever = -1e9;
+
+double LogSum(double a, double b) {
+  const double most = std::max(a, b);
+  return most <= kNever ? kNever : most + std::log1p(std::exp(std::min(a, b) - most));
+}
+
+}  // namespace
+
+LineBelief::LineBelief(const SignShapes& shapes, double width, double space)
+    : shapes_(&shapes), width_(width), space_(space) {
+  double clear = 0, left = 0;
+  for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
+    const Box& box = shapes.Bounds(sign);
+    Include(bounds_, box);
+    widest_ = std::max(widest_, shapes.Advance(sign));
+    clear += shapes.Advance(sign) - (box.max.x - box.min.x);
+    left += box.min.x;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, shapes.size()));
+  window_ = (left - 0.5 * clear) / count;
+}
+
+LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior,
+                                      double step) const {
+  Line line;
+  line.step = step;
+  line.from = -prior.before - kMostSlack * kSlack;
+  line.half_width = 0.5 * width_ / prior.next.size;
+  const double low = bounds_.min.y - line.half_width, high = bounds_.max.y + line.half_width;
+  double last = line.from;
+  for (const HatchPoint& point : points) {
+    const glm::dvec2 p = ToEm(prior.next, point.p);
+    if (p.x < line.from + window_ || p.x > prior.felt_to || p.y < low || p.y > high) continue;
+    line.points.push_back({p, point.ink});
+    last = std::max(last, p.x);
+  }
+  std::sort(line.points.begin(), line.points.end(), [](const Point& a, const Point& b) {
+    return a.p.x != b.p.x ? a.p.x < b.p.x : a.p.y < b.p.y;
+  });
+  line.steps = std::max(1, static_cast<int>(std::ceil((last - line.from) / step)));
+  const double sure = std::hypot(kSpread, 2 * kSpreadWidths * line.half_width);
+  line.spread = std::hypot(sure, prior.unsure / prior.next.size);
+  line.flat_cost = kFlat * sure / line.spread;
+  return line;
+}
+
+/// What the points of a sign's share of the line say for it.
+double LineBelief::Gain(const Line& line, std::size_t sign, glm::dvec2 at) const {
+  const double from = at.x + window_, to = from + shapes_->Advance(sign);
+  auto point = std::lower_bound(line.points.begin(), line.points.end(), from,
+                                [](const Point& p, double x) { return p.p.x < x; });
+  const double inner = kInner * line.half_width;
+  double gain = 0;
+  for (; point != line.points.end() && point->p.x < to; ++point) {
+    const double d = shapes_->Distance(sign, point->p - at);
+    if (point->ink) {
+      const double off = std::max(0.0, d) / line.spread;
+      gain += std::max(0.0, kInk - 0.5 * off * off);
+    } else if (d < inner) {
+      gain -= line.flat_cost * std::min(1.0, 2 * (1 - d / inner));
+    }
+  }
+  return kWeight * gain;
+}
+
+double LineBelief::UnknownGain(const Line& line, double x) const {
+  auto point = std::lower_bound(line.points.begin(), line.points.end(), x + window_,
+                                [](const Point& p, double from) { return p.p.x < from; });
+  double gain = 0;
+  for (; point != line.points.end() && point->p.x < x + window_ + kUnknownWide; ++point) {
+    if (point->ink) gain += kInk - kUnknownCost;
+  }
+  return kWeight * gain - kUnknownPrior;
+}
+
+LineBelief::Backward LineBelief::LookBack(const Line& line, const LinePrior& prior) const {
+  const double slack = std::hypot(kSlack, prior.unsure / prior.next.size);
+  const int reach = static_cast<int>(std::lround(kMostSlack * slack / line.step));
+  const auto steps_of = [&line](double em) {
+    return std::max(1, static_cast<int>(std::lround(em / line.step)));
+  };
+  const double prior_of_a_sign = -std::log(static_cast<double>(shapes_->size()));
+  const int space = steps_of(space_ + prior.gap), unknown = steps_of(kUnknownWide);
+  Backward back;
+  back.begins.assign(static_cast<std::size_t>(line.steps) + 1, kNever);
+  back.expected.assign(static_cast<std::size_t>(line.steps) + 1, kNever);
+  const auto expected = [&](int k) {
+    return k > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(k)];
+  };
+  // signs begin before they are expected, too: those steps are done first
+  for (int k = line.steps + reach; k >= 0; --k) {
+    if (const int j = k - reach; j >= 0) {
+      double sum = kNever;
+      const double x = line.from + j * line.step;
+      for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
+        const int next = j + steps_of(shapes_->Advance(sign) + prior.gap);
+        // what comes behind one that is narrower than the slack is not known yet
+        const double rest = expected(std::max(next, k + 1));
+        sum = LogSum(sum, prior_of_a_sign + Gain(line, sign, {x, 0}) + rest);
+      }
+      sum = LogSum(sum, UnknownGain(line, x) + expected(std::max(k + 1, j + unknown)));
+      back.begins[static_cast<std::size_t>(j)] = sum;
+    }
+    if (k > line.steps) continue;
+    double sum = -kEndPrior;
+    for (int off = -reach; off <= reach; ++off) {
+      const int j = k + off;
+      if (j < 0) continue;
+      const double log = j > line.steps ? 0 : back.begins[static_cast<std::size_t>(j)];
+      const double spread = off * line.step / slack;
+      sum = LogSum(sum, log - 0.5 * spread * spread - std::log(slack / line.step * 2.5066));
+    }
+    sum = LogSum(sum, expected(k + space) - kSpacePrior);
+    back.expected[static_cast<std::size_t>(k)] = sum;
+  }
+  return back;
+}
+
+double LineBelief::Fit(const std::vector<HatchPoint>& points, const LinePrior& prior,
+                       double step) const {
+  const Line line = Prepared(points, prior, step);
+  const Backward back = LookBack(line, prior);
+  double sum = kNever;
+  int count = 0;
+  for (int k = 0; k <= line.steps; ++k) {
+    const double x = line.from + k * line.step;
+    if (x < -prior.before || x > prior.behind) continue;
+    sum = LogSum(sum, back.begins[static_cast<std::size_t>(k)]);
+    ++count;
+  }
+  return count > 0 ? sum - std::log(count) : 0;
+}
+
+double LineBelief::CostOfInk(const std::vector<HatchPoint>& points, const SignPlace& line) const {
+  constexpr double kOnLine = 0.5;  // share
+  constexpr double kClear = 0.35;  // below a line there is no ink for so long [em]
+  const double edge = 0.25 * width_ / line.size;
+  double cost = 0;
+  for (const HatchPoint& point : points) {
+    const double y = ToEm(line, point.p).y;
+    if (!point.ink || y < bounds_.min.y - edge - kClear) continue;
+    const bool on_line = y > bounds_.min.y - edge && y < bounds_.max.y + edge;
+    cost += kWeight * kInk * (on_line ? kOnLine : 1);
+  }
+  return cost;
+}
+
+NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePrior& prior) const {
+  const Line line = Prepared(points, prior, kFineStep);
+  const Backward back = LookBack(line, prior);
+  const double slack = std::hypot(kSlack, prior.unsure / prior.next.size);
+  const auto expected = [&](double x) {
+    const auto k = static_cast<int>(std::lround((x - line.from) / line.step));
+    return k > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(std::max(0, k))];
+  };
+  struct Answer {
+    double log = kNever, best = kNever, x = 0;
+    bool space = false;
+  };
+  std::vector<Answer> answers(shapes_->size() + 1);  // the last: unknown
+  const auto add = [&](std::size_t which, double log, double x, bool space) {
+    Answer& answer = answers[which];
+    answer.log = LogSum(answer.log, log);
+    if (log > answer.best) {
+      answer.best = log;
+      answer.x = x;
+      answer.space = space;
+    }
+  };
+  const double per_step = std::log(slack / line.step * 2.5066);
+  for (int j = 0; j <= line.steps; ++j) {
+    const double x = line.from + j * line.step;
+    for (int spaces = 0; spaces <= (prior.anywhere ? 0 : kMostSpaces); ++spaces) {
+      const double off = x - spaces * (space_ + prior.gap);
+      double log = -spaces * kSpacePrior;
+      if (prior.anywhere) {
+        if (off < -prior.before || off > prior.behind) continue;
+      } else {
+        if (std::abs(off) > kMostSlack * slack + 1e-9) continue;
+        log -= 0.5 * off * off / (slack * slack) + per_step;
+      }
+      for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
+        add(sign,
+            log - std::log(static_cast<double>(shapes_->size())) + Gain(line, sign, {x, 0}) +
+                expected(x + shapes_->Advance(sign) + prior.gap),
+            x, spaces > 0);
+      }
+      add(shapes_->size(), log + UnknownGain(line, x) + expected(x + kUnknownWide), x, spaces > 0);
+    }
+  }
+  double all = kNever;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    all = LogSum(all, answers[i].log);
+    if (answers[i].log > answers[best].log) best = i;
+  }
+  NextOnLine next;
+  const bool inked =
+      std::any_of(line.points.begin(), line.points.end(),
+                  [this](const Point& point) { return point.ink && point.p.x > window_; });
+  next.end = !inked || all < -kEndPrior;
+  const Answer& answer = answers[best];
+  next.space = answer.space;
+  next.sign.probability = std::exp(answer.log - all);
+  next.sign.log_likelihood = answer.log;
+  next.sign.place = prior.next;
+  if (best < shapes_->size()) {
+    next.sign.sign = best;
+    next.sign.place = Placed(line, best, answer.x, prior);
+  } else {
+    next.sign.place.origin = FromEm(prior.next, {answer.x, 0});
+  }
+  return next;
+}
+
+/// Where a sign lies by its own points.
+SignPlace LineBelief::Placed(const Line& line, std::size_t sign, double x,
+                             const LinePrior& prior) const {
+  constexpr double kAlong = 0.04, kAcross = 0.16, kStep = 0.02, kOff = 0.08;
+  glm::dvec2 best{x, 0};
+  double most = -std::numeric_limits<double>::infinity();
+  for (double dx = -kAlong; dx < kAlong + 1e-9; dx += kStep) {
+    for (double dy = -kAcross; dy < kAcross + 1e-9; dy += kStep) {
+      const double gain =
+          Gain(line, sign, {x + dx, dy}) - 0.5 * (dy * dy + dx * dx) / (kOff * kOff);
+      if (gain <= most) continue;
+      most = gain;
+      best = {x + dx, dy};
+    }
+  }
+  SignPlace place = prior.next;
+  place.origin = FromEm(prior.next, best);
+  return place;
+}
+
+}  // namespace moontrace

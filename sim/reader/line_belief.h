@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sim/reader/sign_belief.h"
+
+namespace moontrace {
+
+/// What was felt at one place of a line that is gone over from edge to edge.
+struct HatchPoint {
+  glm::dvec2 p{0, 0};  ///< of ink where its middle must lie, as its slope tells [m]
+  bool ink = false;    ///< else flat paper
+};
+
+/// What is known of a line before its signs.
+struct LinePrior {
+  SignPlace next;         ///< where the next sign is expected
+  double before = 0;      ///< it may begin so far left of that [em]
+  double behind = 0;      ///< or right [em]
+  double gap = 0;         ///< between signs, beyond the script's own [em]
+  double unsure = 0;      ///< rms error of places [m]
+  double felt_to = 0;     ///< all before was felt, from `next` [em]
+  bool anywhere = false;  ///< within those bounds it begins anywhere, not most likely at `next`
+};
+
+/// The next thing on a line.
+struct NextOnLine {
+  SignGuess sign;      ///< kUnknown: something that is no sign
+  bool space = false;  ///< before it
+  bool end = false;    ///< nothing more comes
+};
+
+/// Signs one after another, made out from all that was felt of a line: where each begins depends on
+/// the one before, so that a line's likelihood is a sum over all ways to divide it, from its end
+/// backwards (the backward half of the forward-backward algorithm). Each point counts by what it
+/// says against flat paper: ink by its squared distance from the sign's lines, up to a bound, flat
+/// paper against signs that have ink there. For ridges and dots, which no tip follows.
+class LineBelief {
+ public:
+  /// `width`: of groove or ridge [m]; `space`: advance [em]. The shapes have dots by their middles.
+  /// `shapes` must outlive this.
+  LineBelief(const SignShapes& shapes, double width, double space);
+
+  /// Log likelihood of what was felt, against flat paper; `step`: of where signs can begin [em].
+  /// Pure; the time grows with points times signs.
+  double Fit(const std::vector<HatchPoint>& points, const LinePrior& prior, double step) const;
+  /// What ink costs that a line must account for: all that lies above it, which is part of none,
+  /// and half of that on it, so that a line is not better for taking in what lies between two
+  /// others.
+  double CostOfInk(const std::vector<HatchPoint>& points, const SignPlace& line) const;
+  /// What comes next. Its place is fitted to its points.
+  NextOnLine Next(const std::vector<HatchPoint>& points, const LinePrior& prior) const;
+
+  /// All ink of all signs, in em.
+  const Box& bounds() const { return bounds_; }
+  double widest() const { return widest_; }  ///< advance [em]
+
+ private:
+  struct Point {
+    glm::dvec2 p{0, 0};  ///< [em]
+    bool ink = false;
+  };
+  struct Line {
+    std::vector<Point> points;  ///< by x
+    double half_width = 0;      ///< [em]
+    double spread = 0;          ///< of ink about a sign's lines [em]
+    double flat_cost = 0;       ///< of flat paper on one
+    double step = 0;            ///< [em]
+    double from = 0;            ///< of the first step [em]
+    int steps = 0;
+  };
+  /// What a line says from each step on.
+  struct Backward {
+    std::vector<double> begins;    ///< a sign begins there
+    std::vector<double> expected;  ///< one is expected about there
+  };
+
+  Line Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior, double step) const;
+  double Gain(const Line& line, std::size_t sign, glm::dvec2 at) const;
+  double UnknownGain(const Line& line, double x) const;
+  Backward LookBack(const Line& line, const LinePrior& prior) const;
+  SignPlace Placed(const Line& line, std::size_t sign, double x, const LinePrior& prior) const;
+
+  const SignShapes* shapes_;
+  double width_, space_;
+  Box bounds_;
+  double widest_ = 0;
+  double window_ = 0;  ///< a sign's share of the line begins there [em]
+};
+
+}  // namespace moontrace

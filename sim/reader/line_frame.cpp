@@ -1,0 +1,129 @@
+#include "sim/reader/line_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace moontrace {
+namespace {
+
+// In em; ours, chosen on seeds 1 to 20.
+constexpr double kCoarseHeight = 0.07;
+constexpr double kCoarseStep = 0.08, kFineStep = 0.04;  ///< of where signs can begin
+constexpr double kAbout = 0.1;                          ///< a line's ink counts as its own
+constexpr std::size_t kStray = 2;                       ///< felt points may lie left of the line
+constexpr std::size_t kFlatShare =
+    3;  ///< one in so many places of flat paper tells enough coarsely
+constexpr double kHeights[] = {-0.04, -0.02, 0.02, 0.04};
+constexpr double kScales[] = {0.97, 0.98, 0.99, 1.01, 1.02, 1.03};
+constexpr double kTurns[] = {-0.012, -0.006, 0.006, 0.012};  ///< [rad]
+constexpr int kRounds = 2;
+
+class Search {
+ public:
+  Search(const LineBelief& belief, const std::vector<HatchPoint>& points, const FrameRange& range)
+      : belief_(belief), points_(points), range_(range) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i].ink || i % kFlatShare == 0) few_.push_back(points[i]);
+    }
+  }
+
+  /// Everywhere.
+  void Coarsely() {
+    for (const double size : range_.sizes) {
+      for (const double turn : range_.turns) {
+        for (double y = range_.from; y < range_.to; y += kCoarseHeight) {
+          SignPlace frame{range_.met, size, turn};
+          frame.origin = FromEm(frame, {0, -y});
+          const std::optional<double> left = FirstInk(frame);
+          if (!left) continue;
+          frame.origin = FromEm(frame, {*left, 0});
+          Consider(few_, frame, kCoarseStep);
+        }
+      }
+    }
+  }
+
+  /// About the best so far, one number after another.
+  void Finely() {
+    if (!std::isfinite(most_)) return;
+    most_ = Fit(points_, best_, kFineStep);
+    for (int round = 0; round < kRounds; ++round) {
+      const SignPlace about = best_;
+      for (const double y : kHeights) {
+        SignPlace frame = about;
+        frame.origin = FromEm(about, {0, y});
+        Consider(points_, frame, kFineStep);
+      }
+      const SignPlace lifted = best_;
+      for (const double scale : kScales) {
+        SignPlace frame = lifted;
+        frame.size = scale * lifted.size;
+        if (range_.sizes.size() > 1) Consider(points_, frame, kFineStep);
+      }
+      const SignPlace sized = best_;
+      for (const double turn : kTurns) {
+        SignPlace frame = sized;
+        frame.turn = sized.turn + turn;
+        if (range_.turns.size() > 1) Consider(points_, frame, kFineStep);
+      }
+    }
+  }
+
+  FrameFit Best() const {
+    if (!std::isfinite(most_)) return {{}, -INFINITY};
+    return {best_, most_ + belief_.CostOfInk(points_, best_)};
+  }
+
+ private:
+  /// Where the line's ink begins, but for what was felt astray [em].
+  std::optional<double> FirstInk(const SignPlace& frame) const {
+    const Box& own = belief_.bounds();
+    std::vector<double> ink;
+    for (const HatchPoint& point : points_) {
+      const glm::dvec2 p = ToEm(frame, point.p);
+      const bool inside = p.y > own.min.y - kAbout && p.y < own.max.y + kAbout;
+      if (point.ink && inside) ink.push_back(p.x);
+    }
+    if (ink.size() <= kStray) return std::nullopt;
+    std::nth_element(ink.begin(), ink.begin() + kStray, ink.end());
+    return ink[kStray];
+  }
+
+  double Fit(const std::vector<HatchPoint>& points, const SignPlace& frame, double step) const {
+    LinePrior prior;
+    prior.next = frame;
+    prior.before = range_.before;
+    prior.behind = range_.behind;
+    prior.unsure = range_.unsure;
+    prior.anywhere = true;
+    prior.felt_to = ToEm(frame, range_.felt_to).x;
+    return belief_.Fit(points, prior, step) - belief_.CostOfInk(points, frame);
+  }
+
+  void Consider(const std::vector<HatchPoint>& points, const SignPlace& frame, double step) {
+    const double log = Fit(points, frame, step);
+    if (log <= most_) return;
+    most_ = log;
+    best_ = frame;
+  }
+
+  const LineBelief& belief_;
+  const std::vector<HatchPoint>& points_;
+  const FrameRange& range_;
+  std::vector<HatchPoint> few_;
+  SignPlace best_;
+  double most_ = -INFINITY;
+};
+
+}  // namespace
+
+FrameFit FitFrame(const LineBelief& belief, const std::vector<HatchPoint>& points,
+                  const FrameRange& range) {
+  Search search(belief, points, range);
+  search.Coarsely();
+  search.Finely();
+  return search.Best();
+}
+
+}  // namespace moontrace

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/reader/line_belief.h"
+
+namespace moontrace {
+
+/// What a line's frame can be: how large its letters are, how they lie and where.
+struct FrameRange {
+  glm::dvec2 met{0, 0};           ///< a place on the line [m]
+  double from = 0, to = 0;        ///< which lies so high above its base line [em]
+  std::vector<double> sizes;      ///< [m]; where there are several, the answer may lie between them
+  std::vector<double> turns;      ///< [rad]; the same
+  glm::dvec2 felt_to{0, 0};       ///< left of it all of the line was felt [m]
+  double unsure = 0;              ///< rms error of places [m]
+  double before = 0, behind = 0;  ///< its first sign begins so far left or right of its ink [em]
+};
+
+struct FrameFit {
+  SignPlace frame;            ///< its origin at the line's first ink, on the base line
+  double log_likelihood = 0;  ///< of what was felt on the line, against flat paper
+};
+
+/// The frame that explains best what was felt: tried coarsely all over the range, then finely about
+/// the best. Takes some hundred likelihoods of the line's beginning.
+FrameFit FitFrame(const LineBelief& belief, const std::vector<HatchPoint>& points,
+                  const FrameRange& range);
+
+}  // namespace moontrace

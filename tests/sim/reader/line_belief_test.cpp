@@ -1,0 +1,164 @@
+#include "sim/reader/line_belief.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "sim/reader/line_frame.h"
+#include "sim/reading/reading_setup.h"
+#include "textures/base/units.h"
+#include "textures/fonts/script_library.h"
+
+namespace moontrace {
+namespace {
+
+constexpr double kSize = 0.005, kWidth = 0.0015;
+
+/// A line of Braille cells as a hand without any error would feel it, a place each tenth of an em.
+struct BrailleLine {
+  BrailleLine() : script(FindScript("braille")) {
+    shapes = KnownShapes(script, Relief::kEmbossed, {});
+  }
+  std::size_t Sign(const std::string& name) const {
+    for (std::size_t sign = 0; sign < shapes->size(); ++sign) {
+      if (script.glyphs[shapes->GlyphOf(sign)].name == name) return sign;
+    }
+    return SignGuess::kUnknown;
+  }
+  /// An empty name is a space.
+  std::vector<HatchPoint> Felt(const std::vector<std::string>& cells, const SignPlace& at) const {
+    const double advance = 1.2;
+    std::vector<glm::dvec2> dots;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      for (const char c : cells[i].substr(cells[i].empty() ? 0 : 5)) {
+        const int dot = c - '1';
+        dots.emplace_back(advance * static_cast<double>(i) + (dot / 3) * 0.5, 1 - 0.5 * (dot % 3));
+      }
+    }
+    std::vector<HatchPoint> points;
+    const double to = advance * static_cast<double>(cells.size()) + 3;
+    for (double x = -0.5; x < to; x += 0.1) {
+      for (double y = -0.35; y < 1.36; y += 0.1) {
+        HatchPoint point{FromEm(at, {x, y}), false};
+        bool slope = false;
+        for (const glm::dvec2 dot : dots) {
+          const double d = std::hypot(x - dot.x, y - dot.y);
+          if (d < 0.12) point = {FromEm(at, dot), true};
+          slope = slope || (d >= 0.12 && d < 0.15);
+        }
+        if (!slope) points.push_back(point);
+      }
+    }
+    return points;
+  }
+
+  Script script;
+  std::shared_ptr<const SignShapes> shapes;
+};
+
+TEST(LineBelief, KnowsTheCellsOfSixDotsWhereNoPageHasMore) {
+  const BrailleLine line;
+  EXPECT_EQ(line.shapes->size(), 63U);  // all patterns of six dots but the empty one
+  EXPECT_NE(line.Sign("dots-123456"), SignGuess::kUnknown);
+  EXPECT_EQ(line.Sign("dots-17"), SignGuess::kUnknown);
+}
+
+TEST(LineBelief, ReadsSignAfterSignAndFindsSpacesAndTheEnd) {
+  const BrailleLine line;
+  const SignPlace at{{0.01, -0.02}, kSize, 2 * kDegree};
+  const std::vector<std::string> cells = {"dots-134", "dots-135", "dots-135", "",
+                                          "dots-1",   "dots-36",  "dots-4"};
+  const std::vector<HatchPoint> points = line.Felt(cells, at);
+  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
+  LinePrior prior;
+  prior.next = at;
+  prior.anywhere = true;
+  prior.before = 0.9;
+  prior.behind = 0.2;
+  bool space = false;
+  for (const std::string& cell : cells) {
+    if (cell.empty()) {
+      space = true;
+      continue;
+    }
+    prior.felt_to = ToEm(prior.next, FromEm(at, {11, 0})).x;
+    const NextOnLine next = belief.Next(points, prior);
+    ASSERT_FALSE(next.end) << cell;
+    EXPECT_EQ(next.space, space) << cell;
+    EXPECT_EQ(next.sign.sign, line.Sign(cell)) << cell;
+    EXPECT_GT(next.sign.probability, 0.8) << cell;
+    space = false;
+    prior.next = next.sign.place;
+    prior.next.origin = FromEm(prior.next, {line.shapes->Advance(next.sign.sign), 0});
+    prior.anywhere = false;
+  }
+  EXPECT_TRUE(belief.Next(points, prior).end);
+}
+
+TEST(LineBelief, ReadsAllCells) {
+  const BrailleLine line;
+  const SignPlace at{{0, 0}, kSize, 0};
+  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
+  for (std::size_t sign = 0; sign < line.shapes->size(); ++sign) {
+    const std::string& name = line.script.glyphs[line.shapes->GlyphOf(sign)].name;
+    LinePrior prior;
+    prior.next = at;
+    prior.felt_to = 4;
+    EXPECT_EQ(belief.Next(line.Felt({name, "dots-12346"}, at), prior).sign.sign, sign) << name;
+  }
+}
+
+TEST(LineBelief, WhatNoSignHasIsUnknown) {
+  const BrailleLine line;
+  const SignPlace at{{0, 0}, kSize, 0};
+  std::vector<HatchPoint> points = line.Felt({"dots-1"}, at);
+  for (double x = 0; x < 0.7; x += 0.05) points.push_back({FromEm(at, {x, 0.25}), true});
+  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
+  LinePrior prior;
+  prior.next = at;
+  prior.felt_to = 4;
+  EXPECT_EQ(belief.Next(points, prior).sign.sign, SignGuess::kUnknown);
+}
+
+TEST(LineFrame, FindsSizeTurnAndBaseLineOfALine) {
+  const BrailleLine line;
+  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
+  for (const double turn : {-2.7, 0.4}) {
+    const SignPlace at{{0.003, -0.004}, kSize, turn * kDegree};
+    // l, e, g, o, with dots in all rows
+    const std::vector<HatchPoint> points =
+        line.Felt({"dots-123", "dots-15", "dots-1245", "dots-135"}, at);
+    FrameRange range;
+    range.met = FromEm(at, {0.5, 0.5});
+    range.from = -0.25;
+    range.to = 1.25;
+    for (double size = 0.0033; size < 0.0067; size *= 1.04) range.sizes.push_back(size);
+    range.turns = {-2 * kDegree, 0, 2 * kDegree};
+    range.felt_to = FromEm(at, {6, 0});
+    range.before = 0.9;
+    range.behind = 0.2;
+    const FrameFit fit = FitFrame(belief, points, range);
+    EXPECT_GT(fit.log_likelihood, 20);
+    // to half of the steps that are tried, 1 percent and 0.35 degrees, and a little more
+    EXPECT_NEAR(fit.frame.size / kSize, 1, 0.025) << turn;
+    EXPECT_NEAR(fit.frame.turn / kDegree, turn, 0.8) << turn;
+    EXPECT_NEAR(ToEm(at, fit.frame.origin).y, 0, 0.06) << turn;
+  }
+}
+
+TEST(LineFrame, FindsNoneWhereThereIsNoInk) {
+  const BrailleLine line;
+  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
+  FrameRange range;
+  range.from = 0;
+  range.to = 1;
+  range.sizes = {kSize};
+  range.turns = {0};
+  range.felt_to = {0.1, 0};
+  EXPECT_LT(FitFrame(belief, line.Felt({""}, {{0, 0}, kSize, 0}), range).log_likelihood, 0);
+}
+
+}  // namespace
+}  // namespace moontrace
