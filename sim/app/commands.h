@@ -278,6 +278,7 @@ struct StudyOptions {
   std::string path;                ///< of the rows; empty: by the protocol's name
   std::optional<double> threads;   ///< whole; none: one a core
   std::string shard;               ///< "K/N"; empty: all
+  std::string picture;             ///< of a study of reading; empty: none
 };
 void AddOptions(CLI::App& app, StudyOptions& options);
 int Run(const StudyOptions& options, Console& console);

@@ -11,7 +11,10 @@
 #include <thread>
 #include <utility>
 
+#include "sim/app/messages.h"
+#include "sim/app/reading_plot.h"
 #include "sim/app/study_messages.h"
+#include "sim/picture/picture_file.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/study/page_reading.h"
@@ -195,9 +198,10 @@ Json ReadingCellJson(const ReadingStudyCell& cell) {
 }
 
 /// Of a study of reading.
-void ReportReading(const StudyOptions& options, const std::vector<StudyRow>& rows,
-                   const std::string& path, Console& console) {
+void ReportReading(const StudyOptions& options, const std::string& title,
+                   const std::vector<StudyRow>& rows, const std::string& path, Console& console) {
   const ReadingSummary summary = SummariseReading(rows);
+  if (!options.picture.empty()) WritePicture(options.picture, ReadingPlot(title, summary));
   if (options.output.json) {
     const Json best = summary.cells.empty() ? Json() : Json(summary.cells[summary.best].condition);
     Json cells = Json::array();
@@ -206,6 +210,7 @@ void ReportReading(const StudyOptions& options, const std::vector<StudyRow>& row
                            {"pages", rows.size()},
                            {"simulated", true},
                            {"cells", std::move(cells)},
+                           {"picture", options.picture.empty() ? Json() : Json(options.picture)},
                            {"best", best}}));
     return;
   }
@@ -219,8 +224,18 @@ void ReportReading(const StudyOptions& options, const std::vector<StudyRow>& row
     console.Result(say::ReadingBest(summary.cells[summary.best].condition));
   }
   console.Result(say::ReadingProves());
+  if (!options.picture.empty()) {
+    console.Result(say::PictureIn());
+    console.Path(options.picture);
+  }
   console.Result(say::StudyRowsIn());
   console.Path(path);
+}
+
+void CheckPicture(const StudyOptions& options, bool of_reading) {
+  if (options.picture.empty()) return;
+  if (!of_reading) throw UsageError(say::PictureOfReadingOnly());
+  CheckPicturePath(options.picture);
 }
 
 int Merge(const StudyOptions& options, Console& console) {
@@ -230,9 +245,10 @@ int Merge(const StudyOptions& options, Console& console) {
   if (!options.shard.empty()) throw UsageError(say::OnlyForStudies("--shard"));
   const std::vector<std::string> files(options.words.begin() + 1, options.words.end());
   const std::vector<StudyRow> rows = MergeStudies(files);
+  CheckPicture(options, !rows.empty() && rows.front().page);
   WriteWhole(options.path, StudyText(rows));
   if (!rows.empty() && rows.front().page) {
-    ReportReading(options, rows, options.path, console);
+    ReportReading(options, say::MergedReading(), rows, options.path, console);
     return exit_code::kGood;
   }
   const StudySummary summary = Summarise(rows);
@@ -247,6 +263,7 @@ void AddOptions(CLI::App& app, StudyOptions& options) {
   AddPath(app, "--output", "FILE", options.path, say::help::kStudyOutput);
   AddNumber(app, "--threads", options.threads, 1, kMostThreads, 1, say::help::kStudyThreads);
   app.add_option("--shard", options.shard, say::help::kStudyShard)->type_name("K/N");
+  AddPicture(app, options.picture, say::help::kStudyPicture);
   AddOptions(app, options.output);
 }
 
@@ -257,6 +274,7 @@ int Run(const StudyOptions& options, Console& console) {
   const Shard shard = ShardOf(options.shard);
   const std::string file = ProtocolPath(options.words.front());
   const StudyProtocol protocol = ProtocolAt(file);
+  CheckPicture(options, protocol.reading.has_value());
   StudyOutput output;
   output.path = options.path;
   if (output.path.empty()) {
@@ -284,7 +302,7 @@ int Run(const StudyOptions& options, Console& console) {
     throw;
   }
   if (protocol.reading) {
-    ReportReading(options, rows, output.path, console);
+    ReportReading(options, protocol.title, rows, output.path, console);
     return exit_code::kGood;
   }
   const StudySummary summary = Summarise(rows);

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "sim/console/wording.h"
 #include "textures/base/text_file.h"
 
@@ -128,6 +130,38 @@ std::string ReadingBest(std::string_view condition) {
 std::string ReadingProves() {
   return "CI: 95 percent, by pages drawn anew. A simulated reader: this compares pages and "
          "devices, not people.";
+}
+
+std::string ReadingPlotWords(const ReadingSummary& summary, std::size_t shown) {
+  if (summary.cells.empty()) return "No page was read.";
+  const ReadingStudyCell& best = summary.cells[summary.best];
+  const ReadingStudyCell& worst =
+      *std::min_element(summary.cells.begin(), summary.cells.end(),
+                        [](const ReadingStudyCell& a, const ReadingStudyCell& b) {
+                          return a.right.value < b.right.value;
+                        });
+  std::string words = fmt::format(
+      "Dots: values; bars: their 95 percent intervals. Surest: {}, {} right, {:.2f} s a sign.",
+      best.condition, Percent(best.right.value), best.seconds.value);
+  if (&best != &worst) {
+    words += fmt::format(" Least right: {}, {}, {:.2f} s a sign.", worst.condition,
+                         Percent(worst.right.value), worst.seconds.value);
+  }
+  if (shown < summary.cells.size()) {
+    words +=
+        fmt::format(" Of {} combinations the first {} are shown.", summary.cells.size(), shown);
+  }
+  return words;
+}
+
+std::string MergedReading() { return "Shares of a study of reading, put together"; }
+
+std::string ReadingPlotRight() { return "signs right, percent"; }
+
+std::string ReadingPlotSeconds() { return "seconds a sign"; }
+
+std::string PictureOfReadingOnly() {
+  return "--picture draws studies of reading; this one has learners: leave it out";
 }
 
 std::string StudyRowsIn() { return "Rows are in"; }

@@ -45,8 +45,17 @@ std::string ReadingCellLine(const ReadingStudyCell& cell);
 std::string ReadingErrorsLine(const ReadingStudyCell& cell);
 std::string ReadingBest(std::string_view condition);
 std::string ReadingProves();
+/// The picture in words: its surest and its least sure combination; `shown`: of all, in its rows.
+std::string ReadingPlotWords(const ReadingSummary& summary, std::size_t shown);
+std::string MergedReading();
+std::string ReadingPlotRight();
+std::string ReadingPlotSeconds();
+/// A picture of a study of learners was asked for.
+std::string PictureOfReadingOnly();
 
 namespace help {
+inline constexpr const char* kStudyPicture =
+    "of a study of reading: a picture, .svg, .png or .pdf, with a row for each combination.";
 inline constexpr const char* kStudyCommand =
     "runs a study of simulated learners, or of pages read by touch, from a protocol file";
 inline constexpr const char* kStudyWords =

@@ -208,6 +208,18 @@ TEST_F(ReadingStudy, TakesNoOutputThatAnotherStudyHasBegun) {
   EXPECT_TRUE(std::filesystem::exists(In("a.csv.parts/full-1.csv")));
 }
 
+TEST_F(ReadingStudy, IsDrawnToo) {
+  WriteAll(In("small.toml"), kSmall);
+  const Outcome drawn = RunLine({"study", In("small.toml"), "--output", In("drawn.csv"),
+                                 "--picture", In("drawn.svg"), "--json"});
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(drawn.Json()["picture"], In("drawn.svg"));
+  EXPECT_TRUE(std::filesystem::exists(In("drawn.svg")));
+  const Outcome learners = RunLine({"study", "guidance", "--picture", In("drawn.svg")});
+  EXPECT_EQ(learners.code, 2);
+  EXPECT_NE(learners.err.find("leave it out"), std::string::npos) << learners.err;
+}
+
 TEST_F(ReadingStudy, AShareMayHaveNoPage) {
   WriteAll(In("small.toml"), kSmall);
   const Outcome none =

@@ -1,0 +1,82 @@
+#include "sim/app/reading_plot.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace moontrace {
+namespace {
+
+ReadingStudyCell Cell(const std::string& name, Estimate right, Estimate seconds) {
+  ReadingStudyCell cell;
+  cell.condition = name;
+  cell.right = right;
+  cell.seconds = seconds;
+  return cell;
+}
+
+std::vector<CircleMark> Dots(const Drawing& drawing) {
+  std::vector<CircleMark> dots;
+  for (const Mark& mark : drawing.marks) {
+    if (const auto* dot = std::get_if<CircleMark>(&mark)) dots.push_back(*dot);
+  }
+  return dots;
+}
+
+ReadingSummary Two() {
+  ReadingSummary summary;
+  summary.cells = {Cell("sure", {0.98, 0.96, 1}, {5, 4, 6}),
+                   Cell("poor", {0.90, 0.85, 0.95}, {10, 9, 11})};
+  return summary;
+}
+
+TEST(ReadingPlot, HasADotForEachValueInTheOrderOfItsRows) {
+  const std::vector<CircleMark> dots = Dots(ReadingPlot("T", Two()));
+  ASSERT_EQ(dots.size(), 4U);  // right and seconds of each
+  EXPECT_EQ(dots[0].center.y, dots[1].center.y);
+  EXPECT_GT(dots[0].center.y, dots[2].center.y);
+  EXPECT_GT(dots[0].center.x, dots[2].center.x);  // more are right
+  EXPECT_LT(dots[1].center.x, dots[3].center.x);  // quicker
+}
+
+// An interval's ends lie as far from the dot as their values do.
+TEST(ReadingPlot, BarsReachFromEndToEndOfTheIntervals) {
+  const Drawing drawing = ReadingPlot("T", Two());
+  const std::vector<CircleMark> dots = Dots(drawing);
+  std::vector<TrackMark> bars;
+  for (const Mark& mark : drawing.marks) {
+    const auto* track = std::get_if<TrackMark>(&mark);
+    if (track != nullptr && track->points[0].y == track->points[1].y) bars.push_back(*track);
+  }
+  ASSERT_EQ(bars.size(), dots.size());
+  const double per_percent = (dots[0].center.x - dots[2].center.x) / 8;
+  EXPECT_NEAR(bars[2].points[0].x, dots[2].center.x - 5 * per_percent, 1e-9);
+  EXPECT_NEAR(bars[2].points[1].x, dots[2].center.x + 5 * per_percent, 1e-9);
+}
+
+TEST(ReadingPlot, TellsInWordsWhatIsToBeSeen) {
+  const Drawing drawing = ReadingPlot("Title", Two());
+  EXPECT_EQ(drawing.title, "Title");
+  EXPECT_NE(drawing.description.find("Surest: sure, 98 percent right, 5.00 s a sign."),
+            std::string::npos)
+      << drawing.description;
+  EXPECT_NE(drawing.description.find("Least right: poor, 90 percent"), std::string::npos);
+}
+
+TEST(ReadingPlot, ShowsAtMostAHundredRowsAndSaysSo) {
+  ReadingSummary summary;
+  for (int i = 0; i < 120; ++i) summary.cells.push_back(Cell("c", {1, 1, 1}, {5, 5, 5}));
+  const Drawing drawing = ReadingPlot("T", summary);
+  EXPECT_EQ(Dots(drawing).size(), 200U);
+  EXPECT_NE(drawing.description.find("Of 120 combinations the first 100"), std::string::npos);
+}
+
+TEST(ReadingPlot, OfNothingIsAnEmptyPictureWithWords) {
+  EXPECT_EQ(ReadingPlot("T", {}).description, "No page was read.");
+}
+
+}  // namespace
+}  // namespace moontrace
