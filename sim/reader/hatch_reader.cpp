@@ -218,10 +218,11 @@ void HatchReader::SearchFirstLine(double top) {
 void HatchReader::SearchNextLine(double down) {
   way_.clear();
   const SignPlace& last = line_starts_.back();
+  const double left = Margin() - kBefore;
   bool right = true;
   for (double y = down; y < kDeepest; y += kRow, right = !right) {
-    way_.push_back(FromEm(last, {right ? -kBefore : kAcrossRows, -y}));
-    way_.push_back(FromEm(last, {right ? kAcrossRows : -kBefore, -y}));
+    way_.push_back(FromEm(last, {right ? left : kAcrossRows, -y}));
+    way_.push_back(FromEm(last, {right ? kAcrossRows : left, -y}));
   }
   SweepFrom(way_.front(), Errand::kNextLine);
 }
@@ -239,7 +240,7 @@ void HatchReader::BeginLine(glm::dvec2 ink) {
   } else {
     const SignPlace& last = line_starts_.back();
     const double room = ToEm(last, ink).y - belief_.bounds().min.y + 0.1;
-    frame.origin = FromEm(last, {-kBefore, ToEm(last, ink).y});
+    frame.origin = FromEm(last, {Margin() - kBefore, ToEm(last, ink).y});
     HatchLine(frame, low, std::min(0.6 * height, std::max(kEdge, -room)) * size_);
   }
 }
@@ -263,15 +264,24 @@ void HatchReader::HatchLine(const SignPlace& frame, double low, double high) {
 
 /// A line at the pitch of those before.
 void HatchReader::HatchExpectedLine() {
-  const double count = static_cast<double>(line_starts_.size()) - 1;
-  const glm::dvec2 pitch = (line_starts_.back().origin - line_starts_.front().origin) / count;
-  SignPlace frame{line_starts_.back().origin + pitch, size_, turn_};
-  frame.origin = FromEm(frame, {-kBefore, 0});
+  const SignPlace& last = line_starts_.back();
+  const double lines = static_cast<double>(line_starts_.size()) - 1;
+  const double pitch = ToEm(last, line_starts_.front().origin).y / lines;
+  SignPlace frame{FromEm(last, {Margin() - kBefore, -pitch}), size_, turn_};
   met_ = FromEm(frame, {0, 0.5 * (belief_.bounds().min.y + belief_.bounds().max.y)});
   frame.size = 1;
   HatchLine(frame, (belief_.bounds().min.y - kEdgeUnsure) * size_,
             (belief_.bounds().max.y + kEdgeUnsure) * size_);
   expected_ = true;
+}
+
+/// Where lines begin at the left, from the last one [em].
+double HatchReader::Margin() const {
+  double left = 0;
+  for (const SignPlace& start : line_starts_) {
+    left = std::min(left, ToEm(line_starts_.back(), start.origin).x);
+  }
+  return left;
 }
 
 /// How far along the line everything was felt, and ink last [m].

@@ -41,6 +41,7 @@ class HatchReader final : public PageReader {
   void BeginLine(glm::dvec2 ink);
   void HatchLine(const SignPlace& frame, double low, double high);
   void HatchExpectedLine();
+  double Margin() const;
   double ColumnWidth() const;
   double FeltTo() const;
   double InkTo() const;

@@ -158,9 +158,9 @@ double LineBelief::Fit(const std::vector<HatchPoint>& points, const LinePrior& p
 }
 
 double LineBelief::CostOfInk(const std::vector<HatchPoint>& points, const SignPlace& line) const {
-  constexpr double kOnLine = 0.5;  // share
-  constexpr double kClear = 0.35;  // below a line there is no ink for so long [em]
-  const double edge = 0.25 * width_ / line.size;
+  constexpr double kOnLine = 0.5;                 // share
+  constexpr double kClear = 0.35;                 // below a line there is no ink for so long [em]
+  const double edge = 0.25 * width_ / line.size;  // slopes tell roughly
   double cost = 0;
   for (const HatchPoint& point : points) {
     const double y = ToEm(line, point.p).y;
