@@ -60,7 +60,7 @@ inline constexpr const char* kStudyCommand =
     "runs a study of simulated learners, or of pages read by touch, from a protocol file";
 inline constexpr const char* kStudyWords =
     "a protocol (TOML), by path or by the name of a shipped one: guidance, reading, "
-    "figure2, arms, joysticks. Or merge, then files of shards.";
+    "figure2, defaults, arms, joysticks. Or merge, then files of shards.";
 inline constexpr const char* kStudyOutput =
     "rows as CSV, one a trial; a run that was ended goes on where it was. Default: the protocol's "
     "name with .csv, of a shard with -K-of-N.csv, in this folder. Of merge it must be given.";

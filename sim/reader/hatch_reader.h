@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "sim/reader/line_belief.h"
@@ -34,7 +32,6 @@ class HatchReader final : public PageReader {
   ReaderAction Sweep(const Felt& raw);
   void SweepFrom(glm::dvec2 from, Errand errand);
   void GoOn();
-  bool FeelsInk(const Felt& felt);
   void Feel(const Felt& felt);
   void SearchFirstLine(double top);
   void SearchNextLine(double down);
@@ -44,7 +41,6 @@ class HatchReader final : public PageReader {
   double Margin() const;
   double ColumnWidth() const;
   double FeltTo() const;
-  double InkTo() const;
   void Think();
   bool FindFrame();
   LinePrior PriorNow() const;
