@@ -231,9 +231,10 @@ TEST_F(Study, RefusesWhatItCannotUse) {
   EXPECT_EQ(RunLine({"study", Path("missing.toml")}).code, 3);
   const Outcome mistyped = RunLine({"study", "guidence"});
   EXPECT_EQ(mistyped.code, 3);
-  EXPECT_EQ(mistyped.err,
-            "no study \"guidence\": did you mean guidance? there is arms, guidance, joysticks and "
-            "reading; or name a TOML file by its path\n");
+  EXPECT_EQ(
+      mistyped.err,
+      "no study \"guidence\": did you mean guidance? there is arms, defaults, figure2, guidance, "
+      "joysticks and reading; or name a TOML file by its path\n");
   std::ofstream(Path("other.csv")) << "a,b\n";
   EXPECT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("other.csv")}).code, 3);
   const Outcome nowhere = RunLine({"study", Path("small.toml"), "--output", Path("none/a.csv")});
