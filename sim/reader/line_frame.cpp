@@ -18,7 +18,6 @@ constexpr double kHeights[] = {-0.04, -0.02, 0.02, 0.04};
 constexpr double kScales[] = {0.97, 0.98, 0.99, 1.01, 1.02, 1.03};
 constexpr double kTurns[] = {-0.012, -0.006, 0.006, 0.012};  ///< [rad]
 constexpr int kRounds = 2;
-constexpr std::size_t kBegun = 4;  ///< of those tried coarsely, where the size is not known
 
 class Search {
  public:
@@ -39,31 +38,41 @@ class Search {
           const std::optional<double> left = FirstInk(frame);
           if (!left) continue;
           frame.origin = FromEm(frame, {*left, 0});
-          tried_.push_back({frame, Fit(few_, frame, kCoarseStep)});
+          Consider(few_, frame, kCoarseStep);
         }
       }
     }
   }
 
-  /// About the best of those, and about the best that are quite different.
+  /// About the best so far, one number after another.
   void Finely() {
-    std::sort(tried_.begin(), tried_.end(), [](const FrameFit& a, const FrameFit& b) {
-      return a.log_likelihood > b.log_likelihood;
-    });
-    std::vector<SignPlace> begun;
-    for (const FrameFit& tried : tried_) {
-      if (begun.size() == (range_.sizes.size() > 1 ? kBegun : 1)) break;
-      const auto like = [&tried](const SignPlace& other) { return AreAlike(tried.frame, other); };
-      if (std::any_of(begun.begin(), begun.end(), like)) continue;
-      begun.push_back(tried.frame);
-      FinelyAbout(tried.frame);
+    if (!std::isfinite(most_)) return;
+    most_ = Fit(points_, best_, kFineStep);
+    for (int round = 0; round < kRounds; ++round) {
+      const SignPlace about = best_;
+      for (const double y : kHeights) {
+        SignPlace frame = about;
+        frame.origin = FromEm(about, {0, y});
+        Consider(points_, frame, kFineStep);
+      }
+      const SignPlace lifted = best_;
+      for (const double scale : kScales) {
+        SignPlace frame = lifted;
+        frame.size = scale * lifted.size;
+        if (range_.sizes.size() > 1) Consider(points_, frame, kFineStep);
+      }
+      const SignPlace sized = best_;
+      for (const double turn : kTurns) {
+        SignPlace frame = sized;
+        frame.turn = sized.turn + turn;
+        if (range_.turns.size() > 1) Consider(points_, frame, kFineStep);
+      }
     }
   }
 
   FrameFit Best() const {
-    FrameFit best = best_;
-    if (!tried_.empty()) best.log_likelihood += belief_.CostOfInk(points_, best.frame);
-    return best;
+    if (!std::isfinite(most_)) return {{}, -INFINITY};
+    return {best_, most_ + belief_.CostOfInk(points_, best_)};
   }
 
  private:
@@ -81,41 +90,6 @@ class Search {
     return ink[kStray];
   }
 
-  static bool AreAlike(const SignPlace& a, const SignPlace& b) {
-    constexpr double kSize = 0.06, kHeight = 0.2;  // log, em
-    return std::abs(std::log(a.size / b.size)) < kSize && std::abs(ToEm(a, b.origin).y) < kHeight;
-  }
-
-  /// One number after another.
-  void FinelyAbout(const SignPlace& begin) {
-    FrameFit best{begin, Fit(points_, begin, kFineStep)};
-    const auto consider = [this, &best](const SignPlace& frame) {
-      const double log = Fit(points_, frame, kFineStep);
-      if (log > best.log_likelihood) best = {frame, log};
-    };
-    for (int round = 0; round < kRounds; ++round) {
-      const SignPlace about = best.frame;
-      for (const double y : kHeights) {
-        SignPlace frame = about;
-        frame.origin = FromEm(about, {0, y});
-        consider(frame);
-      }
-      const SignPlace lifted = best.frame;
-      for (const double scale : kScales) {
-        SignPlace frame = lifted;
-        frame.size = scale * lifted.size;
-        if (range_.sizes.size() > 1) consider(frame);
-      }
-      const SignPlace sized = best.frame;
-      for (const double turn : kTurns) {
-        SignPlace frame = sized;
-        frame.turn = sized.turn + turn;
-        if (range_.turns.size() > 1) consider(frame);
-      }
-    }
-    if (best.log_likelihood > best_.log_likelihood) best_ = best;
-  }
-
   double Fit(const std::vector<HatchPoint>& points, const SignPlace& frame, double step) const {
     LinePrior prior;
     prior.next = frame;
@@ -127,12 +101,19 @@ class Search {
     return belief_.Fit(points, prior, step) - belief_.CostOfInk(points, frame);
   }
 
+  void Consider(const std::vector<HatchPoint>& points, const SignPlace& frame, double step) {
+    const double log = Fit(points, frame, step);
+    if (log <= most_) return;
+    most_ = log;
+    best_ = frame;
+  }
+
   const LineBelief& belief_;
   const std::vector<HatchPoint>& points_;
   const FrameRange& range_;
   std::vector<HatchPoint> few_;
-  std::vector<FrameFit> tried_;
-  FrameFit best_{{}, -INFINITY};
+  SignPlace best_;
+  double most_ = -INFINITY;
 };
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST(HatchReading, OfBlankAndGrainedPaperNothingIsRead) {
   }
 }
 
-TEST(HatchReading, TheSameSeedReadsTheSame) {
+TEST(SlowHatchReading, TheSameSeedReadsTheSame) {
   const Sheet sheet("lego", "braille", Relief::kEngraved, 0.005, 9);
   const ReadingResult a = RunReading(sheet.setup), b = RunReading(sheet.setup);
   EXPECT_EQ(TextRead(a.tokens, sheet.script), "⠇⠑⠛⠕\n");
