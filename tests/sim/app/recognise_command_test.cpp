@@ -134,7 +134,9 @@ TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   EXPECT_NE(links.err.find("leave --links out"), std::string::npos) << links.err;
 }
 
-TEST_F(RecogniseCommand, TellsBrailleInPrintToo) {
+using SlowRecogniseCommand = RecogniseCommand;
+
+TEST_F(SlowRecogniseCommand, TellsBrailleInPrintToo) {
   const Outcome words = RunLine({"recognise", "lego", "--script", "braille", "--seed", "2"});
   ASSERT_EQ(words.code, 0) << words.err;
   EXPECT_NE(words.out.find("⠇⠑⠛⠕\nIn print, line by line:\nlego\n"), std::string::npos)
