@@ -108,7 +108,6 @@ Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeSty
   drawing.description = say::ReadingPictureWords(text, read);
   const std::string words =
       fmt::format("{}. {} {}", drawing.title, drawing.description,
-
                   say::ReadingPictureLegend(style, IsFollowed(style.relief, script), blank));
   std::vector<TextMark> lines =
       TextBlock(words, {border, 0}, drawing.width - 2 * border, print, palette::kInk);
@@ -309,6 +308,7 @@ void AddOptions(CLI::App& app, RecogniseOptions& options) {
   AddOptions(app, options.feel);
   BeginGroup(app, help_group::kHand);
   AddNumber(app, "--press-n", options.press, 0.01, 20, 1, say::help::kPress);
+  Redescribe(app, "--press-n", say::help::kReaderPress);
   AddSeed(app, options.seed);
   Redescribe(app, "--seed", say::help::kReaderSeed);
   AddPath(app, "--device", "NAME", options.device, say::help::kReaderDevice);

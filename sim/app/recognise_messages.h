@@ -35,6 +35,8 @@ std::string ReadingPictureLegend(const TypeStyle& style, bool followed, bool bla
 namespace help {
 inline constexpr const char* kRecognise =
     "a simulated reader that only feels reads the text and is scored";
+inline constexpr const char* kReaderPress =
+    "press of the hand in N. Default 1, on ridges 0.2, on dots of Braille 0.35, raised 0.06.";
 inline constexpr const char* kReaderDevice =
     "the reader's hand is on that device: a profile's name, such as moontrace-raw, or its file. It "
     "gets the place in the device's steps and the force that is commanded; the page lies "

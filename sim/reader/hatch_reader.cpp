@@ -284,7 +284,7 @@ double HatchReader::Margin() const {
   return left;
 }
 
-/// How far along the line everything was felt, and ink last [m].
+/// How far along the line everything was felt [m].
 double HatchReader::FeltTo() const { return ToEm(hatch_, sense_.felt().place).x - ColumnWidth(); }
 
 void HatchReader::Feel(const Felt& felt) {

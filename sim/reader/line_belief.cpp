@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace moontrace {
 namespace {
@@ -171,6 +172,20 @@ double LineBelief::CostOfInk(const std::vector<HatchPoint>& points, const SignPl
   return cost;
 }
 
+namespace {
+
+/// How likely a sign begins so far from where it is expected; none: not there.
+std::optional<double> LogOfPlace(const LinePrior& prior, double off, double slack, double step) {
+  if (prior.anywhere) {
+    if (off < -prior.before || off > prior.behind) return std::nullopt;
+    return 0;
+  }
+  if (std::abs(off) > kMostSlack * slack + 1e-9) return std::nullopt;
+  return -0.5 * off * off / (slack * slack) - std::log(slack / step * 2.5066);
+}
+
+}  // namespace
+
 NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePrior& prior) const {
   const Line line = Prepared(points, prior, kFineStep);
   const Backward back = LookBack(line, prior);
@@ -193,18 +208,13 @@ NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePri
       answer.space = space;
     }
   };
-  const double per_step = std::log(slack / line.step * 2.5066);
   for (int j = 0; j <= line.steps; ++j) {
     const double x = line.from + j * line.step;
     for (int spaces = 0; spaces <= (prior.anywhere ? 0 : kMostSpaces); ++spaces) {
       const double off = x - spaces * (space_ + prior.gap);
-      double log = -spaces * kSpacePrior;
-      if (prior.anywhere) {
-        if (off < -prior.before || off > prior.behind) continue;
-      } else {
-        if (std::abs(off) > kMostSlack * slack + 1e-9) continue;
-        log -= 0.5 * off * off / (slack * slack) + per_step;
-      }
+      const std::optional<double> place = LogOfPlace(prior, off, slack, line.step);
+      if (!place) continue;
+      const double log = *place - spaces * kSpacePrior;
       for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
         add(sign,
             log - std::log(static_cast<double>(shapes_->size())) + Gain(line, sign, {x, 0}) +
