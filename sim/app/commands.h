@@ -120,6 +120,7 @@ struct RecogniseOptions {
   std::optional<double> unsure;  ///< rms error of the place [m]
   bool blank = false;
   std::string picture;
+  ViewOptions view;
 };
 void AddOptions(CLI::App& app, RecogniseOptions& options);
 int Run(const RecogniseOptions& options, Console& console);

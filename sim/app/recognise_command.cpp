@@ -14,14 +14,17 @@
 #include "devices/catalogue/catalogue.h"
 #include "sim/app/commands.h"
 #include "sim/app/messages.h"
-#include "sim/app/recognise_messages.h"
 #include "sim/console/wording.h"
-#include "sim/picture/drawing.h"
-#include "sim/picture/moon_marks.h"
 #include "sim/picture/picture_file.h"
 #include "sim/reading/read_text.h"
 #include "sim/reading/reading_run.h"
 #include "sim/reading/reading_setup.h"
+#include "sim/recognise/reading_picture.h"
+#include "sim/recognise/reading_view.h"
+#include "sim/recognise/recognise_messages.h"
+#include "sim/session/view_feed.h"
+#include "sim/session/view_messages.h"
+#include "sim/session/view_trial.h"
 #include "sim/setup/cli_app.h"
 #include "sim/setup/help.h"
 #include "sim/setup/text_setup.h"
@@ -38,93 +41,6 @@ namespace moontrace {
 namespace {
 
 constexpr char32_t kFirstCell = 0x2800;  ///< of Unicode's Braille patterns
-
-/// The tip's path while it touches, searching (kTravel) or following (kStroke), a track each.
-std::vector<Mark> Tracks(const std::vector<PathPoint>& path, glm::dvec2 from_P, double width) {
-  std::vector<Mark> marks;
-  TrackMark track;
-  track.width = width;
-  TracePhase phase = TracePhase::kAir;
-  const auto end_track = [&] {
-    track.stroke = phase == TracePhase::kStroke ? palette::kTip : palette::kAway;
-    if (track.points.size() > 1) marks.emplace_back(track);
-    track.points.clear();
-  };
-  for (const PathPoint& point : path) {
-    if (!point.in_contact || point.phase != phase) end_track();
-    phase = point.phase;
-    if (point.in_contact && phase != TracePhase::kAir) {
-      track.points.push_back(kMillimetres * (glm::dvec2(point.tip_P) - from_P));
-    }
-  }
-  end_track();
-  return marks;
-}
-
-std::vector<Mark> PrintOf(const ReadingResult& result, const Script& script, glm::dvec2 from_P,
-                          double height) {
-  std::vector<Mark> marks;
-  for (const ReadToken& token : result.tokens) {
-    const bool known = token.kind == ReadToken::Kind::kSign;
-    if (!known && token.kind != ReadToken::Kind::kUnknown) continue;
-    const glm::dvec2 at = kMillimetres * (FromEm(token.place, {0, -0.35}) - from_P);
-    marks.emplace_back(
-        TextMark{at, height, known ? TextOfSign(token.glyph, script) : "unknown", palette::kInk});
-    if (!known || token.probability >= 0.99) continue;
-    const double percent = std::round(100 * token.probability);
-    marks.emplace_back(TextMark{at - glm::dvec2(0, 1.2 * height), 0.8 * height,
-                                fmt::format("{} %", percent), palette::kInk});
-  }
-  return marks;
-}
-
-Box Drawn(const TextPage& page, const Script& script, const TypeStyle& style,
-          const ReadingResult& result) {
-  Box box = InkBounds(page, script, style);
-  for (const PathPoint& point : result.path) {
-    if (point.in_contact) Include(box, glm::dvec2(point.tip_P));
-  }
-  return box;
-}
-
-void Append(std::vector<Mark>& marks, std::vector<Mark> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(marks));
-}
-
-/// A page that was read by touch: the tip's paths over it, searching and following, and below each
-/// place where a sign was found what it was taken for. `result.path` must have been kept.
-Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeStyle& style,
-                       bool blank, const std::string& text, const ReadingResult& result) {
-  const double size = kMillimetres * style.size;
-  const double border = std::max(4.0, 0.4 * size);
-  const double print = std::clamp(0.15 * size, 1.2, 2.4);
-  const Box ink = Drawn(page, script, style, result);
-  Drawing drawing;
-  drawing.width = std::max(80.0, kMillimetres * (ink.max.x - ink.min.x) + 2 * border);
-  drawing.title = say::ReadingPictureTitle(script, style);
-  std::string read = TextRead(result.tokens, script);
-  while (!read.empty() && read.back() == '\n') read.pop_back();
-  std::replace(read.begin(), read.end(), '\n', ' ');
-  drawing.description = say::ReadingPictureWords(text, read);
-  const std::string words =
-      fmt::format("{}. {} {}", drawing.title, drawing.description,
-                  say::ReadingPictureLegend(style, IsFollowed(style.relief, script), blank));
-  std::vector<TextMark> lines =
-      TextBlock(words, {border, 0}, drawing.width - 2 * border, print, palette::kInk);
-  const double words_height = (lines.empty() ? 0 : -lines.back().at.y) + border;
-  drawing.height = kMillimetres * (ink.max.y - ink.min.y) + 2 * border + words_height;
-  const glm::dvec2 from_P = ink.min - glm::dvec2(border, border + words_height) / kMillimetres;
-  Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)
-                              : MoonMarks(page, script, style, from_P, palette::kGroove));
-  const double width = std::clamp(0.12 * kMillimetres * style.width, 0.08, 0.5);
-  Append(drawing.marks, Tracks(result.path, from_P, width));
-  Append(drawing.marks, PrintOf(result, script, from_P, print));
-  for (TextMark& mark : lines) {
-    mark.at.y += words_height;
-    drawing.marks.emplace_back(std::move(mark));
-  }
-  return drawing;
-}
 
 /// All pages of a text, as they were read.
 struct Reading {
@@ -161,13 +77,43 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   return setup;
 }
 
+/// The page's reading is seen while it goes on.
+void Watch(ReadingSetup& setup, TrialView& view, const RecogniseOptions& options,
+           const TextSetup& text, std::size_t page,
+           const std::shared_ptr<const TextureField>& field) {
+  const auto reader = std::make_shared<const PageReader*>(nullptr);
+  const auto complete = [reader, shapes = setup.knowledge.shapes, &text](TrialTexts& texts) {
+    texts.reading = ReadingTexts(**reader, *shapes, text.script);
+  };
+  view.Begin(MakeViewPage(text.set, page, text.script, text.text, field, options.blank,
+                          static_cast<std::uint32_t>(page)),
+             {text.text,
+              text.set.style.size,
+              say::PanelPage(page, text.set.pages.size()),
+              {},
+              TrialTexts::Reading()},
+             complete);
+  setup.watch = [&view, reader](const ReadingTick& tick) {
+    *reader = &tick.reader;
+    view.Look(tick.time, tick.felt, {}, tick.scene);
+  };
+}
+
+/// What is shown of a reading while it goes on and afterwards; null without.
+struct Shown {
+  TrialView* view = nullptr;
+  PagePictures* pictures = nullptr;
+};
+
 void ReadPage(const RecogniseOptions& options, std::size_t page,
-              const std::shared_ptr<const SignShapes>& shapes, PagePictures* pictures,
-              Console& console, Reading& reading) {
+              const std::shared_ptr<const SignShapes>& shapes, const Shown& shown, Console& console,
+              Reading& reading) {
   const TextSetup& text = reading.text;
   const TextPage& set = text.set.pages[page];
-  const TextureField field = PageField(set, text.script, text.set.style, options.blank);
-  ReadingSetup setup = SetupOf(options, reading, page, shapes, field, console);
+  const auto field = std::make_shared<const TextureField>(
+      PageField(set, text.script, text.set.style, options.blank));
+  ReadingSetup setup = SetupOf(options, reading, page, shapes, *field, console);
+  if (shown.view != nullptr) Watch(setup, *shown.view, options, text, page, field);
   const double done = static_cast<double>(page) / static_cast<double>(text.set.pages.size());
   setup.alive = [&console, done] { console.Alive(done); };
   ReadingResult result = RunReading(setup);
@@ -178,9 +124,9 @@ void ReadPage(const RecogniseOptions& options, std::size_t page,
   reading.duration += result.duration;
   reading.elapsed += result.duration / result.real_time_factor;
   for (std::size_t i = 0; i < kReaderActivities; ++i) reading.seconds[i] += result.seconds[i];
-  if (pictures != nullptr) {
-    pictures->Add(ReadingPicture(set, text.script, text.set.style, options.blank,
-                                 TextOf(text, page), result));
+  if (shown.pictures != nullptr) {
+    shown.pictures->Add(ReadingPicture(set, text.script, text.set.style, options.blank,
+                                       TextOf(text, page), result));
   }
   result.path.clear();
   result.path.shrink_to_fit();
@@ -316,6 +262,8 @@ void AddOptions(CLI::App& app, RecogniseOptions& options) {
   AddFlag(app, "--blank", options.blank, say::help::kReaderBlank);
   BeginGroup(app, help_group::kResults);
   AddPicture(app, options.picture, say::help::kPicture);
+  AddOptions(app, options.view);
+  AddCamera(app, options.view);
   AddOptions(app, options.output);
 }
 
@@ -335,26 +283,37 @@ int ReadLabel(const RecogniseOptions& options, Console& console) {
     throw InputError(say::ReadsWhereLettersAreFelt(options.device, followed));
   }
   if (reading.text.set.style.links.reach != LinkReach::kNone) throw UsageError(say::ReadsNoLinks());
+  const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
+  std::optional<TrialView> view;
+  if (feed) view.emplace(*feed, console, ReadingPanel());
+  if (view && !options.feel.model.empty()) view->ShowModel(reading.text.others);
   const auto shapes =
       KnownShapes(reading.text.script, reading.text.set.style.relief, reading.text.set.pages);
   const std::size_t pages = reading.text.set.pages.size();
   std::optional<PagePictures> pictures;
   if (!options.picture.empty()) pictures.emplace(options.picture, pages);
   for (std::size_t page = 0; page < pages; ++page) {
-    ReadPage(options, page, shapes, pictures ? &*pictures : nullptr, console, reading);
+    ReadPage(options, page, shapes, {view ? &*view : nullptr, pictures ? &*pictures : nullptr},
+             console, reading);
   }
   if (pictures) reading.pictures = pictures->Finish();
   if (options.output.json) {
-    console.Json(Dump(ReadingJson(reading, options)));
+    Json json = ReadingJson(reading, options);
+    if (feed) json["view"] = ViewJson(*feed);
+    console.Json(Dump(json));
   } else {
     SayReading(reading, console);
+    if (feed) SayView(*feed, options.view, console);
   }
+  if (feed) RequireView(*feed, {});
   return exit_code::kGood;
 }
 
 }  // namespace
 
 int Run(const RecogniseOptions& options, Console& console) {
+  CheckCamera(options.view, options.feel.model);
+  CheckTogether(options.view);
   RecogniseOptions chosen = options;
   ChooseLabel(chosen.feel);
   return ReadLabel(chosen, console);

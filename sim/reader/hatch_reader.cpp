@@ -406,6 +406,7 @@ void HatchReader::Take(const NextOnLine& next) {
   token.kind = known ? ReadToken::Kind::kSign : ReadToken::Kind::kUnknown;
   if (known) token.glyph = knowledge_.shapes->GlyphOf(next.sign.sign);
   tokens_.push_back(token);
+  newest_ = {next.sign};
   LearnFrame(next.sign);
 }
 

@@ -21,6 +21,8 @@ class HatchReader final : public PageReader {
   ReaderAction Step(const ReaderInput& input) override;
   bool done() const override { return phase_ == Phase::kDone; }
   const std::vector<ReadToken>& tokens() const override { return tokens_; }
+  std::vector<ReadToken> Pending() const override { return {}; }
+  const std::vector<SignGuess>& belief() const override { return newest_; }
   ReaderActivity activity() const override;
 
  private:
@@ -88,6 +90,7 @@ class HatchReader final : public PageReader {
   double thought_at_ = 0;  ///< how far was felt then [m]
   double waits_ = 0;       ///< for so much more of the line, behind a space [em]
   std::vector<SignGuess> line_;
+  std::vector<SignGuess> newest_;  ///< the sign read last
   // the page
   double size_ = 0, turn_ = 0, gap_bias_ = 0;
   int gaps_ = 0;

@@ -26,6 +26,8 @@ class Reader final : public PageReader {
   ReaderAction Step(const ReaderInput& input) override;
   bool done() const override { return phase_ == Phase::kDone; }
   const std::vector<ReadToken>& tokens() const override { return tokens_; }
+  std::vector<ReadToken> Pending() const override;
+  const std::vector<SignGuess>& belief() const override { return belief_; }
   ReaderActivity activity() const override;
 
  private:

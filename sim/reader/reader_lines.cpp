@@ -491,21 +491,28 @@ SignPlace Reader::StartOfLine() const {
   return start;
 }
 
-void Reader::EndLine() {
-  news_ = now_;
+std::vector<ReadToken> Reader::Pending() const {
+  std::vector<ReadToken> tokens;
   std::optional<double> expected;
   for (const SignRead& read : line_) {
     const SignPlace here{line_.front().guess.place.origin, size_, turn_};
     const double x = ToEm(here, read.guess.place.origin).x;
     if (expected && x - *expected > 0.6 * knowledge_.space) {
-      tokens_.push_back({ReadToken::Kind::kSpace, 0, 1, read.time, read.guess.place});
+      tokens.push_back({ReadToken::Kind::kSpace, 0, 1, read.time, read.guess.place});
     }
     const bool known = read.guess.sign != SignGuess::kUnknown;
-    tokens_.push_back({known ? ReadToken::Kind::kSign : ReadToken::Kind::kUnknown,
-                       known ? knowledge_.shapes->GlyphOf(read.guess.sign) : 0,
-                       read.guess.probability, read.time, read.guess.place});
+    tokens.push_back({known ? ReadToken::Kind::kSign : ReadToken::Kind::kUnknown,
+                      known ? knowledge_.shapes->GlyphOf(read.guess.sign) : 0,
+                      read.guess.probability, read.time, read.guess.place});
     expected = x + (known ? knowledge_.shapes->Advance(read.guess.sign) + gap_bias_ : kBeyond);
   }
+  return tokens;
+}
+
+void Reader::EndLine() {
+  news_ = now_;
+  const std::vector<ReadToken> line = Pending();
+  tokens_.insert(tokens_.end(), line.begin(), line.end());
   tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
   line_starts_.push_back(StartOfLine());
   line_.clear();

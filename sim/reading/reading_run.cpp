@@ -8,7 +8,6 @@
 #include <string>
 
 #include "sim/console/console.h"
-#include "sim/physics/scene.h"
 #include "sim/reader/hatch_reader.h"
 #include "sim/reader/reader.h"
 #include "sim/trial/hand_on_device.h"
@@ -229,7 +228,7 @@ ReadingResult RunReading(const ReadingSetup& setup) {
     const ReaderInput late = senses.Pass(now);
     const ReaderAction action = reader.Step(late);
     result.seconds[static_cast<std::size_t>(reader.activity())] += tick;
-    if (setup.watch) setup.watch(late, reader);
+    if (setup.watch) setup.watch({static_cast<double>(n) * tick, late, reader, felt, scene});
     stylus.Lead({action.aim, action.press});
     Keep(result.path, felt, reader.activity(), setup.path_spacing);
   }

@@ -14,6 +14,7 @@
 #include "devices/hand/hand.h"
 #include "devices/hand/led_stylus.h"
 #include "sim/physics/label_place.h"
+#include "sim/physics/scene.h"
 #include "sim/physics/scene_options.h"
 #include "sim/reader/page_reader.h"
 #include "sim/reading/reading_score.h"
@@ -29,6 +30,15 @@ namespace moontrace {
 struct Senses {
   double delay = 0.120;  ///< by which force and place are felt late [s]
   double unsure = 0;     ///< rms error of the place, along and across the paper (UnsurePlace) [m]
+};
+
+/// One tick of a reading, for who looks on.
+struct ReadingTick {
+  double time;               ///< [s]
+  const ReaderInput& input;  ///< what the reader was given
+  const PageReader& reader;
+  const TickResult& felt;  ///< what it was not given
+  const Scene& scene;
 };
 
 /// Everything that decides one reading of one page.
@@ -54,8 +64,8 @@ struct ReadingSetup {
   double path_spacing = 0;        ///< of the path kept for a picture [m]; 0: none
   double longest = 14400;         ///< a reader that has not ended by then is stopped [s]
   const std::atomic<bool>* stop = nullptr;  ///< looked at every tick; set: Interrupted is thrown
-  /// Called in each tick, after the reader: what it was given, and itself. None: costs nothing.
-  std::function<void(const ReaderInput& input, const PageReader& reader)> watch;
+  /// Called in each tick, after the reader. None: costs nothing.
+  std::function<void(const ReadingTick& tick)> watch;
   std::function<void()> alive;  ///< called each simulated second
 };
 

@@ -81,12 +81,25 @@ std::vector<PanelControl> TrialPanel() {
           TextControl("Time")};
 }
 
+std::vector<PanelControl> ReadingPanel() {
+  std::vector<PanelControl> panel = TrialPanel();
+  Append(panel, {HeadingControl("Reader"), TextControl("Read"), TextControl("Takes it for"),
+                 TextControl("The hand")});
+  return panel;
+}
+
 std::vector<PanelValue> TrialPanelValues(const TrialTexts& texts) {
-  return {{},
-          TextValue(texts.text),
-          TextValue(fmt::format("{:.3g} mm", 1e3 * texts.size)),
-          TextValue(texts.page),
-          TextValue(texts.time)};
+  std::vector<PanelValue> values = {{},
+                                    TextValue(texts.text),
+                                    TextValue(fmt::format("{:.3g} mm", 1e3 * texts.size)),
+                                    TextValue(texts.page),
+                                    TextValue(texts.time)};
+  if (!texts.reading) return values;
+  Append(values, {{},
+                  TextValue(texts.reading->read),
+                  TextValue(texts.reading->belief),
+                  TextValue(texts.reading->doing)});
+  return values;
 }
 
 }  // namespace moontrace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,22 @@ std::vector<PanelControl> LoopPanel();
 std::vector<PanelValue> LoopPanelValues(const TextSetup& text, const PageForm& form, double tilt,
                                         std::size_t page, const std::string& state);
 
-/// A trace by itself, or its replay.
+/// A trace by itself, or its replay, or a reader.
 struct TrialTexts {
   std::string text;  ///< on the page
   double size = 0;   ///< of its letters [m]
   std::string page;  ///< "1 of 3"
   std::string time;
+  struct Reading {
+    std::string read;    ///< so far
+    std::string belief;  ///< about the sign felt last
+    std::string doing;
+  };
+  std::optional<Reading> reading{};  ///< of a reader
 };
 std::vector<PanelControl> TrialPanel();
+std::vector<PanelControl> ReadingPanel();
+/// Of the panel that is meant by `texts`.
 std::vector<PanelValue> TrialPanelValues(const TrialTexts& texts);
 
 }  // namespace moontrace

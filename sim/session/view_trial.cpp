@@ -13,15 +13,17 @@ constexpr double kShowEvery = 0.005;  ///< [s]
 constexpr double kLookEvery = 0.05;   ///< at the window, [s]
 }  // namespace
 
-TrialView::TrialView(ViewFeed& feed, Console& console) : feed_(feed), console_(console) {
-  feed_.SetPanel(TrialPanel());
+TrialView::TrialView(ViewFeed& feed, Console& console, std::vector<PanelControl> panel)
+    : feed_(feed), console_(console) {
+  feed_.SetPanel(std::move(panel));
 }
 
 void TrialView::ShowModel(std::vector<LaidLabel> others) { others_ = std::move(others); }
 
-void TrialView::Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts) {
+void TrialView::Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts, Complete complete) {
   page_ = page->number;
   texts_ = std::move(texts);
+  complete_ = std::move(complete);
   feed_.Show(others_ ? page : WithPaperAround(*page));
   model_shown_ = false;
   begin_ = std::chrono::steady_clock::now();
@@ -72,6 +74,7 @@ void TrialView::KeepTime(double time) {
 
 void TrialView::ShowTime(double time) {
   texts_.time = say::PanelSeconds(time);
+  if (complete_) complete_(texts_);
   feed_.SetValues(TrialPanelValues(texts_));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,12 +19,15 @@ namespace moontrace {
 /// that takes: the same trial gives the same frames, to the byte.
 class TrialView {
  public:
-  TrialView(ViewFeed& feed, Console& console);
+  /// `panel`: TrialPanel or ReadingPanel.
+  TrialView(ViewFeed& feed, Console& console, std::vector<PanelControl> panel = TrialPanel());
 
   /// The trials from now on are on labels of a model, which is shown; `others` as they were given.
   void ShowModel(std::vector<LaidLabel> others);
+  /// Completes what the panel shows, whenever that is shown.
+  using Complete = std::function<void(TrialTexts& texts)>;
   /// Another page; its time begins at 0.
-  void Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts);
+  void Begin(std::shared_ptr<const ViewPage> page, TrialTexts texts, Complete complete = {});
   /// A tick, see TickWatch.
   void Look(double time, const TickResult& felt, const GuidanceResult& push, const Scene& scene);
 
@@ -38,6 +42,7 @@ class TrialView {
   Console& console_;
   std::uint32_t page_ = 0;
   TrialTexts texts_;
+  Complete complete_;
   std::optional<std::vector<LaidLabel>> others_;  ///< none: pages are shown
   bool model_shown_ = false;                      ///< as it is in this trial
   std::chrono::steady_clock::time_point begin_;

@@ -129,6 +129,18 @@ TEST_F(SlowViewCommand, ATraceThatIsSeenIsTheSameTrace) {
   EXPECT_EQ(with, without);
 }
 
+TEST_F(SlowViewCommand, AReadingThatIsSeenIsTheSameReading) {
+  const std::vector<std::string> args = {"recognise", "i", "--json"};
+  const Outcome seen = RunLine(With(args, {"--frames", In("f"), "--width-px", "320"}));
+  if (!CanDraw(seen)) return;
+  nlohmann::json with = seen.Json(), without = RunLine(args).Json();
+  const auto frames = static_cast<int>(30 * with["duration_s"].get<double>());
+  EXPECT_NEAR(with["view"]["frames"], frames, 1);
+  for (nlohmann::json* json : {&with, &without}) json->erase("real_time_factor");
+  with.erase("view");
+  EXPECT_EQ(with, without);
+}
+
 TEST_F(SlowViewCommand, AReplayThatIsSeenIsEqualToTheBit) {
   ASSERT_EQ(RunLine({"trace", "i", "--record", In("r")}).code, 0);
   const Outcome seen = RunLine({"replay", In("r"), "--check", "--frames", In("f"), "--json"});
@@ -223,7 +235,7 @@ TEST_F(ViewCommand, HelpTellsItsOptions) {
   for (const char* option : {"--picture", "--frames", "--contrast", "--large-text", "--device"}) {
     EXPECT_NE(help.out.find(option), std::string::npos) << option;
   }
-  for (const char* command : {"loop", "learn", "trace", "replay"}) {
+  for (const char* command : {"loop", "learn", "trace", "replay", "recognise"}) {
     const Outcome other = RunLine({command, "--help-all"});
     EXPECT_NE(other.out.find("--view"), std::string::npos) << command;
     EXPECT_NE(other.out.find("--frames"), std::string::npos) << command;

@@ -195,9 +195,9 @@ TEST(Reading, IsToldTheForceOfPushedAxesOnly) {
   setup.device = FindProfile("moontrace-raw", ProfilesFolder());
   setup.device->limits.pushes = {false, true, true};
   double across = 0, along = 0;
-  setup.watch = [&](const ReaderInput& input, const PageReader&) {
-    along = std::max(along, std::abs(input.force.x));
-    across = std::max(across, std::abs(input.force.y));
+  setup.watch = [&](const ReadingTick& tick) {
+    along = std::max(along, std::abs(tick.input.force.x));
+    across = std::max(across, std::abs(tick.input.force.y));
   };
   RunReading(setup);
   EXPECT_EQ(along, 0);
@@ -231,7 +231,7 @@ TEST(Reading, OneStreamOfInputsGivesOneAnswerWhateverLiesBehindIt) {
   std::vector<ReaderInput> inputs;
   std::vector<glm::dvec3> aims;
   ReadingSetup setup = desk.setup;
-  setup.watch = [&inputs](const ReaderInput& input, const PageReader&) { inputs.push_back(input); };
+  setup.watch = [&inputs](const ReadingTick& tick) { inputs.push_back(tick.input); };
   const ReadingResult result = RunReading(setup);
   Reader alone(setup.knowledge, setup.scene.tick, setup.reader_seed);
   for (const ReaderInput& input : inputs) alone.Step(input);

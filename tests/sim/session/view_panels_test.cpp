@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "sim/session/loop_words.h"
 #include "textures/fonts/script_library.h"
 
@@ -78,6 +80,20 @@ TEST(TrialPanel, HasAValueForEachControl) {
   ASSERT_EQ(values.size(), TrialPanel().size());
   EXPECT_EQ(values[1].text, "the moon");
   EXPECT_EQ(values[2].text, "12 mm");
+}
+
+TEST(ReadingPanel, ShowsTheTraceThenTheReader) {
+  TrialTexts texts{"the moon", 0.012, "1 of 1", "2.0 s"};
+  texts.reading = {"the m", "o 93 %, c 7 %", "follows"};
+  const std::vector<PanelControl> controls = ReadingPanel();
+  const std::vector<PanelValue> values = TrialPanelValues(texts);
+  ASSERT_EQ(values.size(), controls.size());
+  std::map<std::string, std::string> shown;
+  for (std::size_t i = 0; i < controls.size(); ++i) shown[controls[i].label] = values[i].text;
+  EXPECT_EQ(shown["Text"], "the moon");
+  EXPECT_EQ(shown["Read"], "the m");
+  EXPECT_EQ(shown["Takes it for"], "o 93 %, c 7 %");
+  EXPECT_EQ(shown["The hand"], "follows");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/reader/page_reader.h"
 #include "sim/reading/reading_score.h"
 #include "textures/fonts/script.h"
 #include "textures/typeset/typeset.h"
@@ -27,6 +28,11 @@ std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed);
 std::string ReaderStopped(std::size_t page);
 /// The tip went through the paper so often.
 std::string ReaderPressedThrough(std::size_t page, std::size_t count);
+
+/// In a view's panel: a sign that is thought to have been felt (empty: none of the script), how
+/// sure, and what the hand is at.
+std::string Belief(std::string_view sign, double probability);
+std::string Doing(ReaderActivity activity);
 
 std::string ReadingPictureTitle(const Script& script, const TypeStyle& style);
 std::string ReadingPictureWords(std::string_view text, std::string_view read);

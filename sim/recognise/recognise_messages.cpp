@@ -1,4 +1,4 @@
-#include "sim/app/recognise_messages.h"
+#include "sim/recognise/recognise_messages.h"
 
 #include <fmt/core.h>
 
@@ -55,9 +55,10 @@ std::string Confusions(const ReadingScore& score, const Script& script) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < order.size() && i < kMost; ++i) {
     const auto& [count, pair] = order[i];
-    words.push_back(fmt::format("{} for {}{}", MarkWord(pair.second, script),
-                                MarkWord(pair.first, script),
-                                count > 1 ? " " + Times(count) : std::string()));
+    std::string word =
+        fmt::format("{} for {}", MarkWord(pair.second, script), MarkWord(pair.first, script));
+    if (count > 1) word += fmt::format(" {}", Times(count));
+    words.push_back(std::move(word));
   }
   if (order.size() > kMost) words.push_back(fmt::format("{} more", order.size() - kMost));
   return fmt::format("Read wrongly: {}.", Joined(words, ", "));
@@ -85,6 +86,32 @@ std::string ReaderPressedThrough(std::size_t page, std::size_t count) {
 
 std::string ReaderStopped(std::size_t page) {
   return fmt::format("Page {}: the reader found no end by itself and was stopped.", page + 1);
+}
+
+std::string Belief(std::string_view sign, double probability) {
+  return fmt::format("{} {} %", sign.empty() ? "unknown" : sign, Short(100 * probability, 0));
+}
+
+std::string Doing(ReaderActivity activity) {
+  switch (activity) {
+    case ReaderActivity::kFlying:
+      return "lifted";
+    case ReaderActivity::kSearching:
+      return "searches";
+    case ReaderActivity::kCrossing:
+      return "tells signs apart";
+    case ReaderActivity::kSettling:
+      return "goes back";
+    case ReaderActivity::kFollowing:
+      return "follows";
+    case ReaderActivity::kTurning:
+      return "looks for the rest";
+    case ReaderActivity::kHatching:
+      return "goes up and down";
+    case ReaderActivity::kDone:
+      return "has read it all";
+  }
+  return {};
 }
 
 std::string ReadingPictureTitle(const Script& script, const TypeStyle& style) {

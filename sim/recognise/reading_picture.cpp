@@ -1,0 +1,107 @@
+#include "sim/recognise/reading_picture.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "sim/picture/moon_marks.h"
+#include "sim/reading/read_text.h"
+#include "sim/reading/reading_setup.h"
+#include "sim/recognise/recognise_messages.h"
+#include "textures/base/units.h"
+
+namespace moontrace {
+namespace {
+
+/// The tip's path while it touches, searching (kTravel) or following (kStroke), a track each.
+std::vector<Mark> Tracks(const std::vector<PathPoint>& path, glm::dvec2 from_P, double width) {
+  std::vector<Mark> marks;
+  TrackMark track;
+  track.width = width;
+  TracePhase phase = TracePhase::kAir;
+  const auto end_track = [&] {
+    track.stroke = phase == TracePhase::kStroke ? palette::kTip : palette::kAway;
+    if (track.points.size() > 1) marks.emplace_back(track);
+    track.points.clear();
+  };
+  for (const PathPoint& point : path) {
+    if (!point.in_contact || point.phase != phase) end_track();
+    phase = point.phase;
+    if (point.in_contact && phase != TracePhase::kAir) {
+      track.points.push_back(kMillimetres * (glm::dvec2(point.tip_P) - from_P));
+    }
+  }
+  end_track();
+  return marks;
+}
+
+std::vector<Mark> PrintOf(const ReadingResult& result, const Script& script, glm::dvec2 from_P,
+                          double height) {
+  std::vector<Mark> marks;
+  for (const ReadToken& token : result.tokens) {
+    const bool known = token.kind == ReadToken::Kind::kSign;
+    if (!known && token.kind != ReadToken::Kind::kUnknown) continue;
+    const glm::dvec2 at = kMillimetres * (FromEm(token.place, {0, -0.35}) - from_P);
+    marks.emplace_back(
+        TextMark{at, height, known ? TextOfSign(token.glyph, script) : "unknown", palette::kInk});
+    if (!known || token.probability >= 0.99) continue;
+    const double percent = std::round(100 * token.probability);
+    marks.emplace_back(TextMark{at - glm::dvec2(0, 1.2 * height), 0.8 * height,
+                                fmt::format("{} %", percent), palette::kInk});
+  }
+  return marks;
+}
+
+Box Drawn(const TextPage& page, const Script& script, const TypeStyle& style,
+          const ReadingResult& result) {
+  Box box = InkBounds(page, script, style);
+  for (const PathPoint& point : result.path) {
+    if (point.in_contact) Include(box, glm::dvec2(point.tip_P));
+  }
+  return box;
+}
+
+void Append(std::vector<Mark>& marks, std::vector<Mark> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(marks));
+}
+
+}  // namespace
+
+Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeStyle& style,
+                       bool blank, const std::string& text, const ReadingResult& result) {
+  const double size = kMillimetres * style.size;
+  const double border = std::max(4.0, 0.4 * size);
+  const double print = std::clamp(0.15 * size, 1.2, 2.4);
+  const Box ink = Drawn(page, script, style, result);
+  Drawing drawing;
+  drawing.width = std::max(80.0, kMillimetres * (ink.max.x - ink.min.x) + 2 * border);
+  drawing.title = say::ReadingPictureTitle(script, style);
+  std::string read = TextRead(result.tokens, script);
+  while (!read.empty() && read.back() == '\n') read.pop_back();
+  std::replace(read.begin(), read.end(), '\n', ' ');
+  drawing.description = say::ReadingPictureWords(text, read);
+  const std::string words =
+      fmt::format("{}. {} {}", drawing.title, drawing.description,
+                  say::ReadingPictureLegend(style, IsFollowed(style.relief, script), blank));
+  std::vector<TextMark> lines =
+      TextBlock(words, {border, 0}, drawing.width - 2 * border, print, palette::kInk);
+  const double words_height = (lines.empty() ? 0 : -lines.back().at.y) + border;
+  drawing.height = kMillimetres * (ink.max.y - ink.min.y) + 2 * border + words_height;
+  const glm::dvec2 from_P = ink.min - glm::dvec2(border, border + words_height) / kMillimetres;
+  Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)
+                              : MoonMarks(page, script, style, from_P, palette::kGroove));
+  const double width = std::clamp(0.12 * kMillimetres * style.width, 0.08, 0.5);
+  Append(drawing.marks, Tracks(result.path, from_P, width));
+  Append(drawing.marks, PrintOf(result, script, from_P, print));
+  for (TextMark& mark : lines) {
+    mark.at.y += words_height;
+    drawing.marks.emplace_back(std::move(mark));
+  }
+  return drawing;
+}
+
+}  // namespace moontrace

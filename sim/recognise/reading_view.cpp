@@ -1,0 +1,52 @@
+#include "sim/recognise/reading_view.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "sim/reading/read_text.h"
+#include "sim/recognise/recognise_messages.h"
+#include "textures/base/utf8.h"
+
+namespace moontrace {
+namespace {
+
+/// Some three lines of the panel.
+std::string EndOf(const std::string& text) {
+  constexpr std::size_t kMost = 60;
+  std::u32string points = ToCodePoints(text);
+  while (!points.empty() && points.back() == U'\n') points.pop_back();
+  std::replace(points.begin(), points.end(), U'\n', U' ');
+  if (points.size() > kMost) points.erase(0, points.size() - kMost);
+  std::string end;
+  for (const char32_t c : points) end += ToUtf8(c);
+  return end;
+}
+
+std::string Likeliest(const std::vector<SignGuess>& belief, const SignShapes& shapes,
+                      const Script& script) {
+  constexpr std::size_t kMost = 3;
+  constexpr double kWorthSaying = 0.01;
+  std::string words;
+  for (std::size_t i = 0; i < belief.size() && i < kMost; ++i) {
+    const SignGuess& guess = belief[i];
+    if (i > 0 && guess.probability < kWorthSaying) break;
+    const bool known = guess.sign != SignGuess::kUnknown;
+    if (!words.empty()) words += ", ";
+    words += say::Belief(known ? TextOfSign(shapes.GlyphOf(guess.sign), script) : std::string(),
+                         guess.probability);
+  }
+  return words;
+}
+
+}  // namespace
+
+TrialTexts::Reading ReadingTexts(const PageReader& reader, const SignShapes& shapes,
+                                 const Script& script) {
+  std::vector<ReadToken> tokens = reader.tokens();
+  for (const ReadToken& token : reader.Pending()) tokens.push_back(token);
+  return {EndOf(TextRead(tokens, script)), Likeliest(reader.belief(), shapes, script),
+          say::Doing(reader.activity())};
+}
+
+}  // namespace moontrace
