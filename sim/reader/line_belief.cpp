@@ -58,7 +58,7 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   for (const HatchPoint& point : points) {
     const glm::dvec2 p = ToEm(prior.next, point.p);
     if (p.x < line.from + window_ || p.x > prior.felt_to || p.y < low || p.y > high) continue;
-    line.points.push_back({p, point.ink});
+    line.points.push_back({p, point.ink, point.weight});
     last = std::max(last, p.x);
   }
   std::sort(line.points.begin(), line.points.end(), [](const Point& a, const Point& b) {
@@ -82,7 +82,7 @@ double LineBelief::Gain(const Line& line, std::size_t sign, glm::dvec2 at) const
     const double d = shapes_->Distance(sign, point->p - at);
     if (point->ink) {
       const double off = std::max(0.0, d) / line.spread;
-      gain += std::max(0.0, kInk - 0.5 * off * off);
+      gain += point->weight * std::max(0.0, kInk - 0.5 * off * off);
     } else if (d < inner) {
       gain -= line.flat_cost * std::min(1.0, 2 * (1 - d / inner));
     }
@@ -95,7 +95,7 @@ double LineBelief::UnknownGain(const Line& line, double x) const {
                                 [](const Point& p, double from) { return p.p.x < from; });
   double gain = 0;
   for (; point != line.points.end() && point->p.x < x + window_ + kUnknownWide; ++point) {
-    if (point->ink) gain += kInk - kUnknownCost;
+    if (point->ink) gain += point->weight * (kInk - kUnknownCost);
   }
   return kWeight * gain - kUnknownPrior;
 }
@@ -167,7 +167,7 @@ double LineBelief::CostOfInk(const std::vector<HatchPoint>& points, const SignPl
     const double y = ToEm(line, point.p).y;
     if (!point.ink || y < bounds_.min.y - edge - kClear) continue;
     const bool on_line = y > bounds_.min.y - edge && y < bounds_.max.y + edge;
-    cost += kWeight * kInk * (on_line ? kOnLine : 1);
+    cost += point.weight * kWeight * kInk * (on_line ? kOnLine : 1);
   }
   return cost;
 }

@@ -12,6 +12,7 @@ namespace moontrace {
 struct HatchPoint {
   glm::dvec2 p{0, 0};  ///< of ink where its middle must lie, as its slope tells [m]
   bool ink = false;    ///< else flat paper
+  double weight = 1;   ///< of ink: how much it says
 };
 
 /// What is known of a line before its signs.
@@ -61,6 +62,7 @@ class LineBelief {
   struct Point {
     glm::dvec2 p{0, 0};  ///< [em]
     bool ink = false;
+    double weight = 1;
   };
   struct Line {
     std::vector<Point> points;  ///< by x

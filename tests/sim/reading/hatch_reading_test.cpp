@@ -65,6 +65,12 @@ TEST(SlowHatchReading, ReadsEngravedDots) {
   ExpectRead({kText, "braille", Relief::kEngraved, 0.005, 3}, 3);
 }
 
+// A tip that is pulled out of a wide dot rings up and down behind it. Taken for slopes that once
+// made letters of 15 mm out of two lines of 10 mm.
+TEST(SlowHatchReading, KeepsTheSizeOfWideDots) {
+  ExpectRead({"zeblp tjrxl uynfu wzcbz", "braille", Relief::kEngraved, 0.010, 19}, 2);
+}
+
 TEST(SlowHatchReading, ReadsRaisedDots) {
   ExpectRead({kText, "braille", Relief::kEmbossed, 0.005, 3}, 5);
 }
