@@ -58,12 +58,18 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   for (const HatchPoint& point : points) {
     const glm::dvec2 p = ToEm(prior.next, point.p);
     if (p.x < line.from + window_ || p.x > prior.felt_to || p.y < low || p.y > high) continue;
-    line.points.push_back({p, point.ink, point.weight});
+    if (point.ink) {
+      line.ink.push_back({p, point.weight});
+    } else {
+      line.flat.push_back(p);
+    }
     last = std::max(last, p.x);
   }
-  std::sort(line.points.begin(), line.points.end(), [](const Point& a, const Point& b) {
+  std::sort(line.ink.begin(), line.ink.end(), [](const Ink& a, const Ink& b) {
     return a.p.x != b.p.x ? a.p.x < b.p.x : a.p.y < b.p.y;
   });
+  std::sort(line.flat.begin(), line.flat.end(),
+            [](glm::dvec2 a, glm::dvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   line.steps = std::max(1, static_cast<int>(std::ceil((last - line.from) / step)));
   const double sure = std::hypot(kSpread, 2 * kSpreadWidths * line.half_width);
   line.spread = std::hypot(sure, prior.unsure / prior.next.size);
@@ -71,31 +77,36 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   return line;
 }
 
+std::vector<LineBelief::Ink>::const_iterator LineBelief::FirstInk(const Line& line, double x) {
+  return std::lower_bound(line.ink.begin(), line.ink.end(), x,
+                          [](const Ink& ink, double from) { return ink.p.x < from; });
+}
+
 /// What the points of a sign's share of the line say for it.
 double LineBelief::Gain(const Line& line, std::size_t sign, glm::dvec2 at) const {
   const double from = at.x + window_, to = from + shapes_->Advance(sign);
-  auto point = std::lower_bound(line.points.begin(), line.points.end(), from,
-                                [](const Point& p, double x) { return p.p.x < x; });
   const double inner = kInner * line.half_width;
   double gain = 0;
-  for (; point != line.points.end() && point->p.x < to; ++point) {
-    const double d = shapes_->Distance(sign, point->p - at);
-    if (point->ink) {
-      const double off = std::max(0.0, d) / line.spread;
-      gain += point->weight * std::max(0.0, kInk - 0.5 * off * off);
-    } else if (d < inner) {
-      gain -= line.flat_cost * std::min(1.0, 2 * (1 - d / inner));
-    }
+  for (auto ink = FirstInk(line, from); ink != line.ink.end() && ink->p.x < to; ++ink) {
+    const double d = shapes_->Distance(sign, ink->p - at);
+    const double off = std::max(0.0, d) / line.spread;
+    gain += ink->weight * std::max(0.0, kInk - 0.5 * off * off);
   }
-  return kWeight * gain;
+  double flat = 0;
+  auto p = std::lower_bound(line.flat.begin(), line.flat.end(), from,
+                            [](glm::dvec2 a, double x) { return a.x < x; });
+  for (; p != line.flat.end() && p->x < to; ++p) {
+    const double d = shapes_->Distance(sign, *p - at);
+    if (d < inner) flat += std::min(1.0, 2 * (1 - d / inner));
+  }
+  return kWeight * (gain - line.flat_cost * flat);
 }
 
 double LineBelief::UnknownGain(const Line& line, double x) const {
-  auto point = std::lower_bound(line.points.begin(), line.points.end(), x + window_,
-                                [](const Point& p, double from) { return p.p.x < from; });
+  const double to = x + window_ + kUnknownWide;
   double gain = 0;
-  for (; point != line.points.end() && point->p.x < x + window_ + kUnknownWide; ++point) {
-    if (point->ink) gain += point->weight * (kInk - kUnknownCost);
+  for (auto ink = FirstInk(line, x + window_); ink != line.ink.end() && ink->p.x < to; ++ink) {
+    gain += ink->weight * (kInk - kUnknownCost);
   }
   return kWeight * gain - kUnknownPrior;
 }
@@ -231,9 +242,7 @@ NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePri
     if (answers[i].log > answers[best].log) best = i;
   }
   NextOnLine next;
-  const bool inked =
-      std::any_of(line.points.begin(), line.points.end(),
-                  [this](const Point& point) { return point.ink && point.p.x > window_; });
+  const bool inked = !line.ink.empty() && line.ink.back().p.x > window_;
   next.end = !inked || all < -kEndPrior;
   const Answer& answer = answers[best];
   next.space = answer.space;

@@ -13,7 +13,9 @@ constexpr double kCoarseStep = 0.08, kFineStep = 0.04;  ///< of where signs can 
 constexpr double kAbout = 0.1;                          ///< a line's ink counts as its own
 constexpr std::size_t kStray = 2;                       ///< felt points may lie left of the line
 constexpr std::size_t kFlatShare =
-    3;  ///< one in so many places of flat paper tells enough coarsely
+    3;                              ///< one in so many places of flat paper tells enough coarsely
+constexpr double kBeginning = 0.5;  ///< so much of the line tells most frames to be wrong
+constexpr std::size_t kLikeliest = 60;  ///< the others are tried on all of it
 constexpr double kHeights[] = {-0.04, -0.02, 0.02, 0.04};
 constexpr double kScales[] = {0.97, 0.98, 0.99, 1.01, 1.02, 1.03};
 constexpr double kTurns[] = {-0.012, -0.006, 0.006, 0.012};  ///< [rad]
@@ -26,10 +28,21 @@ class Search {
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].ink || i % kFlatShare == 0) few_.push_back(points[i]);
     }
+    beginning_ = range.met.x + kBeginning * (range.felt_to.x - range.met.x);
+    for (std::size_t i = 0; i < few_.size(); ++i) {
+      if (few_[i].p.x > beginning_) continue;
+      if (few_[i].ink || i % 2 == 0) fewer_.push_back(few_[i]);
+    }
   }
 
-  /// Everywhere.
+  /// Everywhere: all frames by the line's beginning, and the likeliest of them by all of it.
   void Coarsely() {
+    struct Tried {
+      SignPlace frame;
+      double log = 0;
+    };
+    std::vector<Tried> tried;
+    const glm::dvec2 beginning{beginning_, range_.felt_to.y};
     for (const double size : range_.sizes) {
       for (const double turn : range_.turns) {
         for (double y = range_.from; y < range_.to; y += kCoarseHeight) {
@@ -38,16 +51,21 @@ class Search {
           const std::optional<double> left = FirstInk(frame);
           if (!left) continue;
           frame.origin = FromEm(frame, {*left, 0});
-          Consider(few_, frame, kCoarseStep);
+          tried.push_back({frame, Fit(fewer_, frame, kCoarseStep, beginning)});
         }
       }
     }
+    const auto likeliest =
+        tried.begin() + static_cast<std::ptrdiff_t>(std::min(kLikeliest, tried.size()));
+    std::partial_sort(tried.begin(), likeliest, tried.end(),
+                      [](const Tried& a, const Tried& b) { return a.log > b.log; });
+    for (auto one = tried.begin(); one != likeliest; ++one) Consider(few_, one->frame, kCoarseStep);
   }
 
   /// About the best so far, one number after another.
   void Finely() {
     if (!std::isfinite(most_)) return;
-    most_ = Fit(points_, best_, kFineStep);
+    most_ = Fit(points_, best_, kFineStep, range_.felt_to);
     for (int round = 0; round < kRounds; ++round) {
       const SignPlace about = best_;
       for (const double y : kHeights) {
@@ -90,19 +108,20 @@ class Search {
     return ink[kStray];
   }
 
-  double Fit(const std::vector<HatchPoint>& points, const SignPlace& frame, double step) const {
+  double Fit(const std::vector<HatchPoint>& points, const SignPlace& frame, double step,
+             glm::dvec2 felt_to) const {
     LinePrior prior;
     prior.next = frame;
     prior.before = range_.before;
     prior.behind = range_.behind;
     prior.unsure = range_.unsure;
     prior.anywhere = true;
-    prior.felt_to = ToEm(frame, range_.felt_to).x;
+    prior.felt_to = ToEm(frame, felt_to).x;
     return belief_.Fit(points, prior, step) - belief_.CostOfInk(points, frame);
   }
 
   void Consider(const std::vector<HatchPoint>& points, const SignPlace& frame, double step) {
-    const double log = Fit(points, frame, step);
+    const double log = Fit(points, frame, step, range_.felt_to);
     if (log <= most_) return;
     most_ = log;
     best_ = frame;
@@ -111,7 +130,8 @@ class Search {
   const LineBelief& belief_;
   const std::vector<HatchPoint>& points_;
   const FrameRange& range_;
-  std::vector<HatchPoint> few_;
+  std::vector<HatchPoint> few_, fewer_;
+  double beginning_ = 0;  ///< of the line ends there, `fewer_` lies left of it [m]
   SignPlace best_;
   double most_ = -INFINITY;
 };

@@ -22,8 +22,9 @@ struct FrameFit {
   double log_likelihood = 0;  ///< of what was felt on the line, against flat paper
 };
 
-/// The frame that explains best what was felt: tried coarsely all over the range, then finely about
-/// the best. Takes some hundred likelihoods of the line's beginning.
+/// The frame that explains best what was felt: all of the range coarsely by the first half of what
+/// was felt, the likeliest of those by all of it, then finely about the best. Takes some thousand
+/// likelihoods, seconds of a core for a page whose size is not known.
 FrameFit FitFrame(const LineBelief& belief, const std::vector<HatchPoint>& points,
                   const FrameRange& range);
 

@@ -58,7 +58,7 @@ void ExpectRead(const Sheet& sheet, std::size_t at_most_wrong) {
   EXPECT_LE(score.extra, 1U);
 }
 
-// The study figure2 reads 97 of 100 cells of engraved dots, 89 of raised ones, and 99 of 100
+// The study figure2 reads 97 of 100 cells of engraved dots, 90 of raised ones, and 99 of 100
 // letters of raised Moon. Were errors independent, more than these of twenty would be wrong on one
 // page in 300, in 50 and in 1000.
 TEST(SlowHatchReading, ReadsEngravedDots) {
