@@ -83,6 +83,7 @@ std::vector<PanelControl> TrialPanel() {
 
 std::vector<PanelControl> ReadingPanel() {
   std::vector<PanelControl> panel = TrialPanel();
+  panel.front() = HeadingControl("Page");
   Append(panel, {HeadingControl("Reader"), TextControl("Read"), TextControl("Takes it for"),
                  TextControl("The hand")});
   return panel;
