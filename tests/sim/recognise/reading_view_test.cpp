@@ -66,6 +66,23 @@ TEST_F(ReadingView, NamesTheLikeliestSignsAndHowSureTheyAre) {
   EXPECT_EQ(Texts().belief, "unknown 100 %");
 }
 
+// Window fonts have no Braille cells.
+TEST_F(ReadingView, ShowsBrailleByTheNumbersOfItsDots) {
+  const Script braille = FindScript("braille");
+  const SignShapes shapes(braille, {braille.Find("dots-234")}, SignShapes::Dots::kMiddles);
+  ReadToken s, o;
+  s.glyph = braille.Find("dots-234");
+  o.glyph = braille.Find("dots-135");
+  reader_.tokens_ = {s, o};
+  SignGuess guess;
+  guess.sign = 0;
+  guess.probability = 1;
+  reader_.belief_ = {guess};
+  const TrialTexts::Reading texts = ReadingTexts(reader_, shapes, braille);
+  EXPECT_EQ(texts.read, "234 135");
+  EXPECT_EQ(texts.belief, "234 100 %");
+}
+
 TEST_F(ReadingView, TellsWhatTheHandIsAt) { EXPECT_EQ(Texts().doing, "looks for the rest"); }
 
 }  // namespace
