@@ -24,6 +24,7 @@ TouchSense::TouchSense(const ReaderKnowledge& knowledge, double tick)
       up_(knowledge.raised ? -1 : 1),
       give_(1 / knowledge.device_stiffness),
       yields_(give_),
+      swings_tell_(!knowledge.followed),
       feels_height_(knowledge.feels_height),
       hold_(knowledge.Hold()),
       late_(knowledge.delay + knowledge.lag),
@@ -90,9 +91,29 @@ void TouchSense::FindGive(const ReaderInput& input) noexcept {
   landed_ = true;
 }
 
+/// Where the tip turns from up to down no damper holds it: there it lies off the level by what
+/// device and paper yield less than to the whole press. Only flat paper lets it swing up there from
+/// a groove, or down from a ridge, so that each swing tells, and the median of all is kept.
+void TouchSense::FindGiveInSwing(const ReaderInput& input) noexcept {
+  constexpr double kSwing = 0.15;   // of the press; less is trembling
+  constexpr double kNewest = 0.03;  // share by which a swing moves the median
+  const double step = input.tip.z - last_height_;
+  const bool turns = step * last_step_ < 0;
+  if (step != 0) last_step_ = step;
+  const double off = up_ * (last_height_ - level_), less = up_ * (press_ - last_press_);
+  last_press_ = input.force.z;
+  if (!turns || !felt_.touching || !level_known_ || off <= 0 || less < kSwing * press_) return;
+  const double found = off / less;
+  if (found < give_ || found > kMostGive) return;
+  if (swings_++ == 0) yields_ = found;
+  const double share = std::max(kNewest, 0.5 / swings_);
+  yields_ *= found > yields_ ? 1 + share : 1 - share;
+}
+
 const Felt& TouchSense::Add(const ReaderInput& input, bool presses) noexcept {
   if (!begun_) last_height_ = input.tip.z;
   begun_ = true;
+  if (swings_tell_) FindGiveInSwing(input);
   sink_ += std::min(1.0, tick_ / kSmooth) * ((input.tip.z - last_height_) / tick_ - sink_);
   last_height_ = input.tip.z;
   felt_.time = input.time;
@@ -105,7 +126,7 @@ const Felt& TouchSense::Add(const ReaderInput& input, bool presses) noexcept {
     return felt_;
   }
   const bool touching = input.force.z > 0.3 * press_;
-  if (touching && !felt_.touching && level_known_) FindGive(input);
+  if (touching && !felt_.touching && level_known_ && !swings_tell_) FindGive(input);
   felt_.touching = touching;
   FindLevel();
   // what the press does not carry yet, device and paper have not yet yielded to

@@ -45,6 +45,7 @@ class TouchSense {
   void FeelWalls(bool presses) noexcept;
   void FindLevel() noexcept;
   void FindGive(const ReaderInput& input) noexcept;
+  void FindGiveInSwing(const ReaderInput& input) noexcept;
 
   double tick_ = 1e-3;
   double press_ = 1, depth_ = 1, width_ = 1;
@@ -52,6 +53,10 @@ class TouchSense {
   double give_ = 0;    ///< of the device [m/N]
   double yields_ = 0;  ///< device and paper, under a press [m/N]
   bool landed_ = false;
+  bool swings_tell_ = false;  ///< of that, landings do not
+  int swings_ = 0;
+  double last_step_ = 0;   ///< of its height, not zero [m]
+  double last_press_ = 0;  ///< on the paper [N]
   bool feels_height_ = true;
   double hold_ = 1;         ///< ReaderKnowledge::Hold [N]
   double late_ = 0;         ///< how late it feels [s]

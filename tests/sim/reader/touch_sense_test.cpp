@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "textures/base/units.h"
+
 namespace moontrace {
 namespace {
 
@@ -54,6 +56,46 @@ TEST(TouchSense, AGrooveIsFeltAsDeepAsItIsUnderATipThatBounces) {
     input.tip.z -= 0.3e-3;
     EXPECT_NEAR(sense.Add(input, true).depth, 1, 0.1) << t;
   }
+}
+
+/// The farthest from flat that a light hand feels plain paper, 0.5 s after it came down, where its
+/// tip turns. It rings with a damper, by whose force its first touch is firmer than its place
+/// tells.
+double FarthestFromFlat(bool raised) {
+  constexpr double kPress = 0.2, kDamper = 4, kRings = 0.05;  // [N], [N s/m], [s]
+  ReaderKnowledge knowledge = Knowledge();
+  knowledge.press = kPress;
+  knowledge.followed = false;
+  knowledge.raised = raised;
+  TouchSense sense(knowledge, kTick);
+  double t = 0, farthest = 0;
+  for (; t < 0.2; t += kTick) sense.Add(On(t, kPress), true);
+  sense.Lift();
+  for (; t < 0.4; t += kTick) sense.Add({t, {0, 0, 2e-3}, {0, 0, 0}}, false);
+  sense.Add({t, {0, 0, kSurface}, {0, 0, 0.03 * kDamper}}, true);  // at 30 mm/s
+  for (int swing = 0; swing < 60; ++swing) {
+    double before = 1;
+    for (double since = 0; since < kRings; since += kTick, t += kTick) {
+      const double turned = kTurn * since / kRings;
+      const double sinks = -0.5 * std::cos(turned);
+      const double speed = 0.5 * kTurn / kRings * std::sin(turned);
+      const double off = kYields * kPress * sinks;
+      const double force = kPress * (1 + sinks) + kDamper * kYields * kPress * speed;
+      const double depth =
+          sense.Add({t, {0, 0, kSurface - kYields * kPress - off}, {0, 0, force}}, true).depth;
+      const bool turns = speed * before <= 0;
+      if (swing > 50 && turns) farthest = std::max(farthest, std::abs(depth));
+      before = speed;
+    }
+  }
+  return farthest;
+}
+
+TEST(TouchSense, FlatPaperIsFlatUnderALightTipThatRings) {
+  // a tick beside its turn the damper adds 0.011 N, 0.064 of the depth; 3 percent of what half the
+  // press yields, the median's step, are 0.018 more
+  EXPECT_LT(FarthestFromFlat(false), 0.09);
+  EXPECT_LT(FarthestFromFlat(true), 0.09);
 }
 
 /// A hand without height that presses from the beginning, held by a wall with `force` after 0.4 s
