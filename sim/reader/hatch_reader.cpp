@@ -28,9 +28,6 @@ constexpr double kInkTime = 0.004;   ///< [s]
 constexpr double kFlat = 0.1;        ///< more is not flat paper
 constexpr double kSlope = 0.2;       ///< more is a slope
 constexpr double kDotSlope = 0.15;   ///< the same of raised dots, round which the tip slides
-constexpr double kTop = 0.8;         ///< more is a ridge's top or a groove's floor
-constexpr double kSlopePush = 0.3;   ///< of a slope at least, in Hold()
-constexpr double kMayRing = 0.25;    ///< what is felt with less push counts so much
 constexpr double kEdge = 0.2;        ///< beyond a line's ink it is hatched
 constexpr double kEdgeUnsure = 0.3;  ///< the same of a line that is only expected
 constexpr double kBefore = 0.5;      ///< left of where lines began
@@ -298,9 +295,6 @@ void HatchReader::Feel(const Felt& felt) {
   sampled_ = felt.place;
   HatchPoint point{felt.place, felt.depth > (dots_ && knowledge_.raised ? kDotSlope : kSlope)};
   const double push = glm::length(felt.wall);
-  // a tip that sprang from an edge rings up and down over flat paper; a slope pushes aside, too
-  const bool may_ring = felt.depth < kTop && push < kSlopePush * knowledge_.Hold();
-  if (point.ink && may_ring) point.weight = kMayRing;
   if (point.ink && push > 0) {
     // a ridge pushes the tip away from its middle, a groove towards it
     const double off = 0.5 * knowledge_.width * std::max(0.0, 1 - felt.depth) / push;

@@ -26,6 +26,12 @@ constexpr double kMostSlack = 3;  ///< the same at most, in standard deviations
 constexpr double kFineStep = 0.04;
 constexpr double kNever = -1e9;
 
+/// The first of points by x that lies right of `x` [em].
+std::vector<glm::dvec2>::const_iterator FirstFrom(const std::vector<glm::dvec2>& points, double x) {
+  return std::lower_bound(points.begin(), points.end(), x,
+                          [](glm::dvec2 p, double from) { return p.x < from; });
+}
+
 double LogSum(double a, double b) {
   const double most = std::max(a, b);
   return most <= kNever ? kNever : most + std::log1p(std::exp(std::min(a, b) - most));
@@ -58,18 +64,13 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   for (const HatchPoint& point : points) {
     const glm::dvec2 p = ToEm(prior.next, point.p);
     if (p.x < line.from + window_ || p.x > prior.felt_to || p.y < low || p.y > high) continue;
-    if (point.ink) {
-      line.ink.push_back({p, point.weight});
-    } else {
-      line.flat.push_back(p);
-    }
+    (point.ink ? line.ink : line.flat).push_back(p);
     last = std::max(last, p.x);
   }
-  std::sort(line.ink.begin(), line.ink.end(), [](const Ink& a, const Ink& b) {
-    return a.p.x != b.p.x ? a.p.x < b.p.x : a.p.y < b.p.y;
-  });
-  std::sort(line.flat.begin(), line.flat.end(),
-            [](glm::dvec2 a, glm::dvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  for (std::vector<glm::dvec2>* felt : {&line.ink, &line.flat}) {
+    std::sort(felt->begin(), felt->end(),
+              [](glm::dvec2 a, glm::dvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  }
   line.steps = std::max(1, static_cast<int>(std::ceil((last - line.from) / step)));
   const double sure = std::hypot(kSpread, 2 * kSpreadWidths * line.half_width);
   line.spread = std::hypot(sure, prior.unsure / prior.next.size);
@@ -77,25 +78,18 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   return line;
 }
 
-std::vector<LineBelief::Ink>::const_iterator LineBelief::FirstInk(const Line& line, double x) {
-  return std::lower_bound(line.ink.begin(), line.ink.end(), x,
-                          [](const Ink& ink, double from) { return ink.p.x < from; });
-}
-
 /// What the points of a sign's share of the line say for it.
 double LineBelief::Gain(const Line& line, std::size_t sign, glm::dvec2 at) const {
   const double from = at.x + window_, to = from + shapes_->Advance(sign);
   const double inner = kInner * line.half_width;
   double gain = 0;
-  for (auto ink = FirstInk(line, from); ink != line.ink.end() && ink->p.x < to; ++ink) {
-    const double d = shapes_->Distance(sign, ink->p - at);
+  for (auto ink = FirstFrom(line.ink, from); ink != line.ink.end() && ink->x < to; ++ink) {
+    const double d = shapes_->Distance(sign, *ink - at);
     const double off = std::max(0.0, d) / line.spread;
-    gain += ink->weight * std::max(0.0, kInk - 0.5 * off * off);
+    gain += std::max(0.0, kInk - 0.5 * off * off);
   }
   double flat = 0;
-  auto p = std::lower_bound(line.flat.begin(), line.flat.end(), from,
-                            [](glm::dvec2 a, double x) { return a.x < x; });
-  for (; p != line.flat.end() && p->x < to; ++p) {
+  for (auto p = FirstFrom(line.flat, from); p != line.flat.end() && p->x < to; ++p) {
     const double d = shapes_->Distance(sign, *p - at);
     if (d < inner) flat += std::min(1.0, 2 * (1 - d / inner));
   }
@@ -104,10 +98,9 @@ double LineBelief::Gain(const Line& line, std::size_t sign, glm::dvec2 at) const
 
 double LineBelief::UnknownGain(const Line& line, double x) const {
   const double to = x + window_ + kUnknownWide;
-  double gain = 0;
-  for (auto ink = FirstInk(line, x + window_); ink != line.ink.end() && ink->p.x < to; ++ink) {
-    gain += ink->weight * (kInk - kUnknownCost);
-  }
+  const auto first = FirstFrom(line.ink, x + window_), last = FirstFrom(line.ink, to);
+  const double gain =
+      static_cast<double>(std::max<std::ptrdiff_t>(0, last - first)) * (kInk - kUnknownCost);
   return kWeight * gain - kUnknownPrior;
 }
 
@@ -178,7 +171,7 @@ double LineBelief::CostOfInk(const std::vector<HatchPoint>& points, const SignPl
     const double y = ToEm(line, point.p).y;
     if (!point.ink || y < bounds_.min.y - edge - kClear) continue;
     const bool on_line = y > bounds_.min.y - edge && y < bounds_.max.y + edge;
-    cost += point.weight * kWeight * kInk * (on_line ? kOnLine : 1);
+    cost += kWeight * kInk * (on_line ? kOnLine : 1);
   }
   return cost;
 }
@@ -242,7 +235,7 @@ NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePri
     if (answers[i].log > answers[best].log) best = i;
   }
   NextOnLine next;
-  const bool inked = !line.ink.empty() && line.ink.back().p.x > window_;
+  const bool inked = !line.ink.empty() && line.ink.back().x > window_;
   next.end = !inked || all < -kEndPrior;
   const Answer& answer = answers[best];
   next.space = answer.space;

@@ -12,7 +12,6 @@ namespace moontrace {
 struct HatchPoint {
   glm::dvec2 p{0, 0};  ///< of ink where its middle must lie, as its slope tells [m]
   bool ink = false;    ///< else flat paper
-  double weight = 1;   ///< of ink: how much it says
 };
 
 /// What is known of a line before its signs.
@@ -59,19 +58,14 @@ class LineBelief {
   double widest() const { return widest_; }  ///< advance [em]
 
  private:
-  struct Ink {
-    glm::dvec2 p{0, 0};  ///< [em]
-    double weight = 1;
-  };
   struct Line {
     // by x, apart, since a branch on what a point is would be mispredicted
-    std::vector<Ink> ink;
-    std::vector<glm::dvec2> flat;  ///< [em]
-    double half_width = 0;         ///< [em]
-    double spread = 0;             ///< of ink about a sign's lines [em]
-    double flat_cost = 0;          ///< of flat paper on one
-    double step = 0;               ///< [em]
-    double from = 0;               ///< of the first step [em]
+    std::vector<glm::dvec2> ink, flat;  ///< [em]
+    double half_width = 0;              ///< [em]
+    double spread = 0;                  ///< of ink about a sign's lines [em]
+    double flat_cost = 0;               ///< of flat paper on one
+    double step = 0;                    ///< [em]
+    double from = 0;                    ///< of the first step [em]
     int steps = 0;
   };
   /// What a line says from each step on.
@@ -81,8 +75,6 @@ class LineBelief {
   };
 
   Line Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior, double step) const;
-  /// The first ink right of `x` [em].
-  static std::vector<Ink>::const_iterator FirstInk(const Line& line, double x);
   double Gain(const Line& line, std::size_t sign, glm::dvec2 at) const;
   double UnknownGain(const Line& line, double x) const;
   Backward LookBack(const Line& line, const LinePrior& prior) const;

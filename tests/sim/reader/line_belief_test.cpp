@@ -122,19 +122,6 @@ TEST(LineBelief, WhatNoSignHasIsUnknown) {
   EXPECT_EQ(belief.Next(points, prior).sign.sign, SignGuess::kUnknown);
 }
 
-/// A row of ink across a cell where no sign has any.
-TEST(LineBelief, InkThatSaysLittleMakesNoSignUnknown) {
-  const BrailleLine line;
-  const SignPlace at{{0, 0}, kSize, 0};
-  std::vector<HatchPoint> points = line.Felt({"dots-1"}, at);
-  for (double x = 0; x < 0.7; x += 0.05) points.push_back({FromEm(at, {x, 0.25}), true, 0.1});
-  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
-  LinePrior prior;
-  prior.next = at;
-  prior.felt_to = 4;
-  EXPECT_EQ(belief.Next(points, prior).sign.sign, line.Sign("dots-1"));
-}
-
 TEST(LineFrame, FindsSizeTurnAndBaseLineOfALine) {
   const BrailleLine line;
   const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
