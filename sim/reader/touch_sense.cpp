@@ -91,9 +91,10 @@ void TouchSense::FindGive(const ReaderInput& input) noexcept {
   landed_ = true;
 }
 
-/// Where the tip turns from up to down no damper holds it: there it lies off the level by what
-/// device and paper yield less than to the whole press. Only flat paper lets it swing up there from
-/// a groove, or down from a ridge, so that each swing tells, and the median of all is kept.
+/// Where a swinging tip turns, its speed is zero and no damper adds to the force: its height
+/// differs from the level by as much as device and paper yield to what the force differs from the
+/// press. Beside grooves a tip above the level, and beside ridges one below it, can only be over
+/// flat paper; those turns tell, and the median of what they tell is kept.
 void TouchSense::FindGiveInSwing(const ReaderInput& input) noexcept {
   constexpr double kSwing = 0.15;   // of the press; less is trembling
   constexpr double kNewest = 0.03;  // share by which a swing moves the median

@@ -53,10 +53,10 @@ class TouchSense {
   double give_ = 0;    ///< of the device [m/N]
   double yields_ = 0;  ///< device and paper, under a press [m/N]
   bool landed_ = false;
-  bool swings_tell_ = false;  ///< of that, landings do not
-  int swings_ = 0;
-  double last_step_ = 0;   ///< of its height, not zero [m]
-  double last_press_ = 0;  ///< on the paper [N]
+  bool swings_tell_ = false;  ///< how far those yield; else landings do
+  int swings_ = 0;            ///< that told
+  double last_step_ = 0;      ///< of the tip's height between ticks, the last that was not 0 [m]
+  double last_press_ = 0;     ///< of the tip on the paper, a tick ago [N]
   bool feels_height_ = true;
   double hold_ = 1;         ///< ReaderKnowledge::Hold [N]
   double late_ = 0;         ///< how late it feels [s]

@@ -58,9 +58,9 @@ TEST(TouchSense, AGrooveIsFeltAsDeepAsItIsUnderATipThatBounces) {
   }
 }
 
-/// The farthest from flat that a light hand feels plain paper, 0.5 s after it came down, where its
-/// tip turns. It rings with a damper, by whose force its first touch is firmer than its place
-/// tells.
+/// How far from flat, as a share of a groove's depth, a light hand feels plain paper where its
+/// ringing tip turns, at most, after 50 swings. Its damper makes its first touch firmer than how
+/// deep it presses in tells.
 double FarthestFromFlat(bool raised) {
   constexpr double kPress = 0.2, kDamper = 4, kRings = 0.05;  // [N], [N s/m], [s]
   ReaderKnowledge knowledge = Knowledge();
