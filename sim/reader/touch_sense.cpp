@@ -106,7 +106,10 @@ void TouchSense::FindGiveInSwing(const ReaderInput& input) noexcept {
   if (!turns || !felt_.touching || !level_known_ || off <= 0 || less < kSwing * press_) return;
   const double found = off / less;
   if (found < give_ || found > kMostGive) return;
-  if (swings_++ == 0) yields_ = found;
+  if (swings_++ == 0) {
+    yields_ = found;
+    return;
+  }
   const double share = std::max(kNewest, 0.5 / swings_);
   yields_ *= found > yields_ ? 1 + share : 1 - share;
 }
