@@ -35,7 +35,7 @@ constexpr double kRow = 0.13;        ///< between ways that look for a line; les
 constexpr double kAcrossRows = 3;    ///< their length
 constexpr double kDeepest = 4;       ///< the next line lies no deeper
 constexpr double kToFrame = 10;      ///< so much of a line tells size and turn
-constexpr double kToLine = 4;        ///< or height alone
+constexpr double kToLine = 8;        ///< or height alone; the beginning may lack lower dots
 constexpr double kLookAhead = 1.6;   ///< behind a sign that is decided
 constexpr double kThinks = 0.3;      ///< after so much more was felt
 constexpr double kBeginsLeft = 0.9;  ///< of its ink a sign begins at most
@@ -196,10 +196,13 @@ double HatchReader::ColumnWidth() const {
          (line_starts_.empty() && !framed_ ? knowledge_.least_size : size_);
 }
 
-/// The next column, upwards or downwards in turn.
+/// The next column, upwards or downwards in turn, and aside to where the one after it begins: ways
+/// that lean in turn would leave gaps of two columns at their ends.
 void HatchReader::GoOn() {
-  way_.push_back(FromEm(hatch_, {column_, upwards_ ? high_ : low_}));
+  const double end = upwards_ ? high_ : low_;
+  way_.push_back(FromEm(hatch_, {column_, end}));
   column_ += ColumnWidth();
+  way_.push_back(FromEm(hatch_, {column_, end}));
   upwards_ = !upwards_;
 }
 

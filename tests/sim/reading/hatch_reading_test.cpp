@@ -75,6 +75,16 @@ TEST(SlowHatchReading, ReadsRaisedDots) {
   ExpectRead({kText, "braille", Relief::kEmbossed, 0.005, 3}, 5);
 }
 
+// The second line begins with cells that have no lower dots: told by those alone it may as well lie
+// a row of dots higher, and with it all lines that follow.
+TEST(SlowHatchReading, TellsALinesHeightByMoreThanItsBeginning) {
+  const Sheet sheet("emub rd sbqg cn\nchcrn sd uus ss\nbhbre nerd", "braille", Relief::kEmbossed,
+                    0.010, 7);
+  const ReadingScore score = sheet.Score(RunReading(sheet.setup));
+  EXPECT_EQ(score.signs, 33U);
+  EXPECT_GE(score.signs_right, 26U);
+}
+
 TEST(SlowHatchReading, ReadsRaisedLetters) {
   ExpectRead({kText, "moon", Relief::kEmbossed, 0.006, 3}, 2);
 }
