@@ -69,7 +69,7 @@ ReadingSetup SetupOf(const RecogniseOptions& options, const Reading& reading, st
   setup.device = reading.device;
   setup.senses.unsure = options.unsure.value_or(0);
   setup.hand = ShippedHand();
-  setup.hand.press = options.press.value_or(ReadingPress(setup.hand, style.relief, text.script));
+  setup.hand.press = options.press.value_or(ReadingPress(setup.hand, style, text.script));
   setup.press_given = options.press.has_value();
   CompleteSetup(setup, shapes, text.script, style, options.seed + page * 0x9e3779b9u);
   if (!options.picture.empty()) setup.path_spacing = style.width / 20;
@@ -278,17 +278,16 @@ int ReadLabel(const RecogniseOptions& options, Console& console) {
   reading.text =
       SetUpText({options.text, options.style, layout, options.feel, "recognise"}, console);
   SayReplacements(reading.text.set, [&console](const std::string& line) { console.Remark(line); });
-  const bool followed = IsFollowed(reading.text.set.style.relief, reading.text.script);
+  const bool followed = IsFollowed(reading.text.set.style, reading.text.script);
   if (reading.device && !CanBeReadOn(reading.device->limits, followed)) {
     throw InputError(say::ReadsWhereLettersAreFelt(options.device, followed));
   }
-  if (reading.text.set.style.links.reach != LinkReach::kNone) throw UsageError(say::ReadsNoLinks());
   const std::unique_ptr<ViewFeed> feed = ViewFeed::OpenOfTrial(options.view, console);
   std::optional<TrialView> view;
   if (feed) view.emplace(*feed, console, ReadingPanel());
   if (view && !options.feel.model.empty()) view->ShowModel(reading.text.others);
   const auto shapes =
-      KnownShapes(reading.text.script, reading.text.set.style.relief, reading.text.set.pages);
+      KnownShapes(reading.text.script, reading.text.set.style, reading.text.set.pages);
   const std::size_t pages = reading.text.set.pages.size();
   std::optional<PagePictures> pictures;
   if (!options.picture.empty()) pictures.emplace(options.picture, pages);

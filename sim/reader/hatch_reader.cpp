@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/reader/line_frame.h"
+#include "sim/reader/link_ink.h"
 #include "textures/base/units.h"
 
 namespace moontrace {
@@ -40,10 +41,12 @@ constexpr double kLookAhead = 1.6;   ///< behind a sign that is decided
 constexpr double kThinks = 0.3;      ///< after so much more was felt
 constexpr double kBeginsLeft = 0.9;  ///< of its ink a sign begins at most
 constexpr double kBeginsRight = 0.2;
-constexpr double kMetBeyond = 0.1;  ///< a line's ink, where it was met
-constexpr int kMostRestarts = 2;    ///< of the search for the first line
-constexpr double kInside = 0.002;   ///< of a face's edges the hand stays [m]
-constexpr double kLeastFit = 20;    ///< nats, else what was felt is no line
+constexpr double kUnknownSlack = 0.45;  ///< behind what is no sign
+constexpr double kUnknownClaims = 0.6;  ///< share of ink that it accounts for
+constexpr double kMetBeyond = 0.1;      ///< a line's ink, where it was met
+constexpr int kMostRestarts = 2;        ///< of the search for the first line
+constexpr double kInside = 0.002;       ///< of a face's edges the hand stays [m]
+constexpr double kLeastFit = 20;        ///< nats, else what was felt is no line
 constexpr double kGreatestTurn = 3 * kDegree;
 
 }  // namespace
@@ -296,7 +299,10 @@ void HatchReader::Feel(const Felt& felt) {
       points_.empty() || glm::distance(sampled_, felt.place) > kSample * knowledge_.width;
   if (!far) return;
   sampled_ = felt.place;
-  HatchPoint point{felt.place, felt.depth > (dots_ && knowledge_.raised ? kDotSlope : kSlope)};
+  HatchPoint point;
+  point.p = point.felt = felt.place;
+  point.depth = felt.depth;
+  point.ink = felt.depth > (dots_ && knowledge_.raised ? kDotSlope : kSlope);
   const double push = glm::length(felt.wall);
   if (point.ink && push > 0) {
     // a ridge pushes the tip away from its middle, a groove towards it
@@ -323,6 +329,7 @@ void HatchReader::Think() {
     return SearchNextLine(0.25 - belief_.bounds().min.y);
   }
   if (!inked_) return;
+  if (knowledge_.link_depth > 0) MarkLinks(points_, knowledge_.width, knowledge_.link_depth);
   const double enough = line_starts_.empty() ? kToFrame * knowledge_.least_size : kToLine * size_;
   if (!framed_ && (ended || FeltTo() - ink_from_ > enough) && !FindFrame()) {
     if (line_starts_.empty()) return SearchFirstLine(met_.y - kRow * size_);
@@ -344,7 +351,16 @@ LinePrior HatchReader::PriorNow() const {
   if (prior.anywhere) {
     prior.before = kBeginsLeft;
     prior.behind = kBeginsRight;
+  } else if (line_.back().sign == SignGuess::kUnknown) {
+    // how wide that was is not known
+    prior.anywhere = true;
+    prior.before = prior.behind = kUnknownSlack;
+    prior.claimed = kUnknownClaims;
+  } else {
+    prior.claimed = 1;
+    prior.left = line_.back().sign;
   }
+  prior.links = links_.get();
   prior.felt_to = ToEm(frame_, FromEm(hatch_, {FeltTo(), 0})).x;
   return prior;
 }
@@ -378,6 +394,7 @@ bool HatchReader::FindFrame() {
   size_ = frame_.size;
   turn_ = frame_.turn;
   framed_ = true;
+  if (knowledge_.links && links_ == nullptr) links_ = knowledge_.links(size_);
   return true;
 }
 

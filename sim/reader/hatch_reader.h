@@ -52,6 +52,7 @@ class HatchReader final : public PageReader {
   void LineDone();
 
   ReaderKnowledge knowledge_;
+  std::shared_ptr<const LinkShapes> links_;  ///< once the size is known, if there are any
   LineBelief belief_;
   bool dots_ = true;  ///< and nothing else in the script
   TouchSense sense_;

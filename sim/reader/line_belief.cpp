@@ -25,11 +25,28 @@ constexpr double kSlack = 0.05;   ///< of a sign's beginning about where it is e
 constexpr double kMostSlack = 3;  ///< the same at most, in standard deviations
 constexpr double kFineStep = 0.04;
 constexpr double kNever = -1e9;
+// of links
+constexpr double kLinkInk = 0.7;    ///< share of a sign's ink that ink on a link's end counts
+constexpr double kOfLink = 0.3;     ///< the same of ink felt to be a link's
+constexpr double kOtherWay = 15;    ///< costs a link that goes otherwise than it would alone
+constexpr double kLeastOwn = 20;    ///< of what is felt of a sign, else it has no link
+constexpr double kUnlikelier = 60;  ///< than the likeliest sign: not looked at
 
 /// The first of points by x that lies right of `x` [em].
 std::vector<glm::dvec2>::const_iterator FirstFrom(const std::vector<glm::dvec2>& points, double x) {
   return std::lower_bound(points.begin(), points.end(), x,
                           [](glm::dvec2 p, double from) { return p.x < from; });
+}
+
+/// Of a squared distance from a line in standard deviations, against flat paper.
+double InkGain(double distance, double spread) {
+  const double off = std::max(0.0, distance) / spread;
+  return kInk - 0.5 * off * off;
+}
+
+/// Of flat paper so far from a line, felt within `inner` of it.
+double FlatShare(double distance, double inner) {
+  return distance < inner ? std::min(1.0, 2 * (1 - distance / inner)) : 0;
 }
 
 double LogSum(double a, double b) {
@@ -64,10 +81,10 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   for (const HatchPoint& point : points) {
     const glm::dvec2 p = ToEm(prior.next, point.p);
     if (p.x < line.from + window_ || p.x > prior.felt_to || p.y < low || p.y > high) continue;
-    (point.ink ? line.ink : line.flat).push_back(p);
+    (point.of_link ? line.of_links : point.ink ? line.ink : line.flat).push_back(p);
     last = std::max(last, p.x);
   }
-  for (std::vector<glm::dvec2>* felt : {&line.ink, &line.flat}) {
+  for (std::vector<glm::dvec2>* felt : {&line.ink, &line.flat, &line.of_links}) {
     std::sort(felt->begin(), felt->end(),
               [](glm::dvec2 a, glm::dvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   }
@@ -75,7 +92,26 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   const double sure = std::hypot(kSpread, 2 * kSpreadWidths * line.half_width);
   line.spread = std::hypot(sure, prior.unsure / prior.next.size);
   line.flat_cost = kFlat * sure / line.spread;
+  for (int k = 0; k <= line.steps; ++k) {
+    const auto left = FirstFrom(line.ink, line.XOf(k) + window_) - line.ink.begin();
+    line.worth.push_back(kWeight * kInk * static_cast<double>(left));
+  }
   return line;
+}
+
+int LineBelief::Line::StepOf(double em) const {
+  return static_cast<int>(std::lround((em - from) / step));
+}
+
+int LineBelief::Line::StepsIn(double em) const {
+  return std::max(1, static_cast<int>(std::lround(em / step)));
+}
+
+double LineBelief::Line::WorthBetween(int a, int b) const {
+  const auto at = [this](int k) {
+    return worth[static_cast<std::size_t>(std::clamp(k, 0, steps))];
+  };
+  return b > a ? at(b) - at(a) : 0;
 }
 
 /// What the points of a sign's share of the line say for it.
@@ -84,16 +120,67 @@ double LineBelief::Gain(const Line& line, std::size_t sign, glm::dvec2 at) const
   const double inner = kInner * line.half_width;
   double gain = 0;
   for (auto ink = FirstFrom(line.ink, from); ink != line.ink.end() && ink->x < to; ++ink) {
-    const double d = shapes_->Distance(sign, *ink - at);
-    const double off = std::max(0.0, d) / line.spread;
-    gain += std::max(0.0, kInk - 0.5 * off * off);
+    gain += std::max(0.0, InkGain(shapes_->Distance(sign, *ink - at), line.spread));
   }
   double flat = 0;
   for (auto p = FirstFrom(line.flat, from); p != line.flat.end() && p->x < to; ++p) {
-    const double d = shapes_->Distance(sign, *p - at);
-    if (d < inner) flat += std::min(1.0, 2 * (1 - d / inner));
+    flat += FlatShare(shapes_->Distance(sign, *p - at), inner);
   }
   return kWeight * (gain - line.flat_cost * flat);
+}
+
+/// With its own links.
+double LineBelief::OwnGain(const Line& line, const LinePrior& prior, std::size_t sign,
+                           double x) const {
+  const double gain = Gain(line, sign, {x, 0});
+  if (prior.links == nullptr) return gain;
+  const double from = x + window_, to = from + shapes_->Advance(sign);
+  return gain +
+         LinkGain(line, prior.links->Within(sign), {sign, sign, {x, 0}, {x, 0}, from, to, to});
+}
+
+LineBelief::Pair LineBelief::PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const {
+  const double split = x_b + window_;
+  return {a, b, {x_a, 0}, {x_b, 0}, x_a + window_, split, split + shapes_->Advance(b)};
+}
+
+/// What a link explains that its signs do not.
+double LineBelief::LinkGain(const Line& line, const LinkShapes::Link& link,
+                            const Pair& pair) const {
+  if (!link.exists()) return 0;
+  const double from = std::max(pair.from, pair.at_a.x + link.left());
+  const double to = std::min(pair.to, pair.at_a.x + link.right());
+  const double inner = kInner * line.half_width;
+  const auto to_sign = [&](glm::dvec2 p) {
+    return p.x < pair.split ? shapes_->Distance(pair.a, p - pair.at_a)
+                            : shapes_->Distance(pair.b, p - pair.at_b);
+  };
+  double gain = 0;
+  for (auto ink = FirstFrom(line.ink, from); ink != line.ink.end() && ink->x < to; ++ink) {
+    const double by_link = kLinkInk * InkGain(link.DistanceToDeep(*ink - pair.at_a), line.spread);
+    if (by_link <= 0) continue;
+    gain += std::max(0.0, by_link - std::max(0.0, InkGain(to_sign(*ink), line.spread)));
+  }
+  for (auto p = FirstFrom(line.of_links, from); p != line.of_links.end() && p->x < to; ++p) {
+    gain += std::max(0.0, kOfLink * InkGain(link.Distance(*p - pair.at_a), line.spread));
+  }
+  double flat = 0;
+  for (auto p = FirstFrom(line.flat, from); p != line.flat.end() && p->x < to; ++p) {
+    const double share = FlatShare(link.Distance(*p - pair.at_a), inner);
+    if (share > 0 && to_sign(*p) >= inner) flat += share;
+  }
+  return std::max(-kOtherWay, kWeight * (gain - line.flat_cost * flat));
+}
+
+/// By the link from the sign before, which is known, over so many spaces.
+double LineBelief::FromLeft(const Line& line, const LinePrior& prior, std::size_t sign, double x,
+                            int spaces) const {
+  if (prior.links == nullptr || !prior.left || spaces > 1) return 0;
+  if (spaces == 1 && !prior.links->LinksWords()) return 0;
+  const double way = shapes_->Advance(*prior.left) + prior.gap + spaces * (space_ + prior.gap);
+  const LinkShapes::Link& link =
+      spaces == 0 ? prior.links->Next(*prior.left, sign) : prior.links->Across(*prior.left, sign);
+  return LinkGain(line, link, PairOf(*prior.left, sign, x - way, x));
 }
 
 double LineBelief::UnknownGain(const Line& line, double x) const {
@@ -104,45 +191,102 @@ double LineBelief::UnknownGain(const Line& line, double x) const {
   return kWeight * gain - kUnknownPrior;
 }
 
-LineBelief::Backward LineBelief::LookBack(const Line& line, const LinePrior& prior) const {
-  const double slack = std::hypot(kSlack, prior.unsure / prior.next.size);
-  const int reach = static_cast<int>(std::lround(kMostSlack * slack / line.step));
-  const auto steps_of = [&line](double em) {
-    return std::max(1, static_cast<int>(std::lround(em / line.step)));
-  };
-  const double prior_of_a_sign = -std::log(static_cast<double>(shapes_->size()));
-  const int space = steps_of(space_ + prior.gap), unknown = steps_of(kUnknownWide);
-  Backward back;
-  back.begins.assign(static_cast<std::size_t>(line.steps) + 1, kNever);
-  back.expected.assign(static_cast<std::size_t>(line.steps) + 1, kNever);
+/// What a line says from a sign on that begins at one step, if the next is expected at another.
+double LineBelief::From(const Line& line, const LinePrior& prior, const Backward& back,
+                        std::size_t sign, int begins, int then) const {
   const auto expected = [&](int k) {
     return k > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(k)];
   };
+  const double x = line.XOf(begins), own = OwnGain(line, prior, sign, x);
+  if (prior.links == nullptr || then > line.steps) return own + expected(then);
+  const auto linked = [&](int k, bool across) {
+    const std::vector<double>& signs = back.sign_expected[static_cast<std::size_t>(k)];
+    const double most = *std::max_element(signs.begin(), signs.end());
+    const double x_b = x + shapes_->Advance(sign) + prior.gap + (across ? space_ + prior.gap : 0);
+    double sum = back.unlinked[static_cast<std::size_t>(k)];
+    for (std::size_t b = 0; b < signs.size(); ++b) {
+      if (signs[b] < most - kUnlikelier) continue;
+      const LinkShapes::Link& link =
+          across ? prior.links->Across(sign, b) : prior.links->Next(sign, b);
+      sum = LogSum(
+          sum, signs[b] + (own > kLeastOwn ? LinkGain(line, link, PairOf(sign, b, x, x_b)) : 0));
+    }
+    return sum;
+  };
+  const int behind = then + line.StepsIn(space_ + prior.gap);
+  double space = expected(behind);
+  if (prior.links->LinksWords() && behind <= line.steps) space = linked(behind, true);
+  return own + LogSum(linked(then, false), space - kSpacePrior);
+}
+
+/// What a line says if something is expected about a step, from what begins about there.
+void LineBelief::Expect(const Line& line, const LinePrior& prior, int k, Backward& back) const {
+  const double slack = std::hypot(kSlack, prior.unsure / prior.next.size);
+  const int reach = static_cast<int>(std::lround(kMostSlack * slack / line.step));
+  const int space = line.StepsIn(space_ + prior.gap), unknown = line.StepsIn(kUnknownWide);
+  const double prior_of_a_sign = -std::log(static_cast<double>(shapes_->size()));
+  const auto expected = [&](int at) {
+    return at > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(at)];
+  };
+  const auto at = static_cast<std::size_t>(k);
+  double sum = -kEndPrior, unlinked = -kEndPrior;
+  for (int off = -reach; off <= reach; ++off) {
+    const int j = k + off;
+    if (j < 0) continue;
+    const double spread = off * line.step / slack;
+    const double place =
+        -0.5 * spread * spread - std::log(slack / line.step * 2.5066) - line.WorthBetween(j, k);
+    const bool beyond = j > line.steps;
+    const auto begins = static_cast<std::size_t>(j);
+    sum = LogSum(sum, place + (beyond ? 0 : back.begins[begins]));
+    if (prior.links == nullptr) continue;
+    if (beyond) {
+      unlinked = LogSum(unlinked, place);
+      continue;
+    }
+    const double what_is_no_sign =
+        UnknownGain(line, line.XOf(j)) + expected(std::max(j + reach + 1, j + unknown));
+    unlinked = LogSum(unlinked, place + what_is_no_sign);
+    for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
+      double& of = back.sign_expected[at][sign];
+      of = LogSum(of, place + prior_of_a_sign + back.sign_begins[begins][sign]);
+    }
+  }
+  back.expected[at] = LogSum(sum, expected(k + space) - kSpacePrior);
+  if (prior.links != nullptr) back.unlinked[at] = unlinked;
+}
+
+LineBelief::Backward LineBelief::LookBack(const Line& line, const LinePrior& prior) const {
+  const double slack = std::hypot(kSlack, prior.unsure / prior.next.size);
+  const int reach = static_cast<int>(std::lround(kMostSlack * slack / line.step));
+  const double prior_of_a_sign = -std::log(static_cast<double>(shapes_->size()));
+  const int unknown = line.StepsIn(kUnknownWide);
+  const std::size_t count = static_cast<std::size_t>(line.steps) + 1;
+  Backward back;
+  back.begins.assign(count, kNever);
+  back.expected = back.begins;
+  if (prior.links != nullptr) {
+    back.unlinked = back.begins;
+    back.sign_begins.assign(count, std::vector<double>(shapes_->size(), kNever));
+    back.sign_expected = back.sign_begins;
+  }
   // signs begin before they are expected, too: those steps are done first
   for (int k = line.steps + reach; k >= 0; --k) {
     if (const int j = k - reach; j >= 0) {
       double sum = kNever;
-      const double x = line.from + j * line.step;
+      const double x = line.XOf(j);
       for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
-        const int next = j + steps_of(shapes_->Advance(sign) + prior.gap);
+        const int next = j + line.StepsIn(shapes_->Advance(sign) + prior.gap);
         // what comes behind one that is narrower than the slack is not known yet
-        const double rest = expected(std::max(next, k + 1));
-        sum = LogSum(sum, prior_of_a_sign + Gain(line, sign, {x, 0}) + rest);
+        const double log = From(line, prior, back, sign, j, std::max(next, k + 1));
+        if (prior.links != nullptr) back.sign_begins[static_cast<std::size_t>(j)][sign] = log;
+        sum = LogSum(sum, prior_of_a_sign + log);
       }
-      sum = LogSum(sum, UnknownGain(line, x) + expected(std::max(k + 1, j + unknown)));
-      back.begins[static_cast<std::size_t>(j)] = sum;
+      const int then = std::max(k + 1, j + unknown);
+      const double rest = then > line.steps ? 0 : back.expected[static_cast<std::size_t>(then)];
+      back.begins[static_cast<std::size_t>(j)] = LogSum(sum, UnknownGain(line, x) + rest);
     }
-    if (k > line.steps) continue;
-    double sum = -kEndPrior;
-    for (int off = -reach; off <= reach; ++off) {
-      const int j = k + off;
-      if (j < 0) continue;
-      const double log = j > line.steps ? 0 : back.begins[static_cast<std::size_t>(j)];
-      const double spread = off * line.step / slack;
-      sum = LogSum(sum, log - 0.5 * spread * spread - std::log(slack / line.step * 2.5066));
-    }
-    sum = LogSum(sum, expected(k + space) - kSpacePrior);
-    back.expected[static_cast<std::size_t>(k)] = sum;
+    if (k <= line.steps) Expect(line, prior, k, back);
   }
   return back;
 }
@@ -154,7 +298,7 @@ double LineBelief::Fit(const std::vector<HatchPoint>& points, const LinePrior& p
   double sum = kNever;
   int count = 0;
   for (int k = 0; k <= line.steps; ++k) {
-    const double x = line.from + k * line.step;
+    const double x = line.XOf(k);
     if (x < -prior.before || x > prior.behind) continue;
     sum = LogSum(sum, back.begins[static_cast<std::size_t>(k)]);
     ++count;
@@ -169,7 +313,7 @@ double LineBelief::CostOfInk(const std::vector<HatchPoint>& points, const SignPl
   double cost = 0;
   for (const HatchPoint& point : points) {
     const double y = ToEm(line, point.p).y;
-    if (!point.ink || y < bounds_.min.y - edge - kClear) continue;
+    if (!point.ink || point.of_link || y < bounds_.min.y - edge - kClear) continue;
     const bool on_line = y > bounds_.min.y - edge && y < bounds_.max.y + edge;
     cost += kWeight * kInk * (on_line ? kOnLine : 1);
   }
@@ -194,10 +338,6 @@ NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePri
   const Line line = Prepared(points, prior, kFineStep);
   const Backward back = LookBack(line, prior);
   const double slack = std::hypot(kSlack, prior.unsure / prior.next.size);
-  const auto expected = [&](double x) {
-    const auto k = static_cast<int>(std::lround((x - line.from) / line.step));
-    return k > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(std::max(0, k))];
-  };
   struct Answer {
     double log = kNever, best = kNever, x = 0;
     bool space = false;
@@ -212,17 +352,26 @@ NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePri
       answer.space = space;
     }
   };
+  const auto expected = [&](double x) {
+    const int k = line.StepOf(x);
+    return k > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(std::max(0, k))];
+  };
   for (int j = 0; j <= line.steps; ++j) {
-    const double x = line.from + j * line.step;
+    const double x = line.XOf(j);
     for (int spaces = 0; spaces <= (prior.anywhere ? 0 : kMostSpaces); ++spaces) {
       const double off = x - spaces * (space_ + prior.gap);
       const std::optional<double> place = LogOfPlace(prior, off, slack, line.step);
       if (!place) continue;
-      const double log = *place - spaces * kSpacePrior;
+      double log = *place - spaces * kSpacePrior;
+      if (spaces == 0) log -= prior.claimed * line.WorthBetween(j, line.StepOf(0));
       for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
+        const double says =
+            prior.links != nullptr
+                ? back.sign_begins[static_cast<std::size_t>(j)][sign]
+                : Gain(line, sign, {x, 0}) + expected(x + shapes_->Advance(sign) + prior.gap);
         add(sign,
-            log - std::log(static_cast<double>(shapes_->size())) + Gain(line, sign, {x, 0}) +
-                expected(x + shapes_->Advance(sign) + prior.gap),
+            log - std::log(static_cast<double>(shapes_->size())) + says +
+                FromLeft(line, prior, sign, x, spaces),
             x, spaces > 0);
       }
       add(shapes_->size(), log + UnknownGain(line, x) + expected(x + kUnknownWide), x, spaces > 0);

@@ -4,14 +4,18 @@
 #include <optional>
 #include <vector>
 
+#include "sim/reader/link_shapes.h"
 #include "sim/reader/sign_belief.h"
 
 namespace moontrace {
 
 /// What was felt at one place of a line that is gone over from edge to edge.
 struct HatchPoint {
-  glm::dvec2 p{0, 0};  ///< of ink where its middle must lie, as its slope tells [m]
-  bool ink = false;    ///< else flat paper
+  glm::dvec2 p{0, 0};     ///< of ink where its middle must lie, as its slope tells [m]
+  bool ink = false;       ///< else flat paper
+  bool of_link = false;   ///< ink of a link between letters
+  glm::dvec2 felt{0, 0};  ///< where the tip was [m]
+  double depth = 0;       ///< of it, share of a letter's
 };
 
 /// What is known of a line before its signs.
@@ -23,6 +27,9 @@ struct LinePrior {
   double unsure = 0;      ///< rms error of places [m]
   double felt_to = 0;     ///< all before was felt, from `next` [em]
   bool anywhere = false;  ///< within those bounds it begins anywhere, not most likely at `next`
+  double claimed = 0;     ///< share of the ink left of `next` that the sign before accounts for
+  const LinkShapes* links = nullptr;  ///< between signs; null: signs stand apart
+  std::optional<std::size_t> left;    ///< the sign before, from which a link may come
 };
 
 /// The next thing on a line.
@@ -36,7 +43,9 @@ struct NextOnLine {
 /// the one before, so that a line's likelihood is a sum over all ways to divide it, from its end
 /// backwards (the backward half of the forward-backward algorithm). Each point counts by what it
 /// says against flat paper: ink by its squared distance from the sign's lines, up to a bound, flat
-/// paper against signs that have ink there. For ridges and dots, which no tip follows.
+/// paper against signs that have ink there. Where signs are linked, each pair also by its link: its
+/// ends explain ink, if less well than signs do, and all of it what was felt to be a link's. For
+/// ridges and dots, which no tip follows, and for linked grooves.
 class LineBelief {
  public:
   /// `width`: of groove or ridge [m]; `space`: advance [em]. The shapes have dots by their middles.
@@ -60,23 +69,47 @@ class LineBelief {
  private:
   struct Line {
     // by x, apart, since a branch on what a point is would be mispredicted
-    std::vector<glm::dvec2> ink, flat;  ///< [em]
-    double half_width = 0;              ///< [em]
-    double spread = 0;                  ///< of ink about a sign's lines [em]
-    double flat_cost = 0;               ///< of flat paper on one
-    double step = 0;                    ///< [em]
-    double from = 0;                    ///< of the first step [em]
+    std::vector<glm::dvec2> ink, flat, of_links;  ///< [em]
+    double half_width = 0;                        ///< [em]
+    double spread = 0;                            ///< of ink about a sign's lines [em]
+    double flat_cost = 0;                         ///< of flat paper on one
+    double step = 0;                              ///< [em]
+    double from = 0;                              ///< of the first step [em]
     int steps = 0;
+    std::vector<double> worth;  ///< of ink left of each step's sign's share, at most
+
+    double XOf(int k) const { return from + k * step; }
+    int StepOf(double em) const;  ///< the number of a step
+    int StepsIn(double em) const;
+    /// Of the ink between two steps: signs that begin nearer than they are wide both claim it.
+    double WorthBetween(int a, int b) const;
   };
   /// What a line says from each step on.
   struct Backward {
     std::vector<double> begins;    ///< a sign begins there
     std::vector<double> expected;  ///< one is expected about there
+    // the same of each sign, where there are links, by step and sign
+    std::vector<std::vector<double>> sign_begins, sign_expected;
+    std::vector<double> unlinked;  ///< what is no sign is expected there, or nothing
+  };
+  /// Two signs and where the line is divided between them [em].
+  struct Pair {
+    std::size_t a = 0, b = 0;
+    glm::dvec2 at_a{0, 0}, at_b{0, 0};
+    double from = 0, split = 0, to = 0;  ///< their shares of the line
   };
 
   Line Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior, double step) const;
   double Gain(const Line& line, std::size_t sign, glm::dvec2 at) const;
   double UnknownGain(const Line& line, double x) const;
+  double OwnGain(const Line& line, const LinePrior& prior, std::size_t sign, double x) const;
+  double LinkGain(const Line& line, const LinkShapes::Link& link, const Pair& pair) const;
+  Pair PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const;
+  double FromLeft(const Line& line, const LinePrior& prior, std::size_t sign, double x,
+                  int spaces) const;
+  double From(const Line& line, const LinePrior& prior, const Backward& back, std::size_t sign,
+              int begins, int then) const;
+  void Expect(const Line& line, const LinePrior& prior, int k, Backward& back) const;
   Backward LookBack(const Line& line, const LinePrior& prior) const;
   SignPlace Placed(const Line& line, std::size_t sign, double x, const LinePrior& prior) const;
 

@@ -101,7 +101,7 @@ class Search {
     for (const HatchPoint& point : points_) {
       const glm::dvec2 p = ToEm(frame, point.p);
       const bool inside = p.y > own.min.y - kAbout && p.y < own.max.y + kAbout;
-      if (point.ink && inside) ink.push_back(p.x);
+      if (point.ink && !point.of_link && inside) ink.push_back(p.x);
     }
     if (ink.size() <= kStray) return std::nullopt;
     std::nth_element(ink.begin(), ink.begin() + kStray, ink.end());

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 
+#include "sim/reader/link_shapes.h"
 #include "sim/reader/sign_shapes.h"
 
 namespace moontrace {
@@ -49,10 +51,13 @@ struct ReaderKnowledge {
   double width = 0;          ///< of a groove, rim to rim [m]
   double depth = 0;          ///< of a groove [m]
   bool raised = false;       ///< ridges in place of grooves, so wide and so high
-  bool followed = true;      ///< grooves, in which a tip can go; else ridges or dots
+  bool followed = true;      ///< grooves, in which a tip can go; else ridges, dots, linked grooves
   double least_size = 0;     ///< letters are at least so large [m]
   double greatest_size = 0;  ///< and at most [m]
   double space = 0;          ///< advance of a space in the script [em]
+  double link_depth = 0;     ///< of links between letters, share of theirs; 0: there are none
+  /// The links of letters of a size [m], if there are any.
+  std::function<std::shared_ptr<const LinkShapes>(double size)> links;
   double heading_scale = 1;  ///< of headings, so many times as large as other lines; 1: as large
 
   std::optional<ReaderFace> face;  ///< none: paper, without an edge in reach

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "sim/reading/known_links.h"
 #include "textures/base/random.h"
 #include "textures/base/units.h"
 #include "textures/typeset/typeset.h"
@@ -32,11 +33,12 @@ ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Scri
 
 }  // namespace
 
-bool IsFollowed(Relief relief, const Script& script) {
-  return relief == Relief::kEngraved && script.braille_tables.empty();
+bool IsFollowed(const TypeStyle& style, const Script& script) {
+  return style.relief == Relief::kEngraved && script.braille_tables.empty() &&
+         style.links.reach == LinkReach::kNone;
 }
 
-std::shared_ptr<const SignShapes> KnownShapes(const Script& script, Relief relief,
+std::shared_ptr<const SignShapes> KnownShapes(const Script& script, const TypeStyle& style,
                                               const std::vector<TextPage>& pages) {
   constexpr double kSixDots = -0.25;  // lowest ink is above this [em]
   const bool dots = !script.braille_tables.empty();
@@ -56,15 +58,15 @@ std::shared_ptr<const SignShapes> KnownShapes(const Script& script, Relief relie
   if (!eight) std::erase_if(which, has_more);
   return std::make_shared<const SignShapes>(
       script, which,
-      IsFollowed(relief, script) ? SignShapes::Dots::kFloors : SignShapes::Dots::kMiddles);
+      IsFollowed(style, script) ? SignShapes::Dots::kFloors : SignShapes::Dots::kMiddles);
 }
 
-double ReadingPress(const HandModel& hand, Relief relief, const Script& script) {
+double ReadingPress(const HandModel& hand, const TypeStyle& style, const Script& script) {
   // shares of the light press, chosen on seeds 1 to 20
   constexpr double kRaisedDots = 0.3, kDots = 1.75;
-  if (IsFollowed(relief, script)) return hand.press;
+  if (IsFollowed(style, script)) return hand.press;
   if (script.braille_tables.empty()) return hand.light_press;
-  return hand.light_press * (relief == Relief::kEmbossed ? kRaisedDots : kDots);
+  return hand.light_press * (style.relief == Relief::kEmbossed ? kRaisedDots : kDots);
 }
 
 void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes,
@@ -74,7 +76,11 @@ void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes
   knowledge.width = style.width;
   knowledge.depth = style.depth;
   knowledge.raised = style.relief == Relief::kEmbossed;
-  knowledge.followed = IsFollowed(style.relief, script);
+  knowledge.followed = IsFollowed(style, script);
+  if (style.links.reach != LinkReach::kNone) {
+    knowledge.link_depth = style.links.depth;
+    knowledge.links = KnownLinks(knowledge.shapes, script, style);
+  }
   if (style.structure.read) knowledge.heading_scale = style.structure.heading_scale;
   knowledge.device_stiffness = setup.scene.rendering == Rendering::kProxy
                                    ? setup.scene.coupling_stiffness

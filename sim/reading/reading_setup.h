@@ -12,18 +12,18 @@
 
 namespace moontrace {
 
-/// Whether a tip can follow the signs: grooves, not ridges and not Braille's dots. The others are
-/// gone over line by line (HatchReader).
-bool IsFollowed(Relief relief, const Script& script);
+/// Whether a tip can follow the signs: grooves that stand apart, not ridges, Braille's dots or
+/// linked letters, whose ends a tip would pass. Those are gone over line by line (HatchReader).
+bool IsFollowed(const TypeStyle& style, const Script& script);
 
 /// The signs of a script as a reader knows them. Of Braille the cells of six dots, and those of
 /// eight where some page has one: that a text is in eight dots is said before.
-std::shared_ptr<const SignShapes> KnownShapes(const Script& script, Relief relief,
+std::shared_ptr<const SignShapes> KnownShapes(const Script& script, const TypeStyle& style,
                                               const std::vector<TextPage>& pages);
 
 /// The press of a hand that reads, unless another is asked for [N]: light over ridges, from which a
 /// firm one slips, and lighter over raised dots, round which it would slide.
-double ReadingPress(const HandModel& hand, Relief relief, const Script& script);
+double ReadingPress(const HandModel& hand, const TypeStyle& style, const Script& script);
 
 /// Completes a setup whose page, field, scene, hand and senses are there: what the reader is told,
 /// and, by the seed alone, how the page lies and what is left to chance. The page is turned by up

@@ -86,7 +86,7 @@ Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeSty
   drawing.description = say::ReadingPictureWords(text, read);
   const std::string words =
       fmt::format("{}. {} {}", drawing.title, drawing.description,
-                  say::ReadingPictureLegend(style, IsFollowed(style.relief, script), blank));
+                  say::ReadingPictureLegend(style, IsFollowed(style, script), blank));
   std::vector<TextMark> lines =
       TextBlock(words, {border, 0}, drawing.width - 2 * border, print, palette::kInk);
   const double words_height = (lines.empty() ? 0 : -lines.back().at.y) + border;

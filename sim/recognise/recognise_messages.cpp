@@ -68,15 +68,11 @@ std::string AsRead() { return "As read, line by line:"; }
 
 std::string InPrint() { return "In print, line by line:"; }
 
-std::string ReadsNoLinks() {
-  return "recognise cannot read links between letters yet: leave --links out";
-}
-
 std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed) {
-  return fmt::format("device profile {}: recognise needs one that {}; name another",
-                     Quoted(profile),
-                     followed ? "measures and pushes x and y"
-                              : "measures z too for ridges and Braille, which are not followed");
+  return fmt::format(
+      "device profile {}: recognise needs one that {}; name another", Quoted(profile),
+      followed ? "measures and pushes x and y"
+               : "measures z too for ridges, Braille and linked letters, which are not followed");
 }
 
 std::string ReaderPressedThrough(std::size_t page, std::size_t count) {

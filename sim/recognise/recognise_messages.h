@@ -21,7 +21,6 @@ std::string Confusions(const ReadingScore& score, const Script& script);
 std::string AsRead();
 /// Of Braille, behind the cells.
 std::string InPrint();
-std::string ReadsNoLinks();
 /// The profile does not measure or push along the paper, or not up and down where signs are not
 /// followed.
 std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed);

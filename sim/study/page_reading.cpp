@@ -53,10 +53,11 @@ ReadingSetup SetupOf(const ReadingCell& cell, const TextPage& page, const Textur
 
 void CheckCell(const ReadingCell& cell) {
   const Script script = FindScript(cell.script);
-  CheckStyle(StyleOf(cell, script), script);
+  const TypeStyle style = StyleOf(cell, script);
+  CheckStyle(style, script);
   PaperOf(cell);
   const auto device = DeviceOf(cell);
-  if (device && !CanBeReadOn(device->limits, IsFollowed(cell.relief, script))) {
+  if (device && !CanBeReadOn(device->limits, IsFollowed(style, script))) {
     throw InputError(
         fmt::format("{} does not measure and push all that it takes: name another", cell.device));
   }
@@ -69,7 +70,7 @@ PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint
   const Script script = FindScript(cell.script);
   const TypeStyle style = StyleOf(cell, script);
   const Typeset set = SetText(text, script, style, PaperOf(cell));
-  const auto shapes = KnownShapes(script, cell.relief, set.pages);
+  const auto shapes = KnownShapes(script, style, set.pages);
   PageReading read;
   read.ended = true;
   std::uint64_t sheet_seed = seed;
@@ -98,7 +99,8 @@ void CompleteSweep(ReadingSweep& sweep, const std::string& file) {
     try {
       CheckCell(cell);
       if (!(cell.press > 0)) {
-        cell.press = ReadingPress(ShippedHand(), cell.relief, FindScript(cell.script));
+        const Script script = FindScript(cell.script);
+        cell.press = ReadingPress(ShippedHand(), StyleOf(cell, script), script);
       }
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: reading, {}: {}", file, cell.name, error.what()));

@@ -129,12 +129,20 @@ TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
   const Outcome ridges = RunLine({"recognise", "so", "--embossed", "--device", "sidewinder-ff2"});
   EXPECT_EQ(ridges.code, 3);
   EXPECT_NE(ridges.err.find("measures z too"), std::string::npos) << ridges.err;
-  const Outcome links = RunLine({"recognise", "so", "--links", "words"});
-  EXPECT_EQ(links.code, 2);
-  EXPECT_NE(links.err.find("leave --links out"), std::string::npos) << links.err;
+  // or where a link leaves a letter
+  const Outcome links =
+      RunLine({"recognise", "so", "--links", "words", "--device", "sidewinder-ff2"});
+  EXPECT_EQ(links.code, 3);
+  EXPECT_NE(links.err.find("linked letters"), std::string::npos) << links.err;
 }
 
 using SlowRecogniseCommand = RecogniseCommand;
+
+TEST_F(SlowRecogniseCommand, ReadsLinkedLetters) {
+  const Outcome words = RunLine({"recognise", "so we met", "--links", "letters", "--seed", "1"});
+  EXPECT_EQ(words.code, 0) << words.err;
+  EXPECT_NE(words.out.find("so we met"), std::string::npos) << words.out;
+}
 
 TEST_F(SlowRecogniseCommand, TellsBrailleInPrintToo) {
   const Outcome words = RunLine({"recognise", "lego", "--script", "braille", "--seed", "2"});

@@ -2,14 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
 #include "sim/reader/line_frame.h"
+#include "sim/reading/known_links.h"
 #include "sim/reading/reading_setup.h"
 #include "textures/base/units.h"
 #include "textures/fonts/script_library.h"
+#include "textures/relief/groove_links.h"
+#include "textures/typeset/typeset.h"
 
 namespace moontrace {
 namespace {
@@ -19,7 +24,7 @@ constexpr double kSize = 0.005, kWidth = 0.0015;
 /// A line of Braille cells as a hand without any error would feel it, a place each tenth of an em.
 struct BrailleLine {
   BrailleLine() : script(FindScript("braille")) {
-    shapes = KnownShapes(script, Relief::kEmbossed, {});
+    shapes = KnownShapes(script, DefaultStyle(kSize, Relief::kEmbossed, script), {});
   }
   std::size_t Sign(const std::string& name) const {
     for (std::size_t sign = 0; sign < shapes->size(); ++sign) {
@@ -114,12 +119,147 @@ TEST(LineBelief, WhatNoSignHasIsUnknown) {
   const BrailleLine line;
   const SignPlace at{{0, 0}, kSize, 0};
   std::vector<HatchPoint> points = line.Felt({"dots-1"}, at);
-  for (double x = 0; x < 0.7; x += 0.05) points.push_back({FromEm(at, {x, 0.25}), true});
+  // a bar as wide as a ridge, felt as closely as a hand feels one
+  for (double x = 0; x < 0.7; x += 0.08) {
+    for (double y = 0.15; y < 0.4; y += 0.075) points.push_back({FromEm(at, {x, y}), true});
+  }
   const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
   LinePrior prior;
   prior.next = at;
   prior.felt_to = 4;
   EXPECT_EQ(belief.Next(points, prior).sign.sign, SignGuess::kUnknown);
+}
+
+// Signs may begin a little before the one before them ends; what both then cover is felt but once.
+// Half of what ink on a line is worth is its cost.
+TEST(LineBelief, InkIsNotClaimedByTwo) {
+  const BrailleLine line;
+  const SignPlace at{{0, 0}, kSize, 0};
+  std::vector<HatchPoint> points;
+  for (double y = -0.2; y < 1.2; y += 0.002) points.push_back({FromEm(at, {0.55, y}), true});
+  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
+  LinePrior prior;
+  prior.next = at;
+  prior.felt_to = 4;
+  prior.anywhere = true;
+  prior.before = 0.9;
+  prior.behind = 0.2;
+  EXPECT_LT(belief.Fit(points, prior, 0.04), 2 * belief.CostOfInk(points, at));
+}
+
+/// What a hand without any error feels of a page of one line of Moon whose letters are linked.
+struct LinkedLine {
+  explicit LinkedLine(const std::string& text) : script(FindScript("moon")) {
+    style = DefaultStyle(kSize, Relief::kEngraved, script);
+    style.links.reach = LinkReach::kLetters;
+    set = SetText(text, script, style, FindPage("a4"));
+    shapes = KnownShapes(script, style, set.pages);
+    links = KnownLinks(shapes, script, style)(kSize);
+    at = {set.pages.front().glyphs.front().origin_P, kSize, 0};
+  }
+
+  std::vector<HatchPoint> Felt() const {
+    const TextPage& page = set.pages.front();
+    const GrooveLinks found = LinkPage(page, script, style);
+    std::vector<HatchPoint> points;
+    for (double x = -0.5; x < 12; x += 0.1) {
+      for (double y = -0.4; y < 1.4; y += 0.05) {
+        HatchPoint point;
+        point.p = point.felt = FromEm(at, {x, y});
+        const double letter = ToLetters(page, point.p), link = ToLinks(found, point.p, false);
+        point.of_link = letter > 0.25 * style.width && link < 0.25 * style.width &&
+                        ToLinks(found, point.p, true) > 0.25 * style.width;
+        point.ink = std::min(letter, link) < 0.25 * style.width;
+        if (point.ink || std::min(letter, link) > 0.5 * style.width) points.push_back(point);
+      }
+    }
+    return points;
+  }
+  bool IsOfLetter(glm::dvec2 p) const {
+    return ToLetters(set.pages.front(), p) < 0.25 * style.width;
+  }
+  /// Without spaces.
+  std::string Read(const std::vector<HatchPoint>& points) const {
+    const LineBelief belief(*shapes, style.width, script.space_advance);
+    LinePrior prior;
+    prior.next = at;
+    prior.links = links.get();
+    std::string read;
+    for (int i = 0; i < 20; ++i) {
+      prior.felt_to = ToEm(prior.next, FromEm(at, {12, 0})).x;
+      const NextOnLine next = belief.Next(points, prior);
+      if (next.end) break;
+      const bool known = next.sign.sign != SignGuess::kUnknown;
+      read += known ? script.glyphs[shapes->GlyphOf(next.sign.sign)].name : "?";
+      prior.next.origin =
+          FromEm(next.sign.place, {known ? shapes->Advance(next.sign.sign) : 0.6, 0});
+      prior.claimed = 1;
+      prior.left = known ? std::optional(next.sign.sign) : std::nullopt;
+    }
+    return read;
+  }
+
+  Script script;
+  TypeStyle style;
+  Typeset set;
+  std::shared_ptr<const SignShapes> shapes;
+  std::shared_ptr<const LinkShapes> links;
+  SignPlace at;
+
+ private:
+  double ToLetters(const TextPage& page, glm::dvec2 p) const {
+    double least = 1;
+    for (const PlacedGlyph& placed : page.glyphs) {
+      for (const Stroke& stroke : script.glyphs[placed.glyph].strokes) {
+        for (const Piece& piece : stroke.pieces) {
+          least = std::min(least, DistanceTo(Placed(piece, kSize, placed.origin_P), p));
+        }
+      }
+    }
+    return least;
+  }
+  static double ToLinks(const GrooveLinks& found, glm::dvec2 p, bool deep) {
+    double least = 1;
+    for (const GrooveLink& link : found.links) {
+      const LinkShape& shape = found.shapes[link.shape];
+      const double length = Length(shape.spine);
+      double begin = 0;
+      for (const Piece& piece : shape.spine) {
+        for (double s = 0; s < Length(piece); s += 1e-4) {
+          const double along = begin + s;
+          if (deep && along > shape.from_level && along < length - shape.to_level) continue;
+          least = std::min(least, glm::distance(PointAt(piece, s) + link.origin_P, p));
+        }
+        begin += Length(piece);
+      }
+    }
+    return least;
+  }
+};
+
+TEST(LineBelief, ReadsLinkedLettersBesideTheirLinks) {
+  for (const std::string text : {"yes", "vapour", "jig", "moon"}) {
+    const LinkedLine line(text);
+    EXPECT_EQ(line.Read(line.Felt()), text);
+  }
+}
+
+TEST(LineBelief, LinksExplainWhatIsFeltOfThemAndNothingElse) {
+  const LinkedLine line("vapour");
+  const LineBelief belief(*line.shapes, line.style.width, line.script.space_advance);
+  LinePrior apart, linked;
+  apart.next = linked.next = line.at;
+  apart.felt_to = linked.felt_to = 12;
+  apart.behind = linked.behind = 0.1;
+  linked.links = line.links.get();
+  std::vector<HatchPoint> points = line.Felt();
+  const double gain = belief.Fit(points, linked, 0.04) - belief.Fit(points, apart, 0.04);
+  EXPECT_GT(gain, 20);
+  std::vector<HatchPoint> letters;
+  for (const HatchPoint& point : points) {
+    if (!point.ink || line.IsOfLetter(point.p)) letters.push_back(point);
+  }
+  EXPECT_LT(belief.Fit(letters, linked, 0.04) - belief.Fit(letters, apart, 0.04), gain);
 }
 
 TEST(LineFrame, FindsSizeTurnAndBaseLineOfALine) {

@@ -1,0 +1,51 @@
+#include "sim/reader/link_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace moontrace {
+
+LinkShapes::Link::Link(const LinkWay& way) : all_(way.all), deep_(way.deep) {}
+
+LinkShapes::Link::Table::Table(const std::vector<glm::dvec2>& points) {
+  if (points.empty()) return;
+  glm::dvec2 least = points.front(), most = points.front();
+  for (const glm::dvec2& p : points) {
+    least = glm::min(least, p);
+    most = glm::max(most, p);
+  }
+  corner = least - kFarthest;
+  const glm::ivec2 count(glm::ceil((most + kFarthest - corner) * kPerEm));
+  columns = count.x;
+  rows = count.y;
+  cells.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 255);
+  for (const glm::dvec2& p : points) {
+    const glm::ivec2 from = glm::max(glm::ivec2((p - kFarthest - corner) * kPerEm), 0);
+    const glm::ivec2 to =
+        glm::min(glm::ivec2((p + kFarthest - corner) * kPerEm), count - glm::ivec2(1));
+    for (int row = from.y; row <= to.y; ++row) {
+      for (int column = from.x; column <= to.x; ++column) {
+        const glm::dvec2 middle = corner + glm::dvec2(column + 0.5, row + 0.5) / kPerEm;
+        const double far = std::min(kFarthest, glm::distance(middle, p));
+        std::uint8_t& cell = cells[static_cast<std::size_t>(row * columns + column)];
+        cell = std::min(cell, static_cast<std::uint8_t>(std::lround(far / kUnit)));
+      }
+    }
+  }
+}
+
+LinkShapes::LinkShapes(std::size_t signs, const Between& next, const Between& across,
+                       const std::function<LinkWay(std::size_t)>& within)
+    : signs_(signs) {
+  for (std::size_t a = 0; a < signs; ++a) {
+    within_.emplace_back(within(a));
+    for (std::size_t b = 0; b < signs; ++b) {
+      next_.emplace_back(next(a, b));
+      if (across) across_.emplace_back(across(a, b));
+    }
+  }
+}
+
+}  // namespace moontrace
