@@ -29,7 +29,9 @@ LinkShapes::Link::Table::Table(const std::vector<glm::dvec2>& points) {
       for (int column = from.x; column <= to.x; ++column) {
         const glm::dvec2 middle = corner + glm::dvec2(column + 0.5, row + 0.5) / kPerEm;
         const double far = std::min(kFarthest, glm::distance(middle, p));
-        std::uint8_t& cell = cells[static_cast<std::size_t>(row * columns + column)];
+        std::uint8_t& cell =
+            cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(column)];
         cell = std::min(cell, static_cast<std::uint8_t>(std::lround(far / kUnit)));
       }
     }

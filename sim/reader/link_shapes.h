@@ -40,8 +40,9 @@ class LinkShapes {
       double At(glm::dvec2 p) const noexcept {
         const glm::dvec2 cell = (p - corner) * kPerEm;
         if (!(cell.x >= 0 && cell.y >= 0 && cell.x < columns && cell.y < rows)) return kFarthest;
-        return kUnit * cells[static_cast<std::size_t>(static_cast<int>(cell.y) * columns +
-                                                      static_cast<int>(cell.x))];
+        const auto row = static_cast<std::size_t>(cell.y),
+                   column = static_cast<std::size_t>(cell.x);
+        return kUnit * cells[row * static_cast<std::size_t>(columns) + column];
       }
       glm::dvec2 corner{0, 0};  ///< lower left [em]
       int columns = 0, rows = 0;
