@@ -8,11 +8,11 @@
 
 namespace moontrace {
 
-/// Reads what cannot be followed, ridges and dots: it goes up and down over each line, a little
-/// further to the right each time, and makes out the signs from where it felt the paper high or
-/// low. Looks for the first line from where its hand is put, tells size, turn and height from that
-/// line's beginning, goes on line by line, and ends where no further line comes. Its hand must feel
-/// its height.
+/// Reads what cannot be followed, ridges, dots and linked letters: it goes up and down over each
+/// line, a little further to the right each time, and makes out the signs from where it felt the
+/// paper high or low. Looks for the first line from where its hand is put, tells size, turn and
+/// height from that line's beginning, goes on line by line, and ends where no further line comes.
+/// Its hand must feel its height.
 class HatchReader final : public PageReader {
  public:
   /// `tick` [s]. The shapes have dots by their middles.
