@@ -38,13 +38,13 @@ std::vector<glm::dvec2>::const_iterator FirstFrom(const std::vector<glm::dvec2>&
                           [](glm::dvec2 p, double from) { return p.x < from; });
 }
 
-/// Of a squared distance from a line in standard deviations, against flat paper.
+/// What ink so far from a line is worth against flat paper, below zero if it is far [nats].
 double InkGain(double distance, double spread) {
   const double off = std::max(0.0, distance) / spread;
   return kInk - 0.5 * off * off;
 }
 
-/// Of flat paper so far from a line, felt within `inner` of it.
+/// How much flat paper at this distance speaks against a line: 1 on it, 0 from `inner` on.
 double FlatShare(double distance, double inner) {
   return distance < inner ? std::min(1.0, 2 * (1 - distance / inner)) : 0;
 }
