@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "sim/reader/line_frame.h"
 #include "sim/reader/link_ink.h"
@@ -13,12 +14,6 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20. In em unless said.
-constexpr double kLift = 0.003;      ///< above the paper [m]
-constexpr double kAirSpeed = 0.25;   ///< [m/s]
-constexpr double kUp = 0.08;         ///< before it moves aside [s]
-constexpr double kSteady = 0.08;     ///< for the hand to come to rest above the paper [s]
-constexpr double kRests = 0.05;      ///< on the paper [s]
-constexpr double kPatience = 1.0;    ///< with a landing that does not come to rest [s]
 constexpr double kGivesUp = 300;     ///< after so long without a sign or a line [s]
 constexpr double kPerSecond = 14;    ///< widths of a ridge, over which it goes
 constexpr double kColumn = 0.11;     ///< from one way across a line to the next
@@ -54,8 +49,7 @@ constexpr double kGreatestTurn = 3 * kDegree;
 HatchReader::HatchReader(const ReaderKnowledge& knowledge, double tick)
     : knowledge_(knowledge),
       belief_(*knowledge.shapes, knowledge.width, knowledge.space),
-      sense_(knowledge, tick),
-      drift_(knowledge, tick),
+      hand_(knowledge, kPerSecond * knowledge.width, tick),
       size_(knowledge.greatest_size) {
   for (std::size_t sign = 0; sign < knowledge.shapes->size(); ++sign) {
     dots_ = dots_ && knowledge.shapes->IsDots(sign);
@@ -63,40 +57,31 @@ HatchReader::HatchReader(const ReaderKnowledge& knowledge, double tick)
 }
 
 ReaderActivity HatchReader::activity() const {
-  switch (phase_) {
-    case Phase::kStart:
-    case Phase::kFly:
-      return ReaderActivity::kFlying;
-    case Phase::kSweep:
-      return errand_ == Errand::kLine ? ReaderActivity::kHatching : ReaderActivity::kSearching;
-    case Phase::kDone:
-      break;
-  }
-  return ReaderActivity::kDone;
+  if (done()) return ReaderActivity::kDone;
+  if (!hand_.sweeps()) return ReaderActivity::kFlying;
+  return errand_ == Errand::kLine ? ReaderActivity::kHatching : ReaderActivity::kSearching;
 }
 
 ReaderAction HatchReader::Step(const ReaderInput& input) {
+  tick_ = input.time - now_;
   now_ = input.time;
-  const Felt& felt = sense_.Add(input, action_.press > 0);
-  if (now_ - news_ > kGivesUp && phase_ != Phase::kDone) {
+  hand_.Add(input);
+  if (now_ - news_ > kGivesUp && !done()) {
     if (!line_.empty()) LineDone();
     phase_ = Phase::kDone;
   }
   switch (phase_) {
     case Phase::kStart:
-      start_ = glm::dvec2(felt.tip);
-      put_ = felt.tip.z;
+      start_ = glm::dvec2(hand_.felt().tip);
       SearchFirstLine(start_.y);
-      action_ = Fly(felt);
+      phase_ = Phase::kReads;
+      action_ = hand_.Move({});
       break;
-    case Phase::kFly:
-      action_ = Fly(felt);
-      break;
-    case Phase::kSweep:
-      action_ = Sweep(felt);
+    case Phase::kReads:
+      action_ = hand_.sweeps() ? Sweep() : hand_.Move({});
       break;
     case Phase::kDone:
-      action_ = {{felt.tip.x, felt.tip.y, sense_.surface() + kLift}, 0};
+      action_ = hand_.Lifted();
       break;
   }
   if (knowledge_.face && action_.press > 0) {
@@ -105,93 +90,34 @@ ReaderAction HatchReader::Step(const ReaderInput& input) {
   return action_;
 }
 
-/// Lifts the hand, and goes along `way_` from its first point.
-void HatchReader::SweepFrom(glm::dvec2 from, Errand errand) {
+/// Lifts the hand, and goes along a way from its first point.
+void HatchReader::SweepFrom(std::vector<glm::dvec2> way, Errand errand) {
   errand_ = errand;
-  phase_ = Phase::kFly;
-  fly_from_ = glm::dvec2(sense_.felt().tip);
-  fly_to_ = aim_ = from;
-  next_ = 0;
-  waited_ = inked_for_ = 0;
-  since_ = now_;
-  sense_.Lift();
-  drift_.Begin();
+  inked_for_ = 0;
+  hand_.Go(std::move(way));
 }
 
-ReaderAction HatchReader::Fly(const Felt& felt) {
-  const double t = now_ - since_;
-  // an even movement over whole periods of its spring leaves a hand at rest
-  const double period = kTurn * std::sqrt(knowledge_.hand_mass / knowledge_.hand_stiffness);
-  const double distance = glm::distance(fly_from_, fly_to_);
-  const double moves = period * std::max(1.0, std::ceil(distance / (kAirSpeed * period)));
-  const double there = kUp + moves + kSteady;
-  const double height = sense_.level_known() ? sense_.surface() + kLift : put_;
-  if (t < there) {
-    const double share = std::clamp((t - kUp) / moves, 0.0, 1.0);
-    const glm::dvec2 over = glm::mix(fly_from_, fly_to_, share);
-    return {{over.x, over.y, height}, 0};
-  }
-  const double felt_there = there + knowledge_.delay + knowledge_.lag;
-  const bool rests = sense_.level_known() && sense_.resting_for() > kRests;
-  if (t >= felt_there && (rests || t > felt_there + kPatience)) {
-    phase_ = Phase::kSweep;
-    since_ = now_;
-  }
-  return {{fly_to_.x, fly_to_.y, felt.tip.z}, knowledge_.press};
-}
-
-/// Without the steps of a device and what they shake loose.
-Felt HatchReader::Calm(const Felt& felt, double dt) {
-  constexpr double kCalm = 0.006;  // [s]
-  const double share = felt.touching && calm_.touching ? std::min(1.0, dt / kCalm) : 1;
-  calm_.time = felt.time;
-  calm_.touching = felt.touching;
-  calm_.tip = felt.tip;
-  calm_.place += share * (felt.place - calm_.place);
-  calm_.wall += share * (felt.wall - calm_.wall);
-  calm_.depth += share * (felt.depth - calm_.depth);
-  return calm_;
-}
-
-ReaderAction HatchReader::Sweep(const Felt& raw) {
-  const double dt = now_ - since_;
-  since_ = now_;
-  const Felt felt = Calm(raw, dt);
-  inked_for_ = felt.touching && felt.depth > kInk ? inked_for_ + dt : 0;
+/// Looks for a line's ink, or feels the line.
+ReaderAction HatchReader::Sweep() {
+  const Felt& felt = hand_.calm();
+  inked_for_ = felt.touching && felt.depth > kInk ? inked_for_ + tick_ : 0;
   if (errand_ == Errand::kLine) {
     Feel(felt);
   } else if (inked_for_ > kInkTime) {
     BeginLine(felt.place);
   }
-  if (phase_ != Phase::kSweep) return action_;
-  double step = dt * kPerSecond * knowledge_.width;
-  while (step > 0) {
-    if (next_ >= way_.size() && errand_ == Errand::kLine) GoOn();
-    if (next_ >= way_.size()) break;
-    const glm::dvec2 left = way_[next_] - aim_;
-    const double length = glm::length(left);
-    if (length > 0) heading_ = left / length;
-    if (length > step) {
-      aim_ += step / length * left;
-      step = 0;
-    } else {
-      aim_ = way_[next_++];
-      step -= length;
-    }
+  if (!hand_.sweeps() || done()) return action_;
+  const ReaderAction moved = hand_.Move([this] {
+    if (errand_ != Errand::kLine) return;
+    for (const glm::dvec2 point : NextColumn()) hand_.GoOnTo(point);
+  });
+  if (!hand_.ended()) return moved;
+  if (line_starts_.empty() && ++restarts_ <= kMostRestarts) {
+    SearchFirstLine(start_.y - restarts_ * kRow * knowledge_.least_size / (kMostRestarts + 1));
+  } else {
+    phase_ = Phase::kDone;
   }
-  // what is felt comes late: wait at the end
-  waited_ = next_ >= way_.size() ? waited_ + dt : 0;
-  if (waited_ > knowledge_.delay + knowledge_.lag + 0.05) {
-    if (line_starts_.empty() && ++restarts_ <= kMostRestarts) {
-      SearchFirstLine(start_.y - restarts_ * kRow * knowledge_.least_size / (kMostRestarts + 1));
-    } else {
-      phase_ = Phase::kDone;
-    }
-    return action_;
-  }
-  const glm::dvec2 aim = aim_ - drift_.left() * glm::dvec2(-heading_.y, heading_.x);
-  drift_.Add(glm::dvec2(felt.tip), felt.touching && felt.depth < kFlat, aim, heading_);
-  return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
+  return action_;
 }
 
 double HatchReader::ColumnWidth() const {
@@ -201,36 +127,35 @@ double HatchReader::ColumnWidth() const {
 
 /// The next column, upwards or downwards in turn, and aside to where the one after it begins: ways
 /// that lean in turn would leave gaps of two columns at their ends.
-void HatchReader::GoOn() {
-  const double end = upwards_ ? high_ : low_;
-  way_.push_back(FromEm(hatch_, {column_, end}));
+std::vector<glm::dvec2> HatchReader::NextColumn() {
+  const double end = upwards_ ? high_ : low_, from = column_;
   column_ += ColumnWidth();
-  way_.push_back(FromEm(hatch_, {column_, end}));
   upwards_ = !upwards_;
+  return {FromEm(hatch_, {from, end}), FromEm(hatch_, {column_, end})};
 }
 
 /// From where the hand was put to and fro, downwards.
 void HatchReader::SearchFirstLine(double top) {
   constexpr int kRows = 90;
   const double a = knowledge_.least_size;
-  way_.clear();
+  std::vector<glm::dvec2> way;
   for (int i = 0; i < kRows; ++i) {
-    way_.emplace_back(start_.x + a * (i % 2 == 0 ? -0.5 : kAcrossRows), top - kRow * a * i);
+    way.emplace_back(start_.x + a * (i % 2 == 0 ? -0.5 : kAcrossRows), top - kRow * a * i);
   }
-  SweepFrom(way_.front(), Errand::kFirstLine);
+  SweepFrom(std::move(way), Errand::kFirstLine);
 }
 
 /// To and fro below the last line, over its first signs.
 void HatchReader::SearchNextLine(double down) {
-  way_.clear();
+  std::vector<glm::dvec2> way;
   const SignPlace& last = line_starts_.back();
   const double left = Margin() - kBefore;
   bool right = true;
   for (double y = down; y < kDeepest; y += kRow, right = !right) {
-    way_.push_back(FromEm(last, {right ? left : kAcrossRows, -y}));
-    way_.push_back(FromEm(last, {right ? kAcrossRows : left, -y}));
+    way.push_back(FromEm(last, {right ? left : kAcrossRows, -y}));
+    way.push_back(FromEm(last, {right ? kAcrossRows : left, -y}));
   }
-  SweepFrom(way_.front(), Errand::kNextLine);
+  SweepFrom(std::move(way), Errand::kNextLine);
 }
 
 /// Ink was met: it belongs to some sign near the beginning of a line, at any height of it.
@@ -263,9 +188,7 @@ void HatchReader::HatchLine(const SignPlace& frame, double low, double high) {
   line_.clear();
   framed_ = inked_ = false;
   thought_at_ = waits_ = 0;
-  way_.clear();
-  GoOn();
-  SweepFrom(way_.front(), Errand::kLine);
+  SweepFrom(NextColumn(), Errand::kLine);
 }
 
 /// A line at the pitch of those before.
@@ -291,10 +214,10 @@ double HatchReader::Margin() const {
 }
 
 /// How far along the line everything was felt [m].
-double HatchReader::FeltTo() const { return ToEm(hatch_, sense_.felt().place).x - ColumnWidth(); }
+double HatchReader::FeltTo() const { return ToEm(hatch_, hand_.felt().place).x - ColumnWidth(); }
 
 void HatchReader::Feel(const Felt& felt) {
-  if (!felt.touching || !sense_.level_known()) return;
+  if (!felt.touching || !hand_.level_known()) return;
   const bool far =
       points_.empty() || glm::distance(sampled_, felt.place) > kSample * knowledge_.width;
   if (!far) return;

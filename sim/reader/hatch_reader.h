@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/reader/hatching_hand.h"
 #include "sim/reader/line_belief.h"
 #include "sim/reader/page_reader.h"
 #include "sim/reader/touch_sense.h"
@@ -26,14 +27,12 @@ class HatchReader final : public PageReader {
   ReaderActivity activity() const override;
 
  private:
-  enum class Phase { kStart, kFly, kSweep, kDone };
+  enum class Phase { kStart, kReads, kDone };
   enum class Errand { kFirstLine, kNextLine, kLine };
 
-  ReaderAction Fly(const Felt& felt);
-  Felt Calm(const Felt& felt, double dt);
-  ReaderAction Sweep(const Felt& raw);
-  void SweepFrom(glm::dvec2 from, Errand errand);
-  void GoOn();
+  ReaderAction Sweep();
+  void SweepFrom(std::vector<glm::dvec2> way, Errand errand);
+  std::vector<glm::dvec2> NextColumn();
   void Feel(const Felt& felt);
   void SearchFirstLine(double top);
   void SearchNextLine(double down);
@@ -55,26 +54,16 @@ class HatchReader final : public PageReader {
   std::shared_ptr<const LinkShapes> links_;  ///< once the size is known, if there are any
   LineBelief belief_;
   bool dots_ = true;  ///< and nothing else in the script
-  TouchSense sense_;
-  Felt calm_;
-  AsideDrift drift_;
+  HatchingHand hand_;
+  double tick_ = 0;  ///< since the one before [s]
   ReaderAction action_;
   Phase phase_ = Phase::kStart;
   Errand errand_ = Errand::kFirstLine;
-  double now_ = 0, since_ = 0;
+  double now_ = 0;
   double news_ = 0;  ///< when it last found a sign or a line's end [s]
   glm::dvec2 start_{0, 0};
-  double put_ = 0;  ///< how high [m]
   int restarts_ = 0;
-  // flying
-  glm::dvec2 fly_from_{0, 0}, fly_to_{0, 0};
-  // sweeping
-  std::vector<glm::dvec2> way_;
-  std::size_t next_ = 0;
-  glm::dvec2 aim_{0, 0};
-  glm::dvec2 heading_{1, 0};  ///< of the aim, unit
-  double waited_ = 0;         ///< at the end of a way [s]
-  double inked_for_ = 0;      ///< [s]
+  double inked_for_ = 0;  ///< [s]
   // a line
   SignPlace frame_;            ///< where the next sign is expected, once the line is known
   bool framed_ = false;        ///< it is
