@@ -7,11 +7,10 @@
 namespace moontrace {
 namespace {
 
-constexpr int kRows = 40;  // of the map, over the height felt over
+constexpr int kRows = 40;  // of the map, over the line's height
 constexpr int kMostColumns = 800;
 constexpr double kPictureReach = 2.2;  // from its middle, in spreads
-constexpr double kFlatShare = 0.6;     // of the samples in contact lie deeper than the flat paper
-constexpr double kDeepShare = 0.002;   // of them lie deeper than what counts as the deepest
+constexpr double kDeepShare = 5e-4;    // of the samples are in a groove where there is one
 constexpr double kLeastColumn = 0.5;   // rows of groove in a column that is not a gap
 constexpr double kReach = 1.2;         // of a touch to either side of the path, in cells
 constexpr double kLeastPath = 0.4;     // through a cell, in cells: less shows nothing of it
@@ -29,46 +28,33 @@ struct Map {
   }
 };
 
-double Quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
+/// Those that are numbers and lie on the line.
+std::vector<FeltSample> OnLine(const FeltLine& line) {
+  std::vector<FeltSample> on_line;
+  for (const FeltSample& sample : line.samples) {
+    if (!std::isfinite(sample.place.x) || !std::isfinite(sample.depth)) continue;
+    if (sample.place.y >= line.bottom && sample.place.y <= line.top) on_line.push_back(sample);
+  }
+  return on_line;
 }
 
-/// The samples in contact, each lifted by how far its force presses plain paper in.
-std::vector<FeltSample> InContact(const std::vector<FeltSample>& samples, double softness) {
-  std::vector<FeltSample> touching;
-  for (const FeltSample& sample : samples) {
-    const bool finite = std::isfinite(glm::dot(sample.tip, sample.tip)) &&
-                        std::isfinite(glm::dot(sample.force, sample.force));
-    if (!finite || !(sample.force.z > 0)) continue;
-    touching.push_back({sample.tip + softness * sample.force, sample.force});
-  }
-  return touching;
-}
-
-Map EmptyMap(const std::vector<FeltSample>& touching) {
-  glm::dvec2 min(1e300), max(-1e300);
-  for (const FeltSample& sample : touching) {
-    min = glm::min(min, glm::dvec2(sample.tip));
-    max = glm::max(max, glm::dvec2(sample.tip));
-  }
+Map EmptyMap(const std::vector<FeltSample>& samples, double bottom, double top) {
   Map map;
-  map.min = min;
-  map.cell = (max.y - min.y) / kRows;
-  if (!(map.cell > 0)) return map;
-  const double columns = std::min<double>(std::ceil((max.x - min.x) / map.cell), kMostColumns);
-  map.columns = std::max(1, static_cast<int>(columns));
+  map.cell = (top - bottom) / kRows;
+  if (samples.empty() || !(map.cell > 0)) return map;
+  const auto [left, right] = std::minmax_element(
+      samples.begin(), samples.end(),
+      [](const FeltSample& a, const FeltSample& b) { return a.place.x < b.place.x; });
+  map.min = {left->place.x, bottom};
+  const double columns = std::ceil((right->place.x - left->place.x) / map.cell);
+  map.columns = std::max(1, static_cast<int>(std::min<double>(columns, kMostColumns)));
   map.groove.assign(static_cast<std::size_t>(map.columns) * kRows, 0.0);
   return map;
 }
 
-/// How surely the paper gave way there, 0-1: by the depth, or by a push to the side.
-double Yielding(const FeltSample& sample, double flat, double threshold, const FeelingRule& rule) {
-  const double sideways = glm::length(glm::dvec2(sample.force));
-  const double slope = sideways / std::max(sample.force.z, rule.least_force);
-  const double depth = flat - sample.tip.z;
-  return std::clamp(std::max(depth / threshold, slope / rule.slope) - 0.5, 0.0, 0.5) / 0.5;
+/// How surely the paper gave way there, 0-1.
+double Yielding(const FeltSample& sample, const FeelingRule& rule) {
+  return std::clamp(sample.depth / rule.depth - 0.5, 0.0, 0.5) / 0.5;
 }
 
 /// Each value also counts for its neighbours, less with their distance: a Gaussian of `cells`.
@@ -94,13 +80,11 @@ void Spread(Values& values, int columns, int rows, double cells) {
 }
 
 /// Weighs each sample by the length of the tip's path there, so that resting weighs nothing.
-Map GrooveMap(const std::vector<FeltSample>& touching, double flat, double threshold,
-              const FeelingRule& rule) {
-  Map map = EmptyMap(touching);
+Map GrooveMap(const std::vector<FeltSample>& samples, Map map, const FeelingRule& rule) {
   if (map.columns == 0) return map;
   std::vector<double> path(map.groove.size(), 0.0);
-  for (std::size_t i = 1; i < touching.size(); ++i) {
-    const glm::dvec2 p(touching[i].tip), before(touching[i - 1].tip);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const glm::dvec2 p = samples[i].place, before = samples[i - 1].place;
     const double step = glm::distance(p, before);
     if (step > kLongestStep * kRows * map.cell) continue;
     const glm::dvec2 at = (p - map.min) / map.cell;
@@ -109,7 +93,7 @@ Map GrooveMap(const std::vector<FeltSample>& touching, double flat, double thres
     const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
                       static_cast<std::size_t>(column);
     path[cell] += step;
-    map.groove[cell] += step * Yielding(touching[i], flat, threshold, rule);
+    map.groove[cell] += step * Yielding(samples[i], rule);
   }
   Spread(path, map.columns, kRows, kReach);
   Spread(map.groove, map.columns, kRows, kReach);
@@ -183,16 +167,12 @@ FeltSign SignOf(const Map& map, std::pair<int, int> part, const FeelingRule& rul
 
 }  // namespace
 
-FeltShape ShapeOf(const std::vector<FeltSample>& samples, const FeelingRule& rule) {
-  const std::vector<FeltSample> touching = InContact(samples, rule.softness);
-  if (touching.size() < 2) return {};
-  std::vector<double> heights;
-  heights.reserve(touching.size());
-  for (const FeltSample& sample : touching) heights.push_back(sample.tip.z);
-  const double flat = Quantile(heights, kFlatShare);
-  const double deepest = flat - Quantile(heights, kDeepShare);
-  if (!(deepest > rule.least_depth)) return {};
-  const Map map = GrooveMap(touching, flat, rule.depth_share * deepest, rule);
+FeltShape ShapeOf(const FeltLine& line, const FeelingRule& rule) {
+  const std::vector<FeltSample> samples = OnLine(line);
+  const auto deep = std::count_if(samples.begin(), samples.end(),
+                                  [&rule](const FeltSample& s) { return s.depth > rule.depth; });
+  if (static_cast<double>(deep) <= kDeepShare * static_cast<double>(samples.size())) return {};
+  const Map map = GrooveMap(samples, EmptyMap(samples, line.bottom, line.top), rule);
   FeltShape shape;
   if (map.columns == 0) return shape;
   double greatest = 0;

@@ -2,16 +2,16 @@
 
 #include <array>
 #include <cstddef>
-#include <glm/vec3.hpp>
+#include <glm/vec2.hpp>
 #include <vector>
 
 namespace moontrace {
 
-/// What a hand feels at one moment: where it believes its tip to be and the force on it, in any
-/// frame whose z points out of the paper. No page, no stroke, no size.
+/// What a hand feels at one moment: where it believes its tip to be, in any frame, and how deep the
+/// paper gives way there. No page, no stroke, no size.
 struct FeltSample {
-  glm::dvec3 tip{0, 0, 0};    ///< [m]
-  glm::dvec3 force{0, 0, 0};  ///< [N]
+  glm::dvec2 place{0, 0};  ///< [m]
+  double depth = 0;        ///< share of a groove's
 };
 
 /// One thing felt, apart from others by a gap: a picture of where the paper gave way, centred and
@@ -27,13 +27,7 @@ struct FeltSign {
 
 /// Parameters by which touch becomes a shape, from `lessons/learner.toml` (our own values).
 struct FeelingRule {
-  double least_depth = 1e-4;  ///< a smaller depth is not felt [m]
-  /// How far flat paper gives way to a newton, which every hand knows that has pressed on it: a tip
-  /// that swings up and down is not in a groove for that [m/N].
-  double softness = 0;
-  double depth_share = 0.4;    ///< of the deepest, counts fully as a groove; half begins to
-  double slope = 0.5;          ///< sideways over outward force that counts fully; likewise
-  double least_force = 0.02;   ///< less is not felt [N]
+  double depth = 0.3;          ///< share of a groove's, counts fully as one; half begins to
   double gap = 0.25;           ///< between signs, share of the height explored
   double least_part = 0.015;   ///< share of the largest sign; a smaller part is no sign
   double blur_cells = 1.6;     ///< of a sign's picture
@@ -42,6 +36,13 @@ struct FeelingRule {
 
 /// What was felt, sign by sign from the left; empty where nothing gave way: blank paper.
 using FeltShape = std::vector<FeltSign>;
-FeltShape ShapeOf(const std::vector<FeltSample>& samples, const FeelingRule& rule);
+
+/// What a hand felt that explored a line, between the heights that it meant to keep to; what lies
+/// beyond them does not count.
+struct FeltLine {
+  double bottom = 0, top = 0;  ///< in the samples' frame [m]
+  std::vector<FeltSample> samples;
+};
+FeltShape ShapeOf(const FeltLine& line, const FeelingRule& rule);
 
 }  // namespace moontrace

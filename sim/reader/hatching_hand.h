@@ -24,6 +24,7 @@ class HatchingHand {
   const Felt& felt() const { return sense_.felt(); }
   const Felt& calm() const { return calm_; }
   bool level_known() const { return sense_.level_known(); }
+  double level() const { return sense_.level(); }  ///< of the tip that presses on flat paper [m]
 
   /// Lifts from the next Move on, and goes along a way from its first point. All [m].
   void Go(std::vector<glm::dvec2> way);

@@ -16,21 +16,6 @@ namespace {
 constexpr double kGreatestTurn = 3 * kDegree;
 constexpr double kPutWithin = 0.5;  ///< sizes
 
-ReaderKnowledge KnowledgeOf(std::shared_ptr<const SignShapes> shapes, const Script& script,
-                            const HandModel& hand, const Muscle& muscle, const Senses& senses) {
-  ReaderKnowledge knowledge;
-  knowledge.shapes = std::move(shapes);
-  knowledge.space = script.space_advance;
-  knowledge.press = hand.press;
-  knowledge.hand_mass = hand.mass;
-  knowledge.hand_stiffness = hand.stiffness;
-  knowledge.hand_damping = hand.damping;
-  knowledge.delay = senses.delay;
-  knowledge.lag = muscle.lag;
-  knowledge.unsure = senses.unsure;
-  return knowledge;
-}
-
 }  // namespace
 
 bool IsFollowed(const TypeStyle& style, const Script& script) {
@@ -69,22 +54,36 @@ double ReadingPress(const HandModel& hand, const TypeStyle& style, const Script&
   return hand.light_press * (style.relief == Relief::kEmbossed ? kRaisedDots : kDots);
 }
 
-void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes,
-                   const Script& script, const TypeStyle& style, std::uint64_t seed) {
-  ReaderKnowledge& knowledge = setup.knowledge;
-  knowledge = KnowledgeOf(std::move(shapes), script, setup.hand, setup.muscle, setup.senses);
+ReaderKnowledge ToldOf(const LedHandSetup& setup, const TypeStyle& style) {
+  ReaderKnowledge knowledge;
+  knowledge.press = setup.hand.press;
+  knowledge.hand_mass = setup.hand.mass;
+  knowledge.hand_stiffness = setup.hand.stiffness;
+  knowledge.hand_damping = setup.hand.damping;
+  knowledge.delay = setup.senses.delay;
+  knowledge.lag = setup.muscle.lag;
+  knowledge.unsure = setup.senses.unsure;
   knowledge.width = style.width;
   knowledge.depth = style.depth;
   knowledge.raised = style.relief == Relief::kEmbossed;
+  knowledge.device_stiffness = setup.scene.rendering == Rendering::kProxy
+                                   ? setup.scene.coupling_stiffness
+                                   : std::numeric_limits<double>::infinity();
+  return knowledge;
+}
+
+void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes,
+                   const Script& script, const TypeStyle& style, std::uint64_t seed) {
+  ReaderKnowledge& knowledge = setup.knowledge;
+  knowledge = ToldOf(setup, style);
+  knowledge.shapes = std::move(shapes);
+  knowledge.space = script.space_advance;
   knowledge.followed = IsFollowed(style, script);
   if (style.links.reach != LinkReach::kNone) {
     knowledge.link_depth = style.links.depth;
     knowledge.links = KnownLinks(knowledge.shapes, script, style);
   }
   if (style.structure.read) knowledge.heading_scale = style.structure.heading_scale;
-  knowledge.device_stiffness = setup.scene.rendering == Rendering::kProxy
-                                   ? setup.scene.coupling_stiffness
-                                   : std::numeric_limits<double>::infinity();
   // one draw a statement: compilers differ in the order of arguments
   Random random(seed);
   setup.hand_seed = random.Bits();

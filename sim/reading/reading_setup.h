@@ -25,6 +25,9 @@ std::shared_ptr<const SignShapes> KnownShapes(const Script& script, const TypeSt
 /// firm one slips, and lighter over raised dots, round which it would slide.
 double ReadingPress(const HandModel& hand, const TypeStyle& style, const Script& script);
 
+/// What a mind is told of its hand, and of the relief under it: not of the signs, nor of the page.
+ReaderKnowledge ToldOf(const LedHandSetup& setup, const TypeStyle& style);
+
 /// Completes a setup whose page, field, scene, hand and senses are there: what the reader is told,
 /// and, by the seed alone, how the page lies and what is left to chance. The page is turned by up
 /// to 3 degrees, the hand put on the text's upper left corner to within half a size, and the range

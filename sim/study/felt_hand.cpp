@@ -5,8 +5,6 @@
 
 #include "devices/core/tip_estimate.h"
 #include "sim/trial/hand_on_device.h"
-#include "textures/base/random.h"
-#include "textures/base/units.h"
 
 namespace moontrace {
 
@@ -51,31 +49,6 @@ void FeltHand::Do(const Work& work, const std::function<void(const HandTick&)>& 
   }
   seconds_ += static_cast<double>(ticks) * tick_;
   scene_.SetField(nullptr);
-}
-
-FeltTrack::FeltTrack(const Proprioception& sense, double tick, std::uint64_t seed,
-                     std::size_t every)
-    : every_(every),
-      keep_(std::exp(-tick * static_cast<double>(every) / sense.wander)),
-      fresh_(std::sqrt(1 - keep_ * keep_)),
-      noise_(sense.noise),
-      height_noise_(sense.height_noise),
-      random_(seed) {
-  error_ = {Normal(), Normal()};
-}
-
-double FeltTrack::Normal() {  // Box and Muller 1958, one of the two
-  Random random(random_);
-  const double u = 1 - random.Uniform(), v = random.Uniform();
-  random_ = random.Bits();
-  return std::sqrt(-2 * std::log(u)) * std::cos(kTurn * v);
-}
-
-void FeltTrack::Add(const HandTick& tick) {
-  if (count_++ % every_ != 0) return;
-  error_ = keep_ * error_ + fresh_ * glm::dvec2(Normal(), Normal());
-  const glm::dvec3 error(noise_ * error_, height_noise_ * Normal());
-  samples_.push_back({tick.tip_P + error, tick.force_P - tick.guidance_P});
 }
 
 }  // namespace moontrace

@@ -11,9 +11,7 @@
 #include "devices/core/profile.h"
 #include "devices/hand/hand.h"
 #include "lessons/guide/guidance.h"
-#include "lessons/measure/felt_shape.h"
 #include "sim/physics/scene.h"
-#include "sim/study/learner_model.h"
 
 namespace moontrace {
 
@@ -44,6 +42,8 @@ class FeltHand {
   /// Follows the path to its end; `each` is called with every tick.
   void Do(const Work& work, const std::function<void(const HandTick&)>& each);
 
+  const HandModel& model() const { return hand_; }
+  const std::optional<DeviceProfile>& device() const { return device_; }
   Pose X_WP() const { return scene_.X_WP(); }
   double tick() const { return tick_; }
   double seconds() const { return seconds_; }  ///< simulated so far [s]
@@ -54,24 +54,6 @@ class FeltHand {
   Scene scene_;
   double tick_ = 1e-3;
   double seconds_ = 0;
-};
-
-/// Where the hand believes it was, at each `every`th tick: what the sense of touch has to go by.
-class FeltTrack {
- public:
-  FeltTrack(const Proprioception& sense, double tick, std::uint64_t seed, std::size_t every = 3);
-  void Add(const HandTick& tick);
-  const std::vector<FeltSample>& samples() const { return samples_; }
-
- private:
-  double Normal();
-
-  std::size_t every_ = 1, count_ = 0;
-  double keep_ = 0, fresh_ = 0;  ///< of the error from sample to sample
-  double noise_ = 0, height_noise_ = 0;
-  std::uint64_t random_ = 0;
-  glm::dvec2 error_{0, 0};  ///< in standard deviations
-  std::vector<FeltSample> samples_;
 };
 
 }  // namespace moontrace

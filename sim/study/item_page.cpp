@@ -39,6 +39,7 @@ ItemPage SetItem(const std::string& text, const Script& script, double size,
   if (relief.depth_share > 0) {
     item.field = TextureField(BuildTexture(item.page, script, item.style));
   }
+  item.space = script.space_advance;
   const Box reach = Reach(script);
   for (const PlacedGlyph& glyph : item.page.glyphs) {
     Include(item.box_P, Moved({size * reach.min, size * reach.max}, glyph.origin_P));

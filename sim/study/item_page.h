@@ -16,6 +16,7 @@ struct ItemPage {
   TextPage page;
   TextureField field;
   std::vector<IntendedStroke> strokes;
+  double space = 0;  ///< advance of a space [em]
   /// The box that a hand explores: where any sign of the script could have strokes. The same for
   /// every letter of a size.
   Box box_P;

@@ -42,31 +42,18 @@ Exploration ReadExploration(const TomlTable& table) {
   plan.press = Held(table, "press_n", 0.01, 5);
   plan.spacing_share = Held(table, "spacing_share", 0.02, 1);
   plan.margin_share = Held(table, "margin_share", 0, 1);
+  plan.put_share = Held(table, "put_share", 0, 1);
+  plan.unsure = 1e-3 * Held(table, "unsure_mm", 0, 20);
   plan.speed = 1e-3 * Held(table, "speed_mm_s", 1, 500);
   plan.speed_power = Held(table, "speed_power", 0, 2);
   plan.at_size = 1e-3 * Held(table, "at_size_mm", 1, 100);
-  plan.acceleration = Held(table, "acceleration_m_s2", 0.01, 100);
-  plan.height = 1e-3 * Held(table, "height_mm", 0.1, 20);
   table.FailUnknown();
   return plan;
 }
 
-Proprioception ReadProprioception(const TomlTable& table) {
-  Proprioception sense;
-  sense.noise = 1e-3 * Held(table, "noise_mm", 0, 20);
-  sense.wander = Held(table, "wander_s", 1e-3, 100);
-  sense.height_noise = 1e-3 * Held(table, "height_noise_mm", 0, 5);
-  table.FailUnknown();
-  return sense;
-}
-
 FeelingRule ReadFeeling(const TomlTable& table) {
   FeelingRule rule;
-  rule.least_depth = 1e-3 * Held(table, "least_depth_mm", 0, 5);
-  rule.depth_share = Held(table, "depth_share", 0.01, 0.99);
-  rule.slope = Held(table, "slope", 0.01, 10);
-  rule.softness = Held(table, "softness_mm_n", 0, 100) / 1e3;
-  rule.least_force = Held(table, "least_force_n", 1e-4, 1);
+  rule.depth = Held(table, "depth_share", 0.01, 0.99);
   rule.gap = Held(table, "gap_share", 0.01, 2);
   rule.least_part = Held(table, "least_part_share", 0, 1);
   rule.blur_cells = Held(table, "blur_cells", 0, 5);
@@ -92,7 +79,6 @@ LearnerModel ReadLearner(const TomlTable& table) {
   model.memory = ReadMemory(table.Table("memory"));
   model.tracing = ReadTracing(table.Table("tracing"));
   model.exploration = ReadExploration(table.Table("exploration"));
-  model.proprioception = ReadProprioception(table.Table("proprioception"));
   model.feeling = ReadFeeling(table.Table("feeling"));
   model.recognition = ReadRecognition(table.Table("recognition"));
   table.FailUnknown();

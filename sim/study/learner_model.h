@@ -22,23 +22,16 @@ struct TracingSkill {
   int lessons_a_trial = 3;       ///< updates of the motor memory by one trial
 };
 
-/// How a learner explores what is on the page.
+/// How a learner explores what is on the page (LineExplorer), by touch alone.
 struct Exploration {
   double press = 0.2;           ///< [N]
   double spacing_share = 0.17;  ///< between sweeps, of the letter's size
   double margin_share = 0.15;   ///< around the letters, of their size
+  double put_share = 0.1;       ///< the hand comes down so far from a line's corner, of the size
+  double unsure = 0.25e-3;      ///< of its place the hand is, rms (UnsurePlace) [m]
   double speed = 0.09;          ///< at size `at_size` [m/s]
   double speed_power = 0.75;    ///< of the size, with which the speed goes
   double at_size = 0.04;        ///< [m]
-  double acceleration = 1;      ///< at the ends of a sweep [m/s^2]
-  double height = 2e-3;         ///< from which the hand comes down [m]
-};
-
-/// The error in where a hand believes itself to be: wanders on each axis (Ornstein-Uhlenbeck).
-struct Proprioception {
-  double noise = 0.8e-3;          ///< standard deviation in the page's plane [m]
-  double wander = 0.3;            ///< time constant [s]
-  double height_noise = 0.03e-3;  ///< standard deviation of its height [m]
 };
 
 /// Everything that a simulated learner is, besides its hand (devices/hand.toml).
@@ -46,7 +39,6 @@ struct LearnerModel {
   TwoRates memory;
   TracingSkill tracing;
   Exploration exploration;
-  Proprioception proprioception;
   FeelingRule feeling;
   RecogniserRule recognition;
 };

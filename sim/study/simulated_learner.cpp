@@ -5,8 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "lessons/measure/trial_meter.h"
-#include "sim/study/exploration.h"
+#include "sim/reader/line_explorer.h"
+#include "sim/reading/reading_setup.h"
 #include "sim/trial/plan.h"
+#include "textures/base/random.h"
 
 namespace moontrace {
 namespace {
@@ -157,13 +159,45 @@ void SimulatedLearner::Relive(const std::string& item, double felt_error) {
 }
 
 FeltShape SimulatedLearner::Feel(const ItemPage& page) {
-  const std::uint64_t seed = SeedOf(seed_, "work" + std::to_string(++works_));
-  FeltTrack track(model_.proprioception, hand_.tick(), SeedOf(seed, "felt"));
+  constexpr double kLongest = 600;   // of one exploration [s]
+  constexpr std::size_t kEvery = 3;  // ticks
+  const Exploration& how = model_.exploration;
+  Random random(SeedOf(seed_, "work" + std::to_string(++works_)));
+  LedHandSetup setup;
+  setup.field = &page.field;
+  setup.hand = hand_.model();
+  setup.hand.press = how.press;
+  setup.device = hand_.device();
+  setup.senses.unsure = how.unsure;
+  setup.hand_seed = random.Bits();
   const double size = page.style.size;
-  const Box box_P = Grown(page.box_P, model_.exploration.margin_share * size);
-  const HandPath path = ExplorationPath(box_P, size, model_.exploration, hand_.X_WP());
-  hand_.Do({&page.field, path, nullptr, seed}, [&track](const HandTick& now) { track.Add(now); });
-  return ShapeOf(track.samples(), model_.feeling);
+  const double right = 2 * random.Uniform() - 1, up = 2 * random.Uniform() - 1;
+  setup.start_P =
+      glm::dvec2(page.box_P.min.x, page.box_P.max.y) + how.put_share * size * glm::dvec2(right, up);
+  setup.knowledge = ToldOf(setup, page.style);
+  setup.knowledge.space = page.space;
+  LedHand hand(setup);
+
+  LineExploration line;
+  line.size = size;
+  line.height = page.box_P.max.y - page.box_P.min.y;
+  line.margin = how.margin_share * size;
+  line.spacing = how.spacing_share * size;
+  line.speed = how.speed * std::pow(size / how.at_size, how.speed_power);
+  LineExplorer explorer(hand.knowledge(), line, hand.tick());
+  FeltLine felt;
+  const auto most = static_cast<std::size_t>(kLongest / hand.tick());
+  std::size_t n = 0;
+  for (; n < most && !explorer.done(); ++n) {
+    hand.Lead(explorer.Step(hand.Feel()));
+    if (n % kEvery == 0 && explorer.feels()) {
+      felt.samples.push_back({explorer.place(), explorer.depth()});
+    }
+  }
+  explored_ += static_cast<double>(n) * hand.tick();
+  felt.bottom = explorer.bottom();
+  felt.top = explorer.top();
+  return ShapeOf(felt, model_.feeling);
 }
 
 void SimulatedLearner::Wait(double days) {

@@ -37,7 +37,8 @@ class SimulatedLearner {
   TracedItem Trace(const std::string& item, const ItemPage& page, const GuidancePlan* push);
   /// Learns again what an earlier trial taught, from the error felt in it, without simulating it.
   void Relive(const std::string& item, double felt_error);
-  /// Explores a page and returns what it felt.
+  /// Explores a page by touch alone, late and by what its device reports, from its line's corner to
+  /// where nothing more comes, and returns what it felt.
   FeltShape Feel(const ItemPage& page);
   /// Time passes without practice.
   void Wait(double days);
@@ -50,7 +51,7 @@ class SimulatedLearner {
   /// Present error of the aim at an item as a share of a beginner's, without the variation from
   /// trial to trial.
   double AimErrorShare(const std::string& item, bool guided) const;
-  double seconds() const { return hand_.seconds(); }  ///< of simulated work [s]
+  double seconds() const { return hand_.seconds() + explored_; }  ///< of simulated work [s]
   const LearnerModel& model() const { return model_; }
 
  private:
@@ -59,7 +60,8 @@ class SimulatedLearner {
   const TwoRateMemory* Find(const std::string& item) const;
 
   LearnerModel model_;
-  FeltHand hand_;
+  FeltHand hand_;         ///< that traces
+  double explored_ = 0;   ///< by touch alone, by another hand of its kind [s]
   double stiffness_ = 1;  ///< of the hand [N/m]
   Recogniser shapes_;
   std::uint64_t seed_ = 1, works_ = 0, guesses_ = 0;

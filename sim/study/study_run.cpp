@@ -1,5 +1,7 @@
 #include "sim/study/study_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -9,6 +11,7 @@
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
+#include "sim/reading/reading_setup.h"
 #include "sim/study/simulated_learner.h"
 #include "sim/study/size_threshold.h"
 #include "sim/trial/trial.h"
@@ -26,7 +29,14 @@ LearnerModel ModelOf(const StudyProtocol& protocol) {
 
 std::optional<DeviceProfile> DeviceOf(const StudyProtocol& protocol) {
   if (protocol.device.empty()) return std::nullopt;
-  return FindProfile(protocol.device, ProfilesFolder());
+  DeviceProfile device = FindProfile(protocol.device, ProfilesFolder());
+  if (protocol.staircase && !CanBeReadOn(device.limits, false)) {
+    throw InputError(fmt::format(
+        "{} does not measure and push all that exploring takes: name another device, or "
+        "leave out [staircase]",
+        protocol.device));
+  }
+  return device;
 }
 
 class StudyLearner {

@@ -31,14 +31,15 @@ double DistanceTo(const Polyline& line, glm::dvec2 p) {
 }
 
 /// What sweeps across a box would feel where grooves of a tenth of the size lie along the lines.
-std::vector<FeltSample> Feel(const std::vector<Polyline>& lines, double size,
-                             glm::dvec2 origin = {0, 0}, double width_in_sizes = 1.0) {
-  std::vector<FeltSample> samples;
+FeltLine Feel(const std::vector<Polyline>& lines, double size, glm::dvec2 origin = {0, 0},
+              double width_in_sizes = 1.0) {
+  FeltLine felt;
+  felt.bottom = origin.y - 0.2 * size;
+  felt.top = origin.y + 1.2 * size;
   const auto touch = [&](glm::dvec2 p) {
     double nearest = 1e9;
     for (const Polyline& line : lines) nearest = std::min(nearest, DistanceTo(line, p));
-    const double z = nearest < 0.06 ? -0.06 * size : 0;
-    samples.push_back({{origin + size * p, z}, {0, 0, 0.3}});
+    felt.samples.push_back({origin + size * p, nearest < 0.06 ? 1.0 : 0.0});
   };
   const double right = width_in_sizes + 0.2;
   for (int i = 0; i * 0.1 - 0.2 <= right; ++i) {
@@ -48,7 +49,7 @@ std::vector<FeltSample> Feel(const std::vector<Polyline>& lines, double size,
     const int n = static_cast<int>((right + 0.2) / 0.01);
     for (int k = 0; k <= n; ++k) touch({-0.2 + 0.01 * (i % 2 ? n - k : k), 0.1 * i - 0.2});
   }
-  return samples;
+  return felt;
 }
 
 Polyline Moved(Polyline line, glm::dvec2 by) {
@@ -126,10 +127,11 @@ TEST(FeltShape, HasNeitherPlaceNorSize) {
 }
 
 TEST(FeltShape, OutlastsSamplesThatAreNoNumbers) {
-  auto samples = Feel({kVee}, 0.04);
-  samples[100].tip.x = NAN;
-  samples[200].tip.z = INFINITY;
-  EXPECT_EQ(ShapeOf(samples, {}).size(), 1u);
+  FeltLine felt = Feel({kVee}, 0.04);
+  felt.samples[100].place.x = NAN;
+  felt.samples[150].place.y = NAN;
+  felt.samples[200].depth = INFINITY;
+  EXPECT_EQ(ShapeOf(felt, {}).size(), 1u);
   EXPECT_TRUE(ShapeOf({}, {}).empty());
 }
 

@@ -9,7 +9,6 @@
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
-#include "sim/study/exploration.h"
 #include "sim/trial/trial.h"
 #include "textures/fonts/script_library.h"
 
@@ -65,17 +64,6 @@ TEST_F(LearnerTest, LearnsTheShapeThatItIsShownAndNotTheName) {
 }
 
 TEST_F(LearnerTest, FeelsNothingOnBlankPaper) { EXPECT_TRUE(Feel("b", 0.04, 0).empty()); }
-
-TEST_F(LearnerTest, SweepsEveryLettersPageAlike) {
-  const Exploration how = ShippedLearner().exploration;
-  const HandPath i = ExplorationPath(SetItem("i", script_, 0.02).box_P, 0.02, how, Pose{});
-  const HandPath m = ExplorationPath(SetItem("m", script_, 0.02).box_P, 0.02, how, Pose{});
-  ASSERT_EQ(i.points.size(), m.points.size());
-  for (std::size_t n = 0; n < i.points.size(); ++n) {
-    EXPECT_EQ(i.points[n].p_D, m.points[n].p_D);
-    EXPECT_EQ(i.points[n].time, m.points[n].time);
-  }
-}
 
 /// Traces with a push and without, and what the learner felt of its error.
 class TracingLearnerTest : public LearnerTest {

@@ -91,6 +91,21 @@ TEST_F(Study, PutsTheHandsOnADevice) {
   EXPECT_THROW(Whole(1), InputError);
 }
 
+TEST_F(Study, ExploresOnDevicesThatMeasureAHeightOnly) {
+  std::ofstream(Path("small.toml")) << "device = \"sidewinder-ff2\"\n"
+                                    << kProtocol << "[staircase]\nstart_mm = 20.0\n";
+  try {
+    Whole(1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("sidewinder-ff2"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("[staircase]"), std::string::npos) << error.what();
+  }
+  // without one it only traces
+  std::ofstream(Path("small.toml")) << "device = \"sidewinder-ff2\"\n" << kProtocol;
+  EXPECT_FALSE(Whole(1).empty());
+}
+
 TEST_F(Study, GivesTheSameBytesForAnyNumberOfThreads) {
   const std::string one = Whole(1);
   EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1 + 4 * 6);
