@@ -8,8 +8,9 @@ namespace {
 
 // Ours. In sizes unless said.
 constexpr double kInk = 0.3;      // share of a groove's depth
-constexpr double kBehind = 0.45;  // behind a sign it goes on with columns
-constexpr double kBeyond = 0.3;   // the next sign begins at most so much behind a space
+constexpr double kBehind = 0.75;  // behind a sign it goes on with columns: dots may follow
+constexpr double kBeyond = 1.3;   // the next sign begins at most so much behind a space
+constexpr double kBefore = 0.3;   // left of a sign found there it goes on with columns
 constexpr double kNothing = 2.5;  // so much blank paper at a line's beginning holds nothing
 constexpr double kSlant = 0.3;    // from one slanting way that looks for further signs to the next
 
@@ -54,6 +55,7 @@ void LineExplorer::Begin() {
 void LineExplorer::Notice() {
   if (depth() < kInk) return;
   inked_ = true;
+  if (stage_ == Stage::kLook && place().x > x_) found_ = std::min(found_, place().x);
   ink_to_ = std::max(ink_to_, place().x);
   lowest_ = std::min(lowest_, place().y);
   highest_ = std::max(highest_, place().y);
@@ -75,6 +77,7 @@ void LineExplorer::GoOn() {
   if (stage_ == Stage::kRows) {
     stage_ = Stage::kDone;
   } else if (ColumnsGoOn()) {
+    if (stage_ == Stage::kLook) x_ = std::max(x_, found_ - kBefore * how_.size);
     stage_ = Stage::kColumns;
     NextColumn();
   } else if (inked_ && stage_ == Stage::kColumns) {
@@ -84,16 +87,19 @@ void LineExplorer::GoOn() {
   }
 }
 
-/// To the right, over the widest gap between two signs, up and down, so that neither a level nor an
-/// upright stroke is missed.
+/// To the right, over the widest gap between two signs, up and down, which meets level strokes, and
+/// straight back along the middle, which meets upright ones.
 void LineExplorer::LookBeyond() {
   stage_ = Stage::kLook;
-  const double far = ink_to_ + space_ + kBeyond * how_.size;
+  const double far = found_ = ink_to_ + space_ + kBeyond * how_.size;
   bool down = y_ > bottom_;
   for (double x = x_; x < far; down = !down) {
     x += kSlant * how_.size;
     hand_.GoOnTo({x, down ? bottom_ : top_});
   }
+  const double middle = (bottom_ + top_) / 2;
+  hand_.GoOnTo({far, middle});
+  hand_.GoOnTo({x_, middle});
 }
 
 /// Over what was felt; where nothing was, over all: a thin upright stroke may lie between columns.

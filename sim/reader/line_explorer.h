@@ -53,6 +53,7 @@ class LineExplorer {
   Stage stage_ = Stage::kStart;
   double left_ = 0, top_ = 0, bottom_ = 0;  ///< of what is explored [m]
   double x_ = 0, y_ = 0;                    ///< where the columns end so far [m]
+  double found_ = 0;                        ///< where signs go on beyond a space [m]
   bool inked_ = false;
   double ink_to_ = 0, lowest_ = 0, highest_ = 0;  ///< of what was felt in the paper [m]
 };

@@ -103,16 +103,18 @@ TEST(LineExplorer, EndsSoonAfterTheLastSign) {
   of_one.Over(Bars({0.2}));
   of_three.Over(Bars({0.2, 0.6, 1.0}));
   EXPECT_TRUE(of_one.ended && of_three.ended);
-  // beyond the last: a space of 0.6 and what may follow it, and a slant more
-  EXPECT_LT(of_one.Right(of_one.felt), 0.2 + 0.6 + 0.7);
-  EXPECT_LT(of_three.Right(of_three.felt), 1.0 + 0.6 + 0.7);
+  // beyond the last: a space of 0.6 and room beside a sign, and a slant more
+  EXPECT_LT(of_one.Right(of_one.felt), 0.2 + 0.6 + 1.7);
+  EXPECT_LT(of_three.Right(of_three.felt), 1.0 + 0.6 + 1.7);
   EXPECT_GT(of_three.seconds, of_one.seconds);
 }
 
 TEST(LineExplorer, FindsWhatFollowsBeyondASpace) {
   Explored explored;
-  explored.Over(Bars({0.2, 1.0, 1.8}));  // gaps of 0.8 between thin bars
-  EXPECT_NEAR(explored.Right(explored.inked), 1.8, 0.08);
+  explored.Over(Bars({0.2, 1.5, 2.8}));  // gaps of 1.3: the space, and room beside thin signs
+  EXPECT_NEAR(explored.Right(explored.inked), 2.8, 0.08);
+  // all of the last as well
+  for (double y = -1; y <= 0; y += 0.1) EXPECT_TRUE(explored.FeltNear({2.8, y}, 0.075)) << y;
 }
 
 // Columns lie 0.15, 0.05, ... sizes left of the hand's corner and every 0.1 to the right.

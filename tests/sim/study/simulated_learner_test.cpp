@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "devices/catalogue/catalogue.h"
 #include "lessons/guide/guidance.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/guide/guidance_table.h"
@@ -61,6 +62,36 @@ TEST_F(LearnerTest, LearnsTheShapeThatItIsShownAndNotTheName) {
   learner_.shapes().Remember("d", Feel("b", 0.04), 0);  // a false teacher
   learner_.shapes().Remember("o", Feel("o", 0.04), 0);
   EXPECT_EQ(Hear("b", 0.02), "d");
+}
+
+TEST_F(LearnerTest, FeelsEachSignOfALineAlsoBeyondASpace) {
+  for (const double size : {0.025, 0.016}) {
+    EXPECT_EQ(Feel("i i", size).size(), 2U);  // thin, and far apart
+    EXPECT_EQ(Feel("t t", size).size(), 2U);
+    EXPECT_EQ(Feel("moon", size).size(), 4U);
+    EXPECT_EQ(Feel("o.", size).size(), 3U);  // a full stop is two dots
+  }
+}
+
+TEST_F(LearnerTest, FeelsByWhatItsDeviceReports) {
+  const DeviceProfile device = FindProfile("woodenhaptics", ProfilesFolder());
+  SimulatedLearner on_device(ShippedLearner(), ShippedHand(), 1, &device);
+  const ItemPage page = SetItem("b", script_, 0.02);
+  const FeltShape exact = learner_.Feel(page), stepped = on_device.Feel(page);
+  ASSERT_EQ(stepped.size(), 1U);
+  EXPECT_NE(exact[0].picture, stepped[0].picture);
+  on_device.shapes().Remember("b", stepped, 0);
+  on_device.shapes().Remember("d", on_device.Feel(SetItem("d", script_, 0.02)), 0);
+  EXPECT_EQ(on_device.shapes().Name(on_device.Feel(page), 0, 0).label, "b");
+}
+
+TEST_F(LearnerTest, CountsTheTimeOfItsExploring) {
+  const double before = learner_.seconds();
+  Feel("b", 0.02);
+  const double one = learner_.seconds() - before;
+  Feel("bob", 0.02);
+  EXPECT_GT(one, 1);
+  EXPECT_GT(learner_.seconds() - before - one, 1.5 * one);  // three signs take longer
 }
 
 TEST_F(LearnerTest, FeelsNothingOnBlankPaper) { EXPECT_TRUE(Feel("b", 0.04, 0).empty()); }
