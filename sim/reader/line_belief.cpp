@@ -23,7 +23,7 @@ constexpr int kMostSpaces = 3;  ///< in a row
 constexpr double kEndPrior = 4;
 constexpr double kSlack = 0.05;   ///< of a sign's beginning about where it is expected
 constexpr double kMostSlack = 3;  ///< the same at most, in standard deviations
-constexpr double kFineStep = 0.04;
+constexpr int kFineCells = 2, kCoarseCells = 4;  ///< of the signs' tables, from step to step
 constexpr double kNever = -1e9;
 // of links
 constexpr double kLinkInk = 0.7;    ///< share of a sign's ink that ink on a link's end counts
@@ -44,11 +44,6 @@ double InkGain(double distance, double spread) {
   return kInk - 0.5 * off * off;
 }
 
-/// How much flat paper at this distance speaks against a line: 1 on it, 0 from `inner` on.
-double FlatShare(double distance, double inner) {
-  return distance < inner ? std::min(1.0, 2 * (1 - distance / inner)) : 0;
-}
-
 double LogSum(double a, double b) {
   const double most = std::max(a, b);
   return most <= kNever ? kNever : most + std::log1p(std::exp(std::min(a, b) - most));
@@ -57,7 +52,11 @@ double LogSum(double a, double b) {
 }  // namespace
 
 LineBelief::LineBelief(const SignShapes& shapes, double width, double space)
-    : shapes_(&shapes), width_(width), space_(space) {
+    : shapes_(&shapes),
+      fine_(shapes, kFineCells),
+      coarse_(shapes, kCoarseCells),
+      width_(width),
+      space_(space) {
   double clear = 0, left = 0;
   for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
     const Box& box = shapes.Bounds(sign);
@@ -71,15 +70,17 @@ LineBelief::LineBelief(const SignShapes& shapes, double width, double space)
 }
 
 LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior,
-                                      double step) const {
+                                      Steps steps) const {
+  const StepGains& gains = steps == Steps::kFine ? fine_ : coarse_;
   Line line;
-  line.step = step;
+  line.step = gains.step();
   line.from = -prior.before - kMostSlack * kSlack;
   line.half_width = 0.5 * width_ / prior.next.size;
   const double low = bounds_.min.y - line.half_width, high = bounds_.max.y + line.half_width;
   double last = line.from;
+  const EmFrame frame(prior.next);
   for (const HatchPoint& point : points) {
-    const glm::dvec2 p = ToEm(prior.next, point.p);
+    const glm::dvec2 p = frame.To(point.p);
     if (p.x < line.from + window_ || p.x > prior.felt_to || p.y < low || p.y > high) continue;
     (point.of_link ? line.of_links : point.ink ? line.ink : line.flat).push_back(p);
     last = std::max(last, p.x);
@@ -88,7 +89,7 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
     std::sort(felt->begin(), felt->end(),
               [](glm::dvec2 a, glm::dvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   }
-  line.steps = std::max(1, static_cast<int>(std::ceil((last - line.from) / step)));
+  line.steps = std::max(1, static_cast<int>(std::ceil((last - line.from) / line.step)));
   const double sure = std::hypot(kSpread, 2 * kSpreadWidths * line.half_width);
   line.spread = std::hypot(sure, prior.unsure / prior.next.size);
   line.flat_cost = kFlat * sure / line.spread;
@@ -96,6 +97,16 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
     const auto left = FirstFrom(line.ink, line.XOf(k) + window_) - line.ink.begin();
     line.worth.push_back(kWeight * kInk * static_cast<double>(left));
   }
+  SteppedLine stepped;
+  stepped.from = line.from;
+  stepped.steps = line.steps;
+  stepped.window = window_;
+  stepped.weight = kWeight;
+  stepped.worth = kInk;
+  stepped.spread = line.spread;
+  stepped.cost = line.flat_cost;
+  stepped.inner = kInner * line.half_width;
+  line.gains = gains.Of(line.ink, line.flat, stepped);
   return line;
 }
 
@@ -117,22 +128,23 @@ double LineBelief::Line::WorthBetween(int a, int b) const {
 /// What the points of a sign's share of the line say for it.
 double LineBelief::Gain(const Line& line, std::size_t sign, glm::dvec2 at) const {
   const double from = at.x + window_, to = from + shapes_->Advance(sign);
-  const double inner = kInner * line.half_width;
+  const double ink_fall = 0.5 / (line.spread * line.spread);
   double gain = 0;
   for (auto ink = FirstFrom(line.ink, from); ink != line.ink.end() && ink->x < to; ++ink) {
-    gain += std::max(0.0, InkGain(shapes_->Distance(sign, *ink - at), line.spread));
+    gain += InkWorth(std::max(0.0, shapes_->Distance(sign, *ink - at)), kInk, ink_fall);
   }
+  const double flat_fall = 2 / (kInner * line.half_width);
   double flat = 0;
   for (auto p = FirstFrom(line.flat, from); p != line.flat.end() && p->x < to; ++p) {
-    flat += FlatShare(shapes_->Distance(sign, *p - at), inner);
+    flat += FlatShare(shapes_->Distance(sign, *p - at), flat_fall);
   }
   return kWeight * (gain - line.flat_cost * flat);
 }
 
 /// With its own links.
 double LineBelief::OwnGain(const Line& line, const LinePrior& prior, std::size_t sign,
-                           double x) const {
-  const double gain = Gain(line, sign, {x, 0});
+                           int k) const {
+  const double gain = line.gains[sign][static_cast<std::size_t>(k)], x = line.XOf(k);
   if (prior.links == nullptr) return gain;
   const double from = x + window_, to = from + shapes_->Advance(sign);
   return gain +
@@ -166,7 +178,7 @@ double LineBelief::LinkGain(const Line& line, const LinkShapes::Link& link,
   }
   double flat = 0;
   for (auto p = FirstFrom(line.flat, from); p != line.flat.end() && p->x < to; ++p) {
-    const double share = FlatShare(link.Distance(*p - pair.at_a), inner);
+    const double share = FlatShare(link.Distance(*p - pair.at_a), 2 / inner);
     if (share > 0 && to_sign(*p) >= inner) flat += share;
   }
   return std::max(-kOtherWay, kWeight * (gain - line.flat_cost * flat));
@@ -197,7 +209,7 @@ double LineBelief::From(const Line& line, const LinePrior& prior, const Backward
   const auto expected = [&](int k) {
     return k > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(k)];
   };
-  const double x = line.XOf(begins), own = OwnGain(line, prior, sign, x);
+  const double x = line.XOf(begins), own = OwnGain(line, prior, sign, begins);
   if (prior.links == nullptr || then > line.steps) return own + expected(then);
   const auto linked = [&](int k, bool across) {
     const std::vector<double>& signs = back.sign_expected[static_cast<std::size_t>(k)];
@@ -292,8 +304,8 @@ LineBelief::Backward LineBelief::LookBack(const Line& line, const LinePrior& pri
 }
 
 double LineBelief::Fit(const std::vector<HatchPoint>& points, const LinePrior& prior,
-                       double step) const {
-  const Line line = Prepared(points, prior, step);
+                       Steps steps) const {
+  const Line line = Prepared(points, prior, steps);
   const Backward back = LookBack(line, prior);
   double sum = kNever;
   int count = 0;
@@ -310,9 +322,10 @@ double LineBelief::CostOfInk(const std::vector<HatchPoint>& points, const SignPl
   constexpr double kOnLine = 0.5;                 // share
   constexpr double kClear = 0.35;                 // below a line there is no ink for so long [em]
   const double edge = 0.25 * width_ / line.size;  // slopes tell roughly
+  const EmFrame frame(line);
   double cost = 0;
   for (const HatchPoint& point : points) {
-    const double y = ToEm(line, point.p).y;
+    const double y = frame.To(point.p).y;
     if (!point.ink || point.of_link || y < bounds_.min.y - edge - kClear) continue;
     const bool on_line = y > bounds_.min.y - edge && y < bounds_.max.y + edge;
     cost += kWeight * kInk * (on_line ? kOnLine : 1);
@@ -335,7 +348,7 @@ std::optional<double> LogOfPlace(const LinePrior& prior, double off, double slac
 }  // namespace
 
 NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePrior& prior) const {
-  const Line line = Prepared(points, prior, kFineStep);
+  const Line line = Prepared(points, prior, Steps::kFine);
   const Backward back = LookBack(line, prior);
   const double slack = std::hypot(kSlack, prior.unsure / prior.next.size);
   struct Answer {
@@ -365,10 +378,10 @@ NextOnLine LineBelief::Next(const std::vector<HatchPoint>& points, const LinePri
       double log = *place - spaces * kSpacePrior;
       if (spaces == 0) log -= prior.claimed * line.WorthBetween(j, line.StepOf(0));
       for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
-        const double says =
-            prior.links != nullptr
-                ? back.sign_begins[static_cast<std::size_t>(j)][sign]
-                : Gain(line, sign, {x, 0}) + expected(x + shapes_->Advance(sign) + prior.gap);
+        const double says = prior.links != nullptr
+                                ? back.sign_begins[static_cast<std::size_t>(j)][sign]
+                                : line.gains[sign][static_cast<std::size_t>(j)] +
+                                      expected(x + shapes_->Advance(sign) + prior.gap);
         add(sign,
             log - std::log(static_cast<double>(shapes_->size())) + says +
                 FromLeft(line, prior, sign, x, spaces),

@@ -6,6 +6,7 @@
 
 #include "sim/reader/link_shapes.h"
 #include "sim/reader/sign_belief.h"
+#include "sim/reader/step_gains.h"
 
 namespace moontrace {
 
@@ -52,9 +53,12 @@ class LineBelief {
   /// `shapes` must outlive this.
   LineBelief(const SignShapes& shapes, double width, double space);
 
-  /// Log likelihood of what was felt, against flat paper; `step`: of where signs can begin [em].
-  /// Pure; the time grows with points times signs.
-  double Fit(const std::vector<HatchPoint>& points, const LinePrior& prior, double step) const;
+  /// How closely it looks for where signs begin: every 0.04 em, or 0.08.
+  enum class Steps { kFine, kCoarse };
+
+  /// Log likelihood of what was felt, against flat paper. Pure; the time grows with points times
+  /// signs.
+  double Fit(const std::vector<HatchPoint>& points, const LinePrior& prior, Steps steps) const;
   /// What ink costs that a line must account for: all that lies above it, which is part of none,
   /// and half of that on it, so that a line is not better for taking in what lies between two
   /// others.
@@ -76,7 +80,8 @@ class LineBelief {
     double step = 0;                              ///< [em]
     double from = 0;                              ///< of the first step [em]
     int steps = 0;
-    std::vector<double> worth;  ///< of ink left of each step's sign's share, at most
+    std::vector<double> worth;               ///< of ink left of each step's sign's share, at most
+    std::vector<std::vector<double>> gains;  ///< Gain of each sign at each step
 
     double XOf(int k) const { return from + k * step; }
     int StepOf(double em) const;  ///< the number of a step
@@ -99,10 +104,10 @@ class LineBelief {
     double from = 0, split = 0, to = 0;  ///< their shares of the line
   };
 
-  Line Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior, double step) const;
+  Line Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior, Steps steps) const;
   double Gain(const Line& line, std::size_t sign, glm::dvec2 at) const;
   double UnknownGain(const Line& line, double x) const;
-  double OwnGain(const Line& line, const LinePrior& prior, std::size_t sign, double x) const;
+  double OwnGain(const Line& line, const LinePrior& prior, std::size_t sign, int k) const;
   double LinkGain(const Line& line, const LinkShapes::Link& link, const Pair& pair) const;
   Pair PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const;
   double FromLeft(const Line& line, const LinePrior& prior, std::size_t sign, double x,
@@ -114,6 +119,7 @@ class LineBelief {
   SignPlace Placed(const Line& line, std::size_t sign, double x, const LinePrior& prior) const;
 
   const SignShapes* shapes_;
+  StepGains fine_, coarse_;
   double width_, space_;
   Box bounds_;
   double widest_ = 0;

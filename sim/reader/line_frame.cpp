@@ -9,9 +9,8 @@ namespace {
 
 // In em; ours, chosen on seeds 1 to 20.
 constexpr double kCoarseHeight = 0.07;
-constexpr double kCoarseStep = 0.08, kFineStep = 0.04;  ///< of where signs can begin
-constexpr double kAbout = 0.1;                          ///< a line's ink counts as its own
-constexpr std::size_t kStray = 2;                       ///< felt points may lie left of the line
+constexpr double kAbout = 0.1;     ///< a line's ink counts as its own
+constexpr std::size_t kStray = 2;  ///< felt points may lie left of the line
 constexpr std::size_t kFlatShare =
     3;                              ///< one in so many places of flat paper tells enough coarsely
 constexpr double kBeginning = 0.5;  ///< so much of the line tells most frames to be wrong
@@ -51,7 +50,7 @@ class Search {
           const std::optional<double> left = FirstInk(frame);
           if (!left) continue;
           frame.origin = FromEm(frame, {*left, 0});
-          tried.push_back({frame, Fit(fewer_, frame, kCoarseStep, beginning)});
+          tried.push_back({frame, Fit(fewer_, frame, LineBelief::Steps::kCoarse, beginning)});
         }
       }
     }
@@ -59,31 +58,32 @@ class Search {
         tried.begin() + static_cast<std::ptrdiff_t>(std::min(kLikeliest, tried.size()));
     std::partial_sort(tried.begin(), likeliest, tried.end(),
                       [](const Tried& a, const Tried& b) { return a.log > b.log; });
-    for (auto one = tried.begin(); one != likeliest; ++one) Consider(few_, one->frame, kCoarseStep);
+    for (auto one = tried.begin(); one != likeliest; ++one)
+      Consider(few_, one->frame, LineBelief::Steps::kCoarse);
   }
 
   /// About the best so far, one number after another.
   void Finely() {
     if (!std::isfinite(most_)) return;
-    most_ = Fit(points_, best_, kFineStep, range_.felt_to);
+    most_ = Fit(points_, best_, LineBelief::Steps::kFine, range_.felt_to);
     for (int round = 0; round < kRounds; ++round) {
       const SignPlace about = best_;
       for (const double y : kHeights) {
         SignPlace frame = about;
         frame.origin = FromEm(about, {0, y});
-        Consider(points_, frame, kFineStep);
+        Consider(points_, frame, LineBelief::Steps::kFine);
       }
       const SignPlace lifted = best_;
       for (const double scale : kScales) {
         SignPlace frame = lifted;
         frame.size = scale * lifted.size;
-        if (range_.sizes.size() > 1) Consider(points_, frame, kFineStep);
+        if (range_.sizes.size() > 1) Consider(points_, frame, LineBelief::Steps::kFine);
       }
       const SignPlace sized = best_;
       for (const double turn : kTurns) {
         SignPlace frame = sized;
         frame.turn = sized.turn + turn;
-        if (range_.turns.size() > 1) Consider(points_, frame, kFineStep);
+        if (range_.turns.size() > 1) Consider(points_, frame, LineBelief::Steps::kFine);
       }
     }
   }
@@ -98,8 +98,9 @@ class Search {
   std::optional<double> FirstInk(const SignPlace& frame) const {
     const Box& own = belief_.bounds();
     std::vector<double> ink;
+    const EmFrame em(frame);
     for (const HatchPoint& point : points_) {
-      const glm::dvec2 p = ToEm(frame, point.p);
+      const glm::dvec2 p = em.To(point.p);
       const bool inside = p.y > own.min.y - kAbout && p.y < own.max.y + kAbout;
       if (point.ink && !point.of_link && inside) ink.push_back(p.x);
     }
@@ -108,7 +109,7 @@ class Search {
     return ink[kStray];
   }
 
-  double Fit(const std::vector<HatchPoint>& points, const SignPlace& frame, double step,
+  double Fit(const std::vector<HatchPoint>& points, const SignPlace& frame, LineBelief::Steps steps,
              glm::dvec2 felt_to) const {
     LinePrior prior;
     prior.next = frame;
@@ -117,11 +118,12 @@ class Search {
     prior.unsure = range_.unsure;
     prior.anywhere = true;
     prior.felt_to = ToEm(frame, felt_to).x;
-    return belief_.Fit(points, prior, step) - belief_.CostOfInk(points, frame);
+    return belief_.Fit(points, prior, steps) - belief_.CostOfInk(points, frame);
   }
 
-  void Consider(const std::vector<HatchPoint>& points, const SignPlace& frame, double step) {
-    const double log = Fit(points, frame, step, range_.felt_to);
+  void Consider(const std::vector<HatchPoint>& points, const SignPlace& frame,
+                LineBelief::Steps steps) {
+    const double log = Fit(points, frame, steps, range_.felt_to);
     if (log <= most_) return;
     most_ = log;
     best_ = frame;

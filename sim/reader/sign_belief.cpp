@@ -171,11 +171,7 @@ void TryAll(const SignShapes& shapes, const SignEvidence& evidence, const PlaceP
 
 }  // namespace
 
-glm::dvec2 ToEm(const SignPlace& place, glm::dvec2 p) noexcept {
-  const double c = std::cos(place.turn), s = std::sin(place.turn);
-  const glm::dvec2 d = (p - place.origin) / place.size;
-  return {c * d.x + s * d.y, c * d.y - s * d.x};
-}
+glm::dvec2 ToEm(const SignPlace& place, glm::dvec2 p) noexcept { return EmFrame(place).To(p); }
 
 glm::dvec2 FromEm(const SignPlace& place, glm::dvec2 p_em) noexcept {
   const double c = std::cos(place.turn), s = std::sin(place.turn);

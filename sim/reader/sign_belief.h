@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <vector>
@@ -15,6 +16,20 @@ struct SignPlace {
   double turn = 0;          ///< of the line, counter-clockwise [rad]
 };
 glm::dvec2 ToEm(const SignPlace& place, glm::dvec2 p) noexcept;
+/// The same for many points.
+class EmFrame {
+ public:
+  explicit EmFrame(const SignPlace& place) noexcept
+      : place_(place), c_(std::cos(place.turn)), s_(std::sin(place.turn)) {}
+  glm::dvec2 To(glm::dvec2 p) const noexcept {
+    const glm::dvec2 d = (p - place_.origin) / place_.size;
+    return {c_ * d.x + s_ * d.y, c_ * d.y - s_ * d.x};
+  }
+
+ private:
+  SignPlace place_;
+  double c_, s_;
+};
 glm::dvec2 FromEm(const SignPlace& place, glm::dvec2 p_em) noexcept;
 
 /// What was felt at a point, and how much it says: 1 for a point that stands by itself.

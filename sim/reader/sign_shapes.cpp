@@ -76,18 +76,20 @@ SignShapes::Sign SignShapes::Make(const Glyph& glyph, std::size_t index, Dots do
 
 void SignShapes::FillTable(const Glyph& glyph, Dots dots, Sign& sign) {
   const Box box = Grown(sign.bounds, kFarthest);
-  sign.corner = box.min;
-  sign.columns = static_cast<int>(std::ceil((box.max.x - box.min.x) * kPerEm));
-  sign.rows = static_cast<int>(std::ceil((box.max.y - box.min.y) * kPerEm));
-  sign.table.reserve(static_cast<std::size_t>(sign.columns) * static_cast<std::size_t>(sign.rows));
-  for (int j = 0; j < sign.rows; ++j) {
-    for (int i = 0; i < sign.columns; ++i) {
+  Table& table = sign.table;
+  table.corner = box.min;
+  table.columns = static_cast<int>(std::ceil((box.max.x - box.min.x) * kPerEm));
+  table.rows = static_cast<int>(std::ceil((box.max.y - box.min.y) * kPerEm));
+  table.cells.reserve(static_cast<std::size_t>(table.columns) *
+                      static_cast<std::size_t>(table.rows));
+  for (int j = 0; j < table.rows; ++j) {
+    for (int i = 0; i < table.columns; ++i) {
       const glm::dvec2 p = box.min + glm::dvec2(i + 0.5, j + 0.5) / kPerEm;
       double nearest = kFarthest;
       for (const Stroke& stroke : glyph.strokes) {
         nearest = std::min(nearest, DistanceToStroke(stroke, p, dots));
       }
-      sign.table.push_back(static_cast<float>(nearest));
+      table.cells.push_back(static_cast<float>(nearest));
     }
   }
 }

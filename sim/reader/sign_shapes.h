@@ -25,6 +25,18 @@ class SignShapes {
   /// What stands for a small dot: the floor that a tip in it keeps to, or its middle.
   enum class Dots { kFloors, kMiddles };
 
+  /// Distances to a sign's lines, at the middles of cells.
+  struct Table {
+    glm::dvec2 corner{0, 0};  ///< lower left [em]
+    int columns = 0, rows = 0;
+    std::vector<float> cells;  ///< row by row from below [em]
+    float At(int column, int row) const noexcept {
+      return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                   static_cast<std::size_t>(column)];
+    }
+  };
+  static constexpr double kPerEm = 50;  ///< cells of a table
+
   SignShapes() = default;
   /// `which`: indices into the script's glyphs. Glyphs without strokes are left out.
   SignShapes(const Script& script, const std::vector<std::size_t>& which,
@@ -43,25 +55,24 @@ class SignShapes {
   /// To the nearest centre line, or floor or middle of a dot; within a larger fill the distance to
   /// its outline, below zero; at most kFarthest [em]. From a table of 0.02 em.
   double Distance(std::size_t sign, glm::dvec2 p) const noexcept {
-    const Sign& s = signs_[sign];
-    const int i = static_cast<int>((p.x - s.corner.x) * kPerEm);
-    const int j = static_cast<int>((p.y - s.corner.y) * kPerEm);
-    if (p.x < s.corner.x || p.y < s.corner.y || i >= s.columns || j >= s.rows) return kFarthest;
-    return s.table[static_cast<std::size_t>(j) * static_cast<std::size_t>(s.columns) +
-                   static_cast<std::size_t>(i)];
+    const Table& table = signs_[sign].table;
+    const int i = static_cast<int>((p.x - table.corner.x) * kPerEm);
+    const int j = static_cast<int>((p.y - table.corner.y) * kPerEm);
+    if (p.x < table.corner.x || p.y < table.corner.y || i >= table.columns || j >= table.rows) {
+      return kFarthest;
+    }
+    return table.At(i, j);
   }
+  const Table& TableOf(std::size_t sign) const { return signs_[sign].table; }
 
  private:
-  static constexpr double kPerEm = 50;  ///< cells of the table
   struct Sign {
     std::size_t glyph = 0, meaning = 0;
     double advance = 0;
     bool dots = false;
     Box bounds;
     std::vector<SignPoint> points;
-    glm::dvec2 corner{0, 0};  ///< of the table, lower left
-    int columns = 0, rows = 0;
-    std::vector<float> table;  ///< row by row from below, at the middles of cells
+    Table table;
   };
   static Sign Make(const Glyph& glyph, std::size_t index, Dots dots);
   static void FillTable(const Glyph& glyph, Dots dots, Sign& sign);

@@ -5,15 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "textures/base/wide_vectors.h"
 #include "textures/field/field_find.h"
-
-// The widest vectors that the processor has are chosen when the program starts. Sanitizers run
-// before that choice could be made, so their builds keep to the compiler's default.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
-#define MOONTRACE_WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define MOONTRACE_WIDE
-#endif
 
 namespace moontrace {
 

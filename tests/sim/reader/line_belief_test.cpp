@@ -144,7 +144,7 @@ TEST(LineBelief, InkIsNotClaimedByTwo) {
   prior.anywhere = true;
   prior.before = 0.9;
   prior.behind = 0.2;
-  EXPECT_LT(belief.Fit(points, prior, 0.04), 2 * belief.CostOfInk(points, at));
+  EXPECT_LT(belief.Fit(points, prior, LineBelief::Steps::kFine), 2 * belief.CostOfInk(points, at));
 }
 
 /// What a hand without any error feels of a page of one line of Moon whose letters are linked.
@@ -253,13 +253,16 @@ TEST(LineBelief, LinksExplainWhatIsFeltOfThemAndNothingElse) {
   apart.behind = linked.behind = 0.1;
   linked.links = line.links.get();
   std::vector<HatchPoint> points = line.Felt();
-  const double gain = belief.Fit(points, linked, 0.04) - belief.Fit(points, apart, 0.04);
+  const double gain = belief.Fit(points, linked, LineBelief::Steps::kFine) -
+                      belief.Fit(points, apart, LineBelief::Steps::kFine);
   EXPECT_GT(gain, 20);
   std::vector<HatchPoint> letters;
   for (const HatchPoint& point : points) {
     if (!point.ink || line.IsOfLetter(point.p)) letters.push_back(point);
   }
-  EXPECT_LT(belief.Fit(letters, linked, 0.04) - belief.Fit(letters, apart, 0.04), gain);
+  EXPECT_LT(belief.Fit(letters, linked, LineBelief::Steps::kFine) -
+                belief.Fit(letters, apart, LineBelief::Steps::kFine),
+            gain);
 }
 
 TEST(LineFrame, FindsSizeTurnAndBaseLineOfALine) {
