@@ -18,6 +18,8 @@ constexpr double kGivesUp = 300;     ///< after so long without a sign or a line
 constexpr double kPerSecond = 14;    ///< widths of a ridge, over which it goes
 constexpr double kColumn = 0.11;     ///< from one way across a line to the next
 constexpr double kDotColumn = 0.08;  ///< the same where all signs are of dots
+// Over how long it finds how far it strays aside [s]. A tip that dots turn away seems to stray.
+constexpr double kLearn = 0.05, kDotLearn = 0.25;
 constexpr double kSample = 0.25;     ///< from one felt place to the next, in widths
 constexpr double kInk = 0.2;         ///< share of a ridge's height
 constexpr double kInkTime = 0.004;   ///< [s]
@@ -44,17 +46,21 @@ constexpr double kInside = 0.002;       ///< of a face's edges the hand stays [m
 constexpr double kLeastFit = 20;        ///< nats, else what was felt is no line
 constexpr double kGreatestTurn = 3 * kDegree;
 
+bool AllDots(const SignShapes& shapes) {
+  for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
+    if (!shapes.IsDots(sign)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 HatchReader::HatchReader(const ReaderKnowledge& knowledge, double tick)
     : knowledge_(knowledge),
       belief_(*knowledge.shapes, knowledge.width, knowledge.space),
-      hand_(knowledge, kPerSecond * knowledge.width, tick),
-      size_(knowledge.greatest_size) {
-  for (std::size_t sign = 0; sign < knowledge.shapes->size(); ++sign) {
-    dots_ = dots_ && knowledge.shapes->IsDots(sign);
-  }
-}
+      dots_(AllDots(*knowledge.shapes)),
+      hand_(knowledge, kPerSecond * knowledge.width, dots_ ? kDotLearn : kLearn, tick),
+      size_(knowledge.greatest_size) {}
 
 ReaderActivity HatchReader::activity() const {
   if (done()) return ReaderActivity::kDone;
@@ -125,13 +131,17 @@ double HatchReader::ColumnWidth() const {
          (line_starts_.empty() && !framed_ ? knowledge_.least_size : size_);
 }
 
-/// The next column, upwards or downwards in turn, and aside to where the one after it begins: ways
-/// that lean in turn would leave gaps of two columns at their ends.
+double HatchReader::Lean() const { return dots_ ? 0 : ColumnWidth(); }
+
+/// To the end of this column, upwards or downwards in turn, and aside to where the next one begins.
+/// They lean to the right by their distance, all alike: an upright stroke, which could lie between
+/// two upright ones, is met by one of them. Dots are met by upright ones as well.
 std::vector<glm::dvec2> HatchReader::NextColumn() {
-  const double end = upwards_ ? high_ : low_, from = column_;
+  const double lean = upwards_ ? Lean() : 0, end = upwards_ ? high_ : low_;
+  const double from = column_ + lean;
   column_ += ColumnWidth();
   upwards_ = !upwards_;
-  return {FromEm(hatch_, {from, end}), FromEm(hatch_, {column_, end})};
+  return {FromEm(hatch_, {from, end}), FromEm(hatch_, {column_ + lean, end})};
 }
 
 /// From where the hand was put to and fro, downwards.
@@ -214,7 +224,9 @@ double HatchReader::Margin() const {
 }
 
 /// How far along the line everything was felt [m].
-double HatchReader::FeltTo() const { return ToEm(hatch_, hand_.felt().place).x - ColumnWidth(); }
+double HatchReader::FeltTo() const {
+  return ToEm(hatch_, hand_.felt().place).x - ColumnWidth() - Lean();
+}
 
 void HatchReader::Feel(const Felt& felt) {
   if (!felt.touching || !hand_.level_known()) return;

@@ -41,6 +41,7 @@ class HatchReader final : public PageReader {
   void HatchExpectedLine();
   double Margin() const;
   double ColumnWidth() const;
+  double Lean() const;
   double FeltTo() const;
   void Think();
   bool FindFrame();
@@ -53,7 +54,7 @@ class HatchReader final : public PageReader {
   ReaderKnowledge knowledge_;
   std::shared_ptr<const LinkShapes> links_;  ///< once the size is known, if there are any
   LineBelief belief_;
-  bool dots_ = true;  ///< and nothing else in the script
+  bool dots_;  ///< and nothing else in the script
   HatchingHand hand_;
   double tick_ = 0;  ///< since the one before [s]
   ReaderAction action_;

@@ -24,13 +24,14 @@ constexpr double kFlat = 0.1;       // more is not flat paper, share of a groove
 
 }  // namespace
 
-HatchingHand::HatchingHand(const ReaderKnowledge& knowledge, double speed, double tick)
+HatchingHand::HatchingHand(const ReaderKnowledge& knowledge, double speed, double learn,
+                           double tick)
     : speed_(speed),
       flight_(kTurn * std::sqrt(knowledge.hand_mass / knowledge.hand_stiffness)),
       late_(knowledge.delay + knowledge.lag),
       press_(knowledge.press),
       sense_(knowledge, tick),
-      drift_(knowledge, tick) {}
+      drift_(knowledge, learn, tick) {}
 
 void HatchingHand::Add(const ReaderInput& input) {
   now_ = input.time;

@@ -14,8 +14,8 @@ namespace moontrace {
 /// its mind's business.
 class HatchingHand {
  public:
-  /// `speed` over the paper [m/s], `tick` [s].
-  HatchingHand(const ReaderKnowledge& knowledge, double speed, double tick);
+  /// `speed` over the paper [m/s]; `learn`: AsideDrift's [s]; `tick` [s].
+  HatchingHand(const ReaderKnowledge& knowledge, double speed, double learn, double tick);
 
   /// The next tick's reading; the first is of a hand that was put over the paper. Before Move.
   void Add(const ReaderInput& input);

@@ -7,6 +7,7 @@ namespace moontrace {
 namespace {
 
 // Ours. In sizes unless said.
+constexpr double kLearn = 0.25;   // over which it finds how far it strays aside [s]
 constexpr double kInk = 0.3;      // share of a groove's depth
 constexpr double kBehind = 0.75;  // behind a sign it goes on with columns: dots may follow
 constexpr double kBeyond = 1.3;   // the next sign begins at most so much behind a space
@@ -21,7 +22,7 @@ LineExplorer::LineExplorer(const ReaderKnowledge& knowledge, const LineExplorati
     : how_(how),
       space_(knowledge.space * how.size),
       groove_depth_(knowledge.depth),
-      hand_(knowledge, how.speed, tick) {}
+      hand_(knowledge, how.speed, kLearn, tick) {}
 
 double LineExplorer::depth() const {
   const Felt& felt = hand_.calm();

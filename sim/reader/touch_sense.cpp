@@ -169,8 +169,8 @@ void AsideDrift::Begin() noexcept {
   left_ = 0;
 }
 
-AsideDrift::AsideDrift(const ReaderKnowledge& knowledge, double tick)
-    : tick_(tick),
+AsideDrift::AsideDrift(const ReaderKnowledge& knowledge, double learn, double tick)
+    : share_(tick / learn),
       then_(static_cast<std::size_t>(std::lround((knowledge.delay + knowledge.lag) / tick)) + 1) {}
 
 void AsideDrift::Add(glm::dvec2 tip, bool flat, glm::dvec2 aim, glm::dvec2 heading) noexcept {
@@ -180,7 +180,7 @@ void AsideDrift::Add(glm::dvec2 tip, bool flat, glm::dvec2 aim, glm::dvec2 headi
   slot = {aim, heading};
   if (count_++ < then_.size() || !flat || glm::dot(then.heading, heading) < kSteady) return;
   const glm::dvec2 off = tip - then.aim;
-  left_ += tick_ / kLearn * (then.heading.x * off.y - then.heading.y * off.x - left_);
+  left_ += share_ * (then.heading.x * off.y - then.heading.y * off.x - left_);
 }
 
 }  // namespace moontrace

@@ -99,8 +99,8 @@ class AimDrift {
 /// it compares where it feels itself to be on flat paper with where it aimed at that time.
 class AsideDrift {
  public:
-  /// `tick` [s].
-  AsideDrift(const ReaderKnowledge& knowledge, double tick);
+  /// `learn`: over how long it compares [s]; `tick` [s].
+  AsideDrift(const ReaderKnowledge& knowledge, double learn, double tick);
 
   /// A landing: where it aimed before says nothing.
   void Begin() noexcept;
@@ -112,7 +112,7 @@ class AsideDrift {
   struct Then {
     glm::dvec2 aim{0, 0}, heading{1, 0};
   };
-  double tick_ = 1e-3;
+  double share_ = 0;        ///< of what is new in a tick
   std::vector<Then> then_;  ///< of the time by which it feels late, a ring buffer
   std::size_t count_ = 0;
   double left_ = 0;

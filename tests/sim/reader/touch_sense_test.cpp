@@ -152,7 +152,7 @@ ReaderKnowledge LateHand() {
 
 TEST(AsideDrift, FindsWhatAHandStraysToTheLeftOfItsWay) {
   constexpr double kStrays = 0.8e-3;
-  AsideDrift drift(LateHand(), kTick);
+  AsideDrift drift(LateHand(), 0.25, kTick);
   // upwards at 20 mm/s, felt 150 ms late and 0.8 mm to the left of the aim, which corrects itself
   std::vector<glm::dvec2> aims;
   for (int n = 0; n < 2000; ++n) {
@@ -166,7 +166,7 @@ TEST(AsideDrift, FindsWhatAHandStraysToTheLeftOfItsWay) {
 }
 
 TEST(AsideDrift, LearnsNothingOnASlopeOrRoundACorner) {
-  AsideDrift drift(LateHand(), 1e-3);
+  AsideDrift drift(LateHand(), 0.25, 1e-3);
   for (int n = 0; n < 1000; ++n) drift.Add({1e-3, 0}, false, {0, 0}, {0, 1});
   EXPECT_EQ(drift.left(), 0);
   for (int n = 0; n < 1000; ++n) {
