@@ -149,6 +149,7 @@ void HatchReader::SearchFirstLine(double top) {
   constexpr int kRows = 90;
   const double a = knowledge_.least_size;
   std::vector<glm::dvec2> way;
+  way.reserve(kRows);
   for (int i = 0; i < kRows; ++i) {
     way.emplace_back(start_.x + a * (i % 2 == 0 ? -0.5 : kAcrossRows), top - kRow * a * i);
   }
