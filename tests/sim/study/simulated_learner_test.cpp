@@ -159,10 +159,10 @@ TEST_F(LearnerTest, DependsOnHelpWhereTheModelSaysSo) {
 
 using SlowRecognition = LearnerTest;
 
-TEST_F(SlowRecognition, ErrsMoreTheSmallerTheLettersWithoutBeingToldTheSize) {
+TEST_F(SlowRecognition, ErrsMoreOnLettersTooSmallForItsHand) {
   for (const double size : {0.04, 0.016, 0.006}) Teach(kLetters, size);
-  const double large = Right(0.04, 2), small = Right(0.006, 3);
-  std::printf("right: 40 mm %.3f, 6 mm %.3f\n", large, small);
+  const double large = Right(0.04, 2), small = Right(0.003, 3);
+  std::printf("right: 40 mm %.3f, 3 mm %.3f\n", large, small);
   for (const auto& pair : confused_) std::printf("%s %d\n", pair.first.c_str(), pair.second);
   EXPECT_GT(large, 0.95);
   EXPECT_GT(large, small + 0.02);
