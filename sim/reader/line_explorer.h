@@ -16,7 +16,7 @@ struct LineExploration {
 /// Feels a line of signs all over, whatever they are, and names none: up and down along the line,
 /// a little further to the right each time, until nothing more comes; then from side to side, back
 /// over all of it. Where the signs stop it looks whether others follow beyond a space. What was
-/// felt is for its owner to gather.
+/// felt is for its owner to gather. Its way grows as it goes: not for the haptic thread.
 class LineExplorer {
  public:
   /// The hand will be put on the upper left corner of the line. `tick` [s].

@@ -17,7 +17,7 @@ struct SteppedLine {
   double worth = 0;   ///< of ink on a sign's lines [nats]
   double spread = 1;  ///< about them
   double cost = 0;    ///< of flat paper on them [nats]
-  double inner = 1;   ///< from there on flat paper costs nothing; half of that it costs all
+  double inner = 1;   ///< flat paper so far off costs nothing, and all up to half of that
 };
 
 /// What ink so far from a line is worth against flat paper, but not below zero [nats]. `fall`: half
@@ -39,7 +39,8 @@ Real FlatShare(Real distance, Real fall) {
 
 /// What a line's points say for a sign that begins at each of evenly spaced steps, all steps of a
 /// sign at once: steps are whole cells of the signs' tables, which are laid out so that the cells
-/// that a point falls into step by step lie side by side.
+/// that a point falls into step by step lie side by side. Points beyond a sign's table, farther
+/// from it than SignShapes::kFarthest, count nothing.
 class StepGains {
  public:
   /// `cells` of the tables from step to step.
@@ -59,8 +60,8 @@ class StepGains {
     int run = 0;               ///< cells of a row that lie whole steps apart
     std::vector<float> table;  ///< by row, then by column modulo `cells`, then by step
   };
-  /// A point: the cell that it falls into at the first step, from the page's own origin, and how
-  /// many steps right of a share's beginning it lies.
+  /// A point: in cells from the origin of a sign that begins at the first step, and how many steps
+  /// right of the beginning of that sign's share it lies.
   struct Point {
     double column = 0, row = 0, steps = 0;
   };

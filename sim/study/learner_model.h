@@ -27,11 +27,11 @@ struct Exploration {
   double press = 0.2;           ///< [N]
   double spacing_share = 0.17;  ///< between sweeps, of the letter's size
   double margin_share = 0.15;   ///< around the letters, of their size
-  double put_share = 0.1;       ///< the hand comes down so far from a line's corner, of the size
-  double unsure = 0.25e-3;      ///< of its place the hand is, rms (UnsurePlace) [m]
-  double speed = 0.09;          ///< at size `at_size` [m/s]
-  double speed_power = 0.75;    ///< of the size, with which the speed goes
-  double at_size = 0.04;        ///< [m]
+  double put_share = 0.1;     ///< how far from a line's corner the hand is put at most, of the size
+  double unsure = 0.25e-3;    ///< rms error of the place that it feels (UnsurePlace) [m]
+  double speed = 0.09;        ///< at size `at_size` [m/s]
+  double speed_power = 0.75;  ///< of the size, with which the speed goes
+  double at_size = 0.04;      ///< [m]
 };
 
 /// Everything that a simulated learner is, besides its hand (devices/hand.toml).
