@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace moontrace {
 namespace {
@@ -22,11 +25,15 @@ constexpr double kOtherSize = 8;      ///< log of how much rarer they are; see P
 constexpr double kUnknownPrior = 5;   ///< before anything was felt
 constexpr double kCoarse = 0.06, kFine = 0.02;
 constexpr double kSlack = 0.12;  ///< felt points may lie so far beyond a sign's box
+/// Fits that cost so much more than the best say nothing: e^-30 as likely.
+constexpr double kNegligible = 30;
+constexpr double kOffGrid = 1;  ///< may cost each groove point, for the coarse grid's steps
 
 /// Evidence in em, about the first place that is tried, so that other places are a shift away.
 struct ScaledEvidence {
   std::vector<FeltPoint> grooves, flats;
-  Box box;  ///< of the grooves that were followed
+  Box box;            ///< of the grooves that were followed
+  double weight = 0;  ///< of all grooves
   double half_width = 0;
   double spread = kSpread;  ///< of felt points
   double crossed_spread = kSpread;
@@ -34,16 +41,31 @@ struct ScaledEvidence {
   double flat_cost = kMostAFlat, wall_cost = kMostAFlat;
 };
 
+/// What was felt one after another lies side by side and says much the same: taken in leaps, a bad
+/// fit shows sooner.
+std::vector<FeltPoint> InLeaps(const std::vector<FeltPoint>& points) {
+  std::size_t leap = std::max<std::size_t>(1, points.size() * 5 / 8);
+  while (std::gcd(leap, points.size()) > 1) ++leap;
+  std::vector<FeltPoint> leapt;
+  leapt.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) leapt.push_back(points[i * leap % points.size()]);
+  return leapt;
+}
+
 ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
   ScaledEvidence scaled;
+  const EmFrame frame(place);
   for (const FeltPoint& felt : evidence.grooves) {
-    scaled.grooves.push_back({ToEm(place, felt.p), felt.weight, felt.crossed});
+    scaled.grooves.push_back({frame.To(felt.p), felt.weight, felt.crossed});
+    scaled.weight += felt.weight;
     if (!felt.crossed) Include(scaled.box, scaled.grooves.back().p);
   }
   for (const FeltPoint& felt : evidence.flats) {
-    const glm::dvec2 p = ToEm(place, felt.p);
+    const glm::dvec2 p = frame.To(felt.p);
     if (Contains(Grown(scaled.box, 1.2), p)) scaled.flats.push_back({p, felt.weight, felt.crossed});
   }
+  scaled.grooves = InLeaps(scaled.grooves);
+  scaled.flats = InLeaps(scaled.flats);
   scaled.half_width = 0.5 * evidence.width / place.size;
   const double unsure = evidence.unsure / place.size;
   scaled.spread = std::hypot(kSpread, kWithinALeg * unsure);
@@ -58,23 +80,26 @@ ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
 /// Cost of all that was felt if the sign lies shifted by `shift` [em]; gives up beyond `most`.
 double CostOf(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& felt,
               glm::dvec2 shift, double most) {
-  const double per_square = 0.5 / (felt.spread * felt.spread);
+  const double followed = 0.5 / (felt.spread * felt.spread);
+  const double crossed = 0.5 / (felt.crossed_spread * felt.crossed_spread);
+  const double end = shapes.Advance(sign) - felt.next_within;
   double cost = 0;
   for (const FeltPoint& groove : felt.grooves) {
+    const glm::dvec2 p = groove.p - shift;
     // a tip within a fill may be anywhere in it, which says less than one on a line
-    const double d = std::max(shapes.Distance(sign, groove.p - shift), -kWithinFill) /
-                     (groove.crossed ? felt.crossed_spread / felt.spread : 1);
-    const bool beyond =
-        groove.crossed && groove.p.x - shift.x > shapes.Advance(sign) - felt.next_within;
-    cost += groove.weight * std::min(per_square * d * d, beyond ? kNextSign : kMostAGroove);
+    const double d = std::max(shapes.Distance(sign, p), -kWithinFill);
+    const bool beyond = groove.crossed && p.x > end;
+    cost += groove.weight * std::min((groove.crossed ? crossed : followed) * d * d,
+                                     beyond ? kNextSign : kMostAGroove);
     if (cost > most) return cost;
   }
   const double inner = 0.75 * felt.half_width;
   for (const FeltPoint& flat : felt.flats) {
     const double d = std::max(shapes.Distance(sign, flat.p - shift), 0.0);
-    if (d < inner)
-      cost += flat.weight * (flat.crossed ? felt.flat_cost : felt.wall_cost) *
-              std::min(1.0, 2 * (1 - d / inner));
+    if (d >= inner) continue;
+    cost += flat.weight * (flat.crossed ? felt.flat_cost : felt.wall_cost) *
+            std::min(1.0, 2 * (1 - d / inner));
+    if (cost > most) return cost;
   }
   return cost;
 }
@@ -94,6 +119,7 @@ double PriorCost(const std::vector<glm::dvec2>& origins, const PlacePrior& prior
 struct Fit {
   double cost = std::numeric_limits<double>::infinity();
   glm::dvec2 shift{0, 0};
+  bool found = false;  ///< else the cost is only a bound
 };
 
 /// Tries places on a grid about `middle`, `reach` to either side.
@@ -108,7 +134,7 @@ void TryAbout(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& 
       const double prior_cost = PriorCost(origins, prior, shift);
       if (prior_cost > best.cost) continue;
       const double cost = prior_cost + CostOf(shapes, sign, felt, shift, best.cost - prior_cost);
-      if (cost < best.cost) best = {cost, shift};
+      if (cost < best.cost) best = {cost, shift, true};
     }
   }
 }
@@ -130,12 +156,16 @@ Box RangeOf(const Box& sign, const ScaledEvidence& felt, const std::vector<glm::
   return range;
 }
 
-Fit BestFit(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& felt,
-            const std::vector<glm::dvec2>& origins, const PlacePrior& prior) {
-  Fit best;
+/// None that costs more than `most`.
+std::optional<Fit> BestFit(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& felt,
+                           const std::vector<glm::dvec2>& origins, const PlacePrior& prior,
+                           double most) {
   const Box range = RangeOf(shapes.Bounds(sign), felt, origins, prior);
-  if (range.min.x > range.max.x || range.min.y > range.max.y) return best;
+  if (range.min.x > range.max.x || range.min.y > range.max.y) return std::nullopt;
+  Fit best;
+  best.cost = most + kOffGrid * felt.weight;
   TryAbout(shapes, sign, felt, origins, prior, range, kCoarse, best);
+  if (!best.found) return std::nullopt;
   const glm::dvec2 reach(kCoarse - kFine);
   TryAbout(shapes, sign, felt, origins, prior, {best.shift - reach, best.shift + reach}, kFine,
            best);
@@ -143,28 +173,44 @@ Fit BestFit(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& fe
 }
 
 /// Calls `each` with a sign, the frame that fits its evidence, the index of its size (those of
-/// prior.other_sizes come last) and the best fit there.
+/// prior.other_sizes come last) and the best fit there, with what its size costs. Fits that are
+/// negligible beside one before are left out.
 template <typename Each>
 void TryAll(const SignShapes& shapes, const SignEvidence& evidence, const PlacePrior& prior,
             Each each) {
-  std::vector<SignPlace> frames;
-  for (const std::vector<double>* sizes : {&prior.sizes, &prior.other_sizes}) {
-    for (const double size : *sizes) {
-      for (const double turn : prior.turns) {
-        frames.push_back({evidence.grooves.front().p, size, turn});
+  struct Frame {
+    SignPlace place;
+    std::size_t size = 0;
+    double cost = 0;
+    ScaledEvidence felt;
+    std::vector<glm::dvec2> origins;
+  };
+  std::vector<Frame> frames;
+  const auto add = [&](double size, std::size_t index, double cost) {
+    for (const double turn : prior.turns) {
+      Frame frame{{evidence.grooves.front().p, size, turn}, index, cost, {}, {}};
+      frame.felt = Scaled(evidence, frame.place);
+      for (const glm::dvec2 origin : prior.origins) {
+        frame.origins.push_back(ToEm(frame.place, origin));
       }
+      frames.push_back(std::move(frame));
     }
+  };
+  for (std::size_t i = 0; i < prior.sizes.size(); ++i) {
+    add(prior.sizes[i], i, prior.size_logs.empty() ? 0 : -prior.size_logs[i]);
   }
-  std::vector<ScaledEvidence> scaled;
-  std::vector<std::vector<glm::dvec2>> origins(frames.size());
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    scaled.push_back(Scaled(evidence, frames[i]));
-    for (const glm::dvec2 origin : prior.origins) origins[i].push_back(ToEm(frames[i], origin));
+  for (std::size_t i = 0; i < prior.other_sizes.size(); ++i) {
+    add(prior.other_sizes[i], prior.sizes.size() + i, kOtherSize);
   }
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      const Fit fit = BestFit(shapes, sign, scaled[i], origins[i], prior);
-      each(sign, frames[i], i / prior.turns.size(), fit);
+    for (const Frame& frame : frames) {
+      const std::optional<Fit> fit =
+          BestFit(shapes, sign, frame.felt, frame.origins, prior, least + kNegligible - frame.cost);
+      if (!fit) continue;
+      const double cost = fit->cost + frame.cost;
+      least = std::min(least, cost);
+      each(sign, frame.place, frame.size, Fit{cost, fit->shift});
     }
   }
 }
@@ -184,9 +230,12 @@ std::vector<double> SizeLogs(const SignShapes& shapes, const SignEvidence& evide
   std::vector<double> logs(prior.sizes.size(), 0);
   if (evidence.grooves.empty() || prior.sizes.empty() || prior.turns.empty()) return logs;
   std::vector<double> sums(logs.size(), 0);
-  TryAll(shapes, evidence, prior,
+  PlacePrior equal = prior;
+  equal.size_logs.clear();
+  equal.other_sizes.clear();
+  TryAll(shapes, evidence, equal,
          [&sums](std::size_t, const SignPlace&, std::size_t size, const Fit& fit) {
-           if (size < sums.size()) sums[size] += std::exp(-fit.cost);
+           sums[size] += std::exp(-fit.cost);
          });
   const double most = *std::max_element(sums.begin(), sums.end());
   for (std::size_t i = 0; i < logs.size() && most > 0; ++i) {
@@ -206,13 +255,8 @@ std::vector<SignGuess> Believe(const SignShapes& shapes, const SignEvidence& evi
     signs[sign] = {sign, -std::numeric_limits<double>::infinity(), 0, {}};
   }
   TryAll(shapes, evidence, prior,
-         [&](std::size_t sign, const SignPlace& frame, std::size_t size, const Fit& fit) {
-           double log = -fit.cost;
-           if (size >= prior.sizes.size()) {
-             log -= kOtherSize;
-           } else if (!prior.size_logs.empty()) {
-             log += prior.size_logs[size];
-           }
+         [&](std::size_t sign, const SignPlace& frame, std::size_t, const Fit& fit) {
+           const double log = -fit.cost;
            SignGuess& guess = signs[sign];
            if (log <= guess.log_likelihood) return;
            guess.log_likelihood = log;
