@@ -26,22 +26,13 @@ constexpr double kMostSlack = 3;  ///< the same at most, in standard deviations
 constexpr int kFineCells = 2, kCoarseCells = 4;  ///< of the signs' tables, from step to step
 constexpr double kNever = -1e9;
 // of links
-constexpr double kLinkInk = 0.7;    ///< share of a sign's ink that ink on a link's end counts
-constexpr double kOfLink = 0.3;     ///< the same of ink felt to be a link's
-constexpr double kOtherWay = 15;    ///< costs a link that goes otherwise than it would alone
 constexpr double kLeastOwn = 20;    ///< of what is felt of a sign, else it has no link
-constexpr double kUnlikelier = 60;  ///< than the likeliest sign: not looked at
+constexpr double kUnlikelier = 30;  ///< than the likeliest sign: not looked at
 
 /// The first of points by x that lies right of `x` [em].
 std::vector<glm::dvec2>::const_iterator FirstFrom(const std::vector<glm::dvec2>& points, double x) {
   return std::lower_bound(points.begin(), points.end(), x,
                           [](glm::dvec2 p, double from) { return p.x < from; });
-}
-
-/// What ink so far from a line is worth against flat paper, below zero if it is far [nats].
-double InkGain(double distance, double spread) {
-  const double off = std::max(0.0, distance) / spread;
-  return kInk - 0.5 * off * off;
 }
 
 double LogSum(double a, double b) {
@@ -78,14 +69,15 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   line.half_width = 0.5 * width_ / prior.next.size;
   const double low = bounds_.min.y - line.half_width, high = bounds_.max.y + line.half_width;
   double last = line.from;
+  std::vector<glm::dvec2> of_links;
   const EmFrame frame(prior.next);
   for (const HatchPoint& point : points) {
     const glm::dvec2 p = frame.To(point.p);
     if (p.x < line.from + window_ || p.x > prior.felt_to || p.y < low || p.y > high) continue;
-    (point.of_link ? line.of_links : point.ink ? line.ink : line.flat).push_back(p);
+    (point.of_link ? of_links : point.ink ? line.ink : line.flat).push_back(p);
     last = std::max(last, p.x);
   }
-  for (std::vector<glm::dvec2>* felt : {&line.ink, &line.flat, &line.of_links}) {
+  for (std::vector<glm::dvec2>* felt : {&line.ink, &line.flat, &of_links}) {
     std::sort(felt->begin(), felt->end(),
               [](glm::dvec2 a, glm::dvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   }
@@ -107,6 +99,8 @@ LineBelief::Line LineBelief::Prepared(const std::vector<HatchPoint>& points, con
   stepped.cost = line.flat_cost;
   stepped.inner = kInner * line.half_width;
   line.gains = gains.Of(line.ink, line.flat, stepped);
+  if (prior.links != nullptr)
+    line.of_links.emplace(*shapes_, stepped, line.ink, line.flat, of_links);
   return line;
 }
 
@@ -147,41 +141,12 @@ double LineBelief::OwnGain(const Line& line, const LinePrior& prior, std::size_t
   const double gain = line.gains[sign][static_cast<std::size_t>(k)], x = line.XOf(k);
   if (prior.links == nullptr) return gain;
   const double from = x + window_, to = from + shapes_->Advance(sign);
-  return gain +
-         LinkGain(line, prior.links->Within(sign), {sign, sign, {x, 0}, {x, 0}, from, to, to});
+  return gain + line.of_links->Of(prior.links->Within(sign), {sign, sign, x, x, from, to, to});
 }
 
-LineBelief::Pair LineBelief::PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const {
+SignPair LineBelief::PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const {
   const double split = x_b + window_;
-  return {a, b, {x_a, 0}, {x_b, 0}, x_a + window_, split, split + shapes_->Advance(b)};
-}
-
-/// What a link explains that its signs do not.
-double LineBelief::LinkGain(const Line& line, const LinkShapes::Link& link,
-                            const Pair& pair) const {
-  if (!link.exists()) return 0;
-  const double from = std::max(pair.from, pair.at_a.x + link.left());
-  const double to = std::min(pair.to, pair.at_a.x + link.right());
-  const double inner = kInner * line.half_width;
-  const auto to_sign = [&](glm::dvec2 p) {
-    return p.x < pair.split ? shapes_->Distance(pair.a, p - pair.at_a)
-                            : shapes_->Distance(pair.b, p - pair.at_b);
-  };
-  double gain = 0;
-  for (auto ink = FirstFrom(line.ink, from); ink != line.ink.end() && ink->x < to; ++ink) {
-    const double by_link = kLinkInk * InkGain(link.DistanceToDeep(*ink - pair.at_a), line.spread);
-    if (by_link <= 0) continue;
-    gain += std::max(0.0, by_link - std::max(0.0, InkGain(to_sign(*ink), line.spread)));
-  }
-  for (auto p = FirstFrom(line.of_links, from); p != line.of_links.end() && p->x < to; ++p) {
-    gain += std::max(0.0, kOfLink * InkGain(link.Distance(*p - pair.at_a), line.spread));
-  }
-  double flat = 0;
-  for (auto p = FirstFrom(line.flat, from); p != line.flat.end() && p->x < to; ++p) {
-    const double share = FlatShare(link.Distance(*p - pair.at_a), 2 / inner);
-    if (share > 0 && to_sign(*p) >= inner) flat += share;
-  }
-  return std::max(-kOtherWay, kWeight * (gain - line.flat_cost * flat));
+  return {a, b, x_a, x_b, x_a + window_, split, split + shapes_->Advance(b)};
 }
 
 /// By the link from the sign before, which is known, over so many spaces.
@@ -192,7 +157,7 @@ double LineBelief::FromLeft(const Line& line, const LinePrior& prior, std::size_
   const double way = shapes_->Advance(*prior.left) + prior.gap + spaces * (space_ + prior.gap);
   const LinkShapes::Link& link =
       spaces == 0 ? prior.links->Next(*prior.left, sign) : prior.links->Across(*prior.left, sign);
-  return LinkGain(line, link, PairOf(*prior.left, sign, x - way, x));
+  return line.of_links->Of(link, PairOf(*prior.left, sign, x - way, x));
 }
 
 double LineBelief::UnknownGain(const Line& line, double x) const {
@@ -221,7 +186,7 @@ double LineBelief::From(const Line& line, const LinePrior& prior, const Backward
       const LinkShapes::Link& link =
           across ? prior.links->Across(sign, b) : prior.links->Next(sign, b);
       sum = LogSum(
-          sum, signs[b] + (own > kLeastOwn ? LinkGain(line, link, PairOf(sign, b, x, x_b)) : 0));
+          sum, signs[b] + (own > kLeastOwn ? line.of_links->Of(link, PairOf(sign, b, x, x_b)) : 0));
     }
     return sum;
   };

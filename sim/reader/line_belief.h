@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/reader/link_gain.h"
 #include "sim/reader/link_shapes.h"
 #include "sim/reader/sign_belief.h"
 #include "sim/reader/step_gains.h"
@@ -73,15 +74,16 @@ class LineBelief {
  private:
   struct Line {
     // by x, apart, since a branch on what a point is would be mispredicted
-    std::vector<glm::dvec2> ink, flat, of_links;  ///< [em]
-    double half_width = 0;                        ///< [em]
-    double spread = 0;                            ///< of ink about a sign's lines [em]
-    double flat_cost = 0;                         ///< of flat paper on one
-    double step = 0;                              ///< [em]
-    double from = 0;                              ///< of the first step [em]
+    std::vector<glm::dvec2> ink, flat;  ///< [em]
+    double half_width = 0;              ///< [em]
+    double spread = 0;                  ///< of ink about a sign's lines [em]
+    double flat_cost = 0;               ///< of flat paper on one
+    double step = 0;                    ///< [em]
+    double from = 0;                    ///< of the first step [em]
     int steps = 0;
     std::vector<double> worth;               ///< of ink left of each step's sign's share, at most
     std::vector<std::vector<double>> gains;  ///< Gain of each sign at each step
+    std::optional<LinkGains> of_links;       ///< where there are links
 
     double XOf(int k) const { return from + k * step; }
     int StepOf(double em) const;  ///< the number of a step
@@ -97,19 +99,11 @@ class LineBelief {
     std::vector<std::vector<double>> sign_begins, sign_expected;
     std::vector<double> unlinked;  ///< what is no sign is expected there, or nothing
   };
-  /// Two signs and where the line is divided between them [em].
-  struct Pair {
-    std::size_t a = 0, b = 0;
-    glm::dvec2 at_a{0, 0}, at_b{0, 0};
-    double from = 0, split = 0, to = 0;  ///< their shares of the line
-  };
-
   Line Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior, Steps steps) const;
   double Gain(const Line& line, std::size_t sign, glm::dvec2 at) const;
   double UnknownGain(const Line& line, double x) const;
   double OwnGain(const Line& line, const LinePrior& prior, std::size_t sign, int k) const;
-  double LinkGain(const Line& line, const LinkShapes::Link& link, const Pair& pair) const;
-  Pair PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const;
+  SignPair PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const;
   double FromLeft(const Line& line, const LinePrior& prior, std::size_t sign, double x,
                   int spaces) const;
   double From(const Line& line, const LinePrior& prior, const Backward& back, std::size_t sign,

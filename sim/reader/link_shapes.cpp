@@ -7,7 +7,36 @@
 
 namespace moontrace {
 
-LinkShapes::Link::Link(const LinkWay& way) : all_(way.all), deep_(way.deep) {}
+LinkShapes::Link::Link(const LinkWay& way)
+    : all_(way.all),
+      deep_(way.deep),
+      spans_(all_.Within(kFarthest)),
+      near_spans_(all_.Within(kNear)),
+      deep_spans_(deep_.Within(kFarthest)) {}
+
+LinkShapes::Spans LinkShapes::Link::Table::Within(double distance) const {
+  constexpr double kNone = 1e9;
+  Spans spans;
+  if (cells.empty()) return spans;
+  const double top = corner.y + rows / kPerEm;
+  spans.first = RowOf(corner.y);
+  spans.rows.assign(static_cast<std::size_t>(RowOf(top) - spans.first) + 1, {kNone, -kNone});
+  for (int row = 0; row < rows; ++row) {
+    const double low = corner.y + row / kPerEm, high = corner.y + (row + 1) / kPerEm;
+    for (int column = 0; column < columns; ++column) {
+      const std::uint8_t cell =
+          cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+                static_cast<std::size_t>(column)];
+      if (kUnit * cell >= distance) continue;
+      for (int of = RowOf(low); of <= RowOf(high); ++of) {
+        Span& span = spans.rows[static_cast<std::size_t>(of - spans.first)];
+        span.from = std::min(span.from, corner.x + column / kPerEm);
+        span.to = std::max(span.to, corner.x + (column + 1) / kPerEm);
+      }
+    }
+  }
+  return spans;
+}
 
 LinkShapes::Link::Table::Table(const std::vector<glm::dvec2>& points) {
   if (points.empty()) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -21,13 +22,30 @@ class LinkShapes {
  public:
   static constexpr double kFarthest = 0.25;  ///< as far as a distance gets [em]
 
+  /// Part of a row of a line [em].
+  struct Span {
+    double from = 0, to = 0;
+  };
+  /// Rows of a line in which something lies, from below, and where.
+  struct Spans {
+    int first = 0;  ///< number of a row
+    std::vector<Span> rows;
+    int last() const { return first + static_cast<int>(rows.size()) - 1; }
+    const Span& At(int row) const { return rows[static_cast<std::size_t>(row - first)]; }
+  };
+  /// The number of the row that a height above the base line lies in [em].
+  static int RowOf(double y) { return static_cast<int>(std::floor(y / kRow)); }
+  static constexpr double kNear = 0.1;  ///< of Link::near_spans [em]
+
   class Link {
    public:
     explicit Link(const LinkWay& way);
     bool exists() const { return !all_.cells.empty(); }
-    /// What of a line it can tell of: kFarthest beyond it [em].
-    double left() const { return all_.corner.x; }
-    double right() const { return all_.corner.x + all_.columns / kPerEm; }
+    /// Where Distance, and DistanceToDeep, can be less than kFarthest.
+    const Spans& spans() const { return spans_; }
+    const Spans& deep_spans() const { return deep_spans_; }
+    /// Where Distance can be less than kNear.
+    const Spans& near_spans() const { return near_spans_; }
     /// To its centre line, and to what of that is as deep as letters [em]. From a table of 0.03 em.
     double Distance(glm::dvec2 p) const noexcept { return all_.At(p); }
     double DistanceToDeep(glm::dvec2 p) const noexcept { return deep_.At(p); }
@@ -37,6 +55,7 @@ class LinkShapes {
     static constexpr double kUnit = kFarthest / 255;
     struct Table {
       explicit Table(const std::vector<glm::dvec2>& points);
+      Spans Within(double distance) const;
       double At(glm::dvec2 p) const noexcept {
         const glm::dvec2 cell = (p - corner) * kPerEm;
         if (!(cell.x >= 0 && cell.y >= 0 && cell.x < columns && cell.y < rows)) return kFarthest;
@@ -50,6 +69,7 @@ class LinkShapes {
           cells;  ///< row by row from below, distance of their middles [kUnit]
     };
     Table all_, deep_;
+    Spans spans_, near_spans_, deep_spans_;
   };
 
   using Between = std::function<LinkWay(std::size_t a, std::size_t b)>;
@@ -66,6 +86,8 @@ class LinkShapes {
   const Link& Within(std::size_t sign) const { return within_[sign]; }
 
  private:
+  static constexpr double kRow = 0.16;  ///< height of a row [em]
+
   std::size_t signs_;
   std::vector<Link> next_, across_, within_;
 };

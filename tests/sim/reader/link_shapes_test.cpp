@@ -34,8 +34,27 @@ TEST(LinkShapes, TellsHowFarAPlaceIsFromALink) {
       EXPECT_NEAR(link.DistanceToDeep({x, y}), ToSegment({x, y}, 1, 1.2), kCell) << x << " " << y;
     }
   }
-  EXPECT_LE(link.left(), 1 - LinkShapes::kFarthest);
-  EXPECT_GE(link.right(), 2 + LinkShapes::kFarthest);
+}
+
+TEST(LinkShapes, ItsSpansHoldAllThatIsNearIt) {
+  const LinkShapes::Link link(Straight());
+  const auto holds = [](const LinkShapes::Spans& spans, glm::dvec2 p) {
+    const int row = LinkShapes::RowOf(p.y);
+    if (row < spans.first || row > spans.last()) return false;
+    return p.x >= spans.At(row).from && p.x < spans.At(row).to;
+  };
+  int beyond = 0;
+  for (double x = 0.5; x < 2.5; x += 0.013) {
+    for (double y = -0.5; y < 0.5; y += 0.017) {
+      const glm::dvec2 p{x, y};
+      const double all = link.Distance(p), deep = link.DistanceToDeep(p);
+      EXPECT_TRUE(all >= LinkShapes::kFarthest || holds(link.spans(), p)) << x << " " << y;
+      EXPECT_TRUE(all >= LinkShapes::kNear || holds(link.near_spans(), p)) << x << " " << y;
+      EXPECT_TRUE(deep >= LinkShapes::kFarthest || holds(link.deep_spans(), p)) << x << " " << y;
+      if (!holds(link.near_spans(), p)) ++beyond;
+    }
+  }
+  EXPECT_GT(beyond, 154 * 59 / 2);  // of so many; they are no trivial bounds
 }
 
 TEST(LinkShapes, OfNoLinkEverythingIsFar) {
