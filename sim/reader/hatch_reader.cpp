@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "sim/reader/line_frame.h"
 #include "sim/reader/link_ink.h"
 #include "textures/base/units.h"
 
@@ -273,6 +272,7 @@ void HatchReader::Think() {
     return;
   }
   if (!framed_) return;
+  if (ended && line_starts_.empty()) LookAgain();
   while (ReadOn(ended)) {
   }
   if (ended) LineDone();
@@ -301,14 +301,33 @@ LinePrior HatchReader::PriorNow() const {
   return prior;
 }
 
-/// Where the line's base lies, and on the first line how large its letters are and how they lie.
-bool HatchReader::FindFrame() {
+FrameRange HatchReader::RangeNow() {
   FrameRange range;
   range.met = met_;
   range.felt_to = FromEm(hatch_, {FeltTo(), 0});
   range.unsure = knowledge_.unsure;
   range.before = kBeginsLeft;
   range.behind = kBeginsRight;
+  if (knowledge_.links && line_starts_.empty()) {
+    range.links = [this](double size) { return LinksOf(size); };
+  }
+  return range;
+}
+
+/// Found anew where letters are of another size: what lies along a link changes by less than it is
+/// wide.
+std::shared_ptr<const LinkShapes> HatchReader::LinksOf(double size) {
+  constexpr double kEqual = 0.01;
+  if (links_ == nullptr || std::abs(size - links_size_) > kEqual * size) {
+    links_ = knowledge_.links(size);
+    links_size_ = size;
+  }
+  return links_;
+}
+
+/// Where the line's base lies, and on the first line how large its letters are and how they lie.
+bool HatchReader::FindFrame() {
+  FrameRange range = RangeNow();
   const Box& ink = belief_.bounds();
   const double middle = 0.5 * (ink.min.y + ink.max.y);
   range.from = expected_ ? middle - kEdgeUnsure : ink.min.y - kMetBeyond;
@@ -326,12 +345,28 @@ bool HatchReader::FindFrame() {
   }
   const FrameFit found = FitFrame(belief_, points_, range);
   if (found.log_likelihood < kLeastFit) return false;
-  frame_ = found.frame;
-  size_ = frame_.size;
-  turn_ = frame_.turn;
   framed_ = true;
-  if (knowledge_.links && links_ == nullptr) links_ = knowledge_.links(size_);
+  SetFrame(found.frame);
   return true;
+}
+
+void HatchReader::SetFrame(const SignPlace& frame) {
+  frame_ = line_frame_ = frame;
+  size_ = frame.size;
+  turn_ = frame.turn;
+  if (knowledge_.links) LinksOf(size_);
+}
+
+/// All of the first line tells more of its frame than its beginning did: a turn of a degree shows
+/// at its end. By that it is made out again.
+void HatchReader::LookAgain() {
+  const FrameFit found = RefineFrame(belief_, points_, RangeNow(), line_frame_);
+  if (found.log_likelihood < kLeastFit) return;
+  SetFrame(found.frame);
+  gap_bias_ = across_ = along_ = 0;
+  gaps_ = 0;
+  line_.clear();
+  tokens_.clear();
 }
 
 /// Decides on the next sign if enough of the line was felt behind it.

@@ -4,6 +4,7 @@
 
 #include "sim/reader/hatching_hand.h"
 #include "sim/reader/line_belief.h"
+#include "sim/reader/line_frame.h"
 #include "sim/reader/page_reader.h"
 #include "sim/reader/touch_sense.h"
 
@@ -44,7 +45,11 @@ class HatchReader final : public PageReader {
   double Lean() const;
   double FeltTo() const;
   void Think();
+  FrameRange RangeNow();
+  std::shared_ptr<const LinkShapes> LinksOf(double size);
   bool FindFrame();
+  void SetFrame(const SignPlace& frame);
+  void LookAgain();
   LinePrior PriorNow() const;
   bool ReadOn(bool line_ended);
   void Take(const NextOnLine& next);
@@ -53,6 +58,7 @@ class HatchReader final : public PageReader {
 
   ReaderKnowledge knowledge_;
   std::shared_ptr<const LinkShapes> links_;  ///< once the size is known, if there are any
+  double links_size_ = 0;                    ///< [m]
   LineBelief belief_;
   bool dots_;  ///< and nothing else in the script
   HatchingHand hand_;
@@ -68,6 +74,7 @@ class HatchReader final : public PageReader {
   // a line
   SignPlace frame_;            ///< where the next sign is expected, once the line is known
   bool framed_ = false;        ///< it is
+  SignPlace line_frame_;       ///< of the line's beginning, then
   bool expected_ = false;      ///< the line lies at the pitch of those before
   double low_ = 0, high_ = 0;  ///< edges of what is hatched, from `frame_`'s base line [m]
   double column_ = 0;          ///< of the newest way, from the line's left [m]

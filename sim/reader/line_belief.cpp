@@ -18,6 +18,7 @@ constexpr double kWeight = 0.6;         ///< of a point; what is felt side by si
 constexpr double kUnknownWide = 0.6;
 constexpr double kUnknownCost = 2;    ///< of each point of ink, for what is no sign
 constexpr double kUnknownPrior = 12;  ///< before anything was felt
+constexpr double kUnknownLinks = 25;  ///< costs what is no sign among linked letters
 constexpr double kSpacePrior = 1.6;
 constexpr int kMostSpaces = 3;  ///< in a row
 constexpr double kEndPrior = 4;
@@ -26,8 +27,9 @@ constexpr double kMostSlack = 3;  ///< the same at most, in standard deviations
 constexpr int kFineCells = 2, kCoarseCells = 4;  ///< of the signs' tables, from step to step
 constexpr double kNever = -1e9;
 // of links
-constexpr double kLeastOwn = 20;    ///< of what is felt of a sign, else it has no link
-constexpr double kUnlikelier = 30;  ///< than the likeliest sign: not looked at
+constexpr double kLeastOwn = 20;       ///< of what is felt of a sign, else it has no link
+constexpr double kUnlikelier = 30;     ///< than the likeliest sign: not looked at
+constexpr double kWithoutLinks = 120;  ///< the same while its links are not looked at
 
 /// The first of points by x that lies right of `x` [em].
 std::vector<glm::dvec2>::const_iterator FirstFrom(const std::vector<glm::dvec2>& points, double x) {
@@ -165,16 +167,17 @@ double LineBelief::UnknownGain(const Line& line, double x) const {
   const auto first = FirstFrom(line.ink, x + window_), last = FirstFrom(line.ink, to);
   const double gain =
       static_cast<double>(std::max<std::ptrdiff_t>(0, last - first)) * (kInk - kUnknownCost);
-  return kWeight * gain - kUnknownPrior;
+  return kWeight * gain - kUnknownPrior - (line.of_links ? kUnknownLinks : 0);
 }
 
 /// What a line says from a sign on that begins at one step, if the next is expected at another.
 double LineBelief::From(const Line& line, const LinePrior& prior, const Backward& back,
-                        std::size_t sign, int begins, int then) const {
+                        const Begins& begins, int then) const {
   const auto expected = [&](int k) {
     return k > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(k)];
   };
-  const double x = line.XOf(begins), own = OwnGain(line, prior, sign, begins);
+  const double x = line.XOf(begins.step), own = begins.own;
+  const std::size_t sign = begins.sign;
   if (prior.links == nullptr || then > line.steps) return own + expected(then);
   const auto linked = [&](int k, bool across) {
     const std::vector<double>& signs = back.sign_expected[static_cast<std::size_t>(k)];
@@ -247,20 +250,33 @@ LineBelief::Backward LineBelief::LookBack(const Line& line, const LinePrior& pri
     back.sign_begins.assign(count, std::vector<double>(shapes_->size(), kNever));
     back.sign_expected = back.sign_begins;
   }
+  const auto expected = [&](int at) {
+    return at > line.steps ? 0.0 : back.expected[static_cast<std::size_t>(at)];
+  };
+  std::vector<double> own(shapes_->size());
+  std::vector<int> then(shapes_->size());
   // signs begin before they are expected, too: those steps are done first
   for (int k = line.steps + reach; k >= 0; --k) {
     if (const int j = k - reach; j >= 0) {
       double sum = kNever;
       const double x = line.XOf(j);
+      double most = kNever;
       for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
         const int next = j + line.StepsIn(shapes_->Advance(sign) + prior.gap);
         // what comes behind one that is narrower than the slack is not known yet
-        const double log = From(line, prior, back, sign, j, std::max(next, k + 1));
+        then[sign] = std::max(next, k + 1);
+        own[sign] = OwnGain(line, prior, sign, j);
+        most = std::max(most, own[sign] + expected(then[sign]));
+      }
+      for (std::size_t sign = 0; sign < shapes_->size(); ++sign) {
+        double log = own[sign] + expected(then[sign]);
+        if (prior.links != nullptr && log > most - kWithoutLinks) {
+          log = From(line, prior, back, {sign, j, own[sign]}, then[sign]);
+        }
         if (prior.links != nullptr) back.sign_begins[static_cast<std::size_t>(j)][sign] = log;
         sum = LogSum(sum, prior_of_a_sign + log);
       }
-      const int then = std::max(k + 1, j + unknown);
-      const double rest = then > line.steps ? 0 : back.expected[static_cast<std::size_t>(then)];
+      const double rest = expected(std::max(k + 1, j + unknown));
       back.begins[static_cast<std::size_t>(j)] = LogSum(sum, UnknownGain(line, x) + rest);
     }
     if (k <= line.steps) Expect(line, prior, k, back);

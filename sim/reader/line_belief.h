@@ -99,6 +99,13 @@ class LineBelief {
     std::vector<std::vector<double>> sign_begins, sign_expected;
     std::vector<double> unlinked;  ///< what is no sign is expected there, or nothing
   };
+  /// A sign that begins at a step, and what its own points say.
+  struct Begins {
+    std::size_t sign = 0;
+    int step = 0;
+    double own = 0;
+  };
+
   Line Prepared(const std::vector<HatchPoint>& points, const LinePrior& prior, Steps steps) const;
   double Gain(const Line& line, std::size_t sign, glm::dvec2 at) const;
   double UnknownGain(const Line& line, double x) const;
@@ -106,8 +113,8 @@ class LineBelief {
   SignPair PairOf(std::size_t a, std::size_t b, double x_a, double x_b) const;
   double FromLeft(const Line& line, const LinePrior& prior, std::size_t sign, double x,
                   int spaces) const;
-  double From(const Line& line, const LinePrior& prior, const Backward& back, std::size_t sign,
-              int begins, int then) const;
+  double From(const Line& line, const LinePrior& prior, const Backward& back, const Begins& begins,
+              int then) const;
   void Expect(const Line& line, const LinePrior& prior, int k, Backward& back) const;
   Backward LookBack(const Line& line, const LinePrior& prior) const;
   SignPlace Placed(const Line& line, std::size_t sign, double x, const LinePrior& prior) const;

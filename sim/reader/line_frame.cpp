@@ -15,10 +15,11 @@ constexpr std::size_t kFlatShare =
     3;                              ///< one in so many places of flat paper tells enough coarsely
 constexpr double kBeginning = 0.5;  ///< so much of the line tells most frames to be wrong
 constexpr std::size_t kLikeliest = 60;  ///< the others are tried on all of it
+constexpr std::size_t kByLinks = 6;     ///< and so many with their links
 constexpr double kHeights[] = {-0.04, -0.02, 0.02, 0.04};
 constexpr double kScales[] = {0.97, 0.98, 0.99, 1.01, 1.02, 1.03};
 constexpr double kTurns[] = {-0.012, -0.006, 0.006, 0.012};  ///< [rad]
-constexpr int kRounds = 2;
+constexpr int kRounds = 3;
 
 class Search {
  public:
@@ -58,12 +59,30 @@ class Search {
         tried.begin() + static_cast<std::ptrdiff_t>(std::min(kLikeliest, tried.size()));
     std::partial_sort(tried.begin(), likeliest, tried.end(),
                       [](const Tried& a, const Tried& b) { return a.log > b.log; });
-    for (auto one = tried.begin(); one != likeliest; ++one)
-      Consider(few_, one->frame, LineBelief::Steps::kCoarse);
+    tried.erase(likeliest, tried.end());
+    for (Tried& one : tried) one.log = Consider(few_, one.frame, LineBelief::Steps::kCoarse);
+    std::sort(tried.begin(), tried.end(),
+              [](const Tried& a, const Tried& b) { return a.log > b.log; });
+    for (const Tried& one : tried) likeliest_.push_back(one.frame);
+  }
+
+  /// With the links of letters as large as those of the best, among the likeliest.
+  void WithLinks() {
+    if (!range_.links || !std::isfinite(most_)) return;
+    links_ = range_.links(best_.size);
+    most_ = -INFINITY;
+    likeliest_.resize(std::min(likeliest_.size(), kByLinks));
+    for (const SignPlace& frame : likeliest_) Consider(few_, frame, LineBelief::Steps::kCoarse);
+  }
+
+  void BeginAbout(const SignPlace& frame) {
+    if (range_.links) links_ = range_.links(frame.size);
+    best_ = frame;
+    most_ = 0;
   }
 
   /// About the best so far, one number after another.
-  void Finely() {
+  void Finely(bool sizes, bool turns) {
     if (!std::isfinite(most_)) return;
     most_ = Fit(points_, best_, LineBelief::Steps::kFine, range_.felt_to);
     for (int round = 0; round < kRounds; ++round) {
@@ -75,15 +94,13 @@ class Search {
       }
       const SignPlace lifted = best_;
       for (const double scale : kScales) {
-        SignPlace frame = lifted;
-        frame.size = scale * lifted.size;
-        if (range_.sizes.size() > 1) Consider(points_, frame, LineBelief::Steps::kFine);
+        const SignPlace frame = Changed(lifted, 0, scale, 0);
+        if (sizes) Consider(points_, frame, LineBelief::Steps::kFine);
       }
       const SignPlace sized = best_;
       for (const double turn : kTurns) {
-        SignPlace frame = sized;
-        frame.turn = sized.turn + turn;
-        if (range_.turns.size() > 1) Consider(points_, frame, LineBelief::Steps::kFine);
+        const SignPlace frame = Changed(sized, 0.5 * ToEm(sized, range_.felt_to).x, 1, turn);
+        if (turns) Consider(points_, frame, LineBelief::Steps::kFine);
       }
     }
   }
@@ -94,6 +111,14 @@ class Search {
   }
 
  private:
+  /// About what lies so far right of the frame's origin, halfway up its ink: so one number changes
+  /// the others least.
+  SignPlace Changed(const SignPlace& frame, double x, double scale, double turn) const {
+    const glm::dvec2 about{x, 0.5 * (belief_.bounds().min.y + belief_.bounds().max.y)};
+    const SignPlace there{FromEm(frame, about), frame.size * scale, frame.turn + turn};
+    return {FromEm(there, -about), there.size, there.turn};
+  }
+
   /// Where the line's ink begins, but for what was felt astray [em].
   std::optional<double> FirstInk(const SignPlace& frame) const {
     const Box& own = belief_.bounds();
@@ -117,16 +142,19 @@ class Search {
     prior.behind = range_.behind;
     prior.unsure = range_.unsure;
     prior.anywhere = true;
+    prior.links = links_.get();
     prior.felt_to = ToEm(frame, felt_to).x;
     return belief_.Fit(points, prior, steps) - belief_.CostOfInk(points, frame);
   }
 
-  void Consider(const std::vector<HatchPoint>& points, const SignPlace& frame,
-                LineBelief::Steps steps) {
+  double Consider(const std::vector<HatchPoint>& points, const SignPlace& frame,
+                  LineBelief::Steps steps) {
     const double log = Fit(points, frame, steps, range_.felt_to);
-    if (log <= most_) return;
-    most_ = log;
-    best_ = frame;
+    if (log > most_) {
+      most_ = log;
+      best_ = frame;
+    }
+    return log;
   }
 
   const LineBelief& belief_;
@@ -134,6 +162,8 @@ class Search {
   const FrameRange& range_;
   std::vector<HatchPoint> few_, fewer_;
   double beginning_ = 0;  ///< of the line ends there, `fewer_` lies left of it [m]
+  std::vector<SignPlace> likeliest_;
+  std::shared_ptr<const LinkShapes> links_;
   SignPlace best_;
   double most_ = -INFINITY;
 };
@@ -144,7 +174,16 @@ FrameFit FitFrame(const LineBelief& belief, const std::vector<HatchPoint>& point
                   const FrameRange& range) {
   Search search(belief, points, range);
   search.Coarsely();
-  search.Finely();
+  search.WithLinks();
+  search.Finely(range.sizes.size() > 1, range.turns.size() > 1);
+  return search.Best();
+}
+
+FrameFit RefineFrame(const LineBelief& belief, const std::vector<HatchPoint>& points,
+                     const FrameRange& range, const SignPlace& about) {
+  Search search(belief, points, range);
+  search.BeginAbout(about);
+  search.Finely(true, true);
   return search.Best();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "sim/reader/line_belief.h"
@@ -15,6 +17,8 @@ struct FrameRange {
   glm::dvec2 felt_to{0, 0};       ///< left of it all of the line was felt [m]
   double unsure = 0;              ///< rms error of places [m]
   double before = 0, behind = 0;  ///< its first sign begins so far left or right of its ink [em]
+  /// Between letters of a size; null: they stand apart.
+  std::function<std::shared_ptr<const LinkShapes>(double)> links;
 };
 
 struct FrameFit {
@@ -27,5 +31,10 @@ struct FrameFit {
 /// likelihoods, seconds of a core for a page whose size is not known.
 FrameFit FitFrame(const LineBelief& belief, const std::vector<HatchPoint>& points,
                   const FrameRange& range);
+
+/// The frame near by another that explains best what was felt, of which there may be more by now.
+/// Of `range` neither sizes nor turns nor heights matter.
+FrameFit RefineFrame(const LineBelief& belief, const std::vector<HatchPoint>& points,
+                     const FrameRange& range, const SignPlace& about);
 
 }  // namespace moontrace

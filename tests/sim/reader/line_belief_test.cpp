@@ -291,6 +291,31 @@ TEST(LineFrame, FindsSizeTurnAndBaseLineOfALine) {
   }
 }
 
+// A frame that explains a line's beginning, off by what the first look may be off: a turn that
+// lifts the line's end by a third of an em is beyond one step of each number.
+TEST(LineFrame, ALongerLineMendsWhatItsBeginningTold) {
+  const BrailleLine line;
+  const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);
+  const SignPlace at{{0.003, -0.004}, kSize, 1 * kDegree};
+  const std::vector<HatchPoint> points =
+      line.Felt({"dots-123", "dots-15", "dots-1245", "dots-135", "", "dots-135", "dots-123",
+                 "dots-15", "dots-1245", "dots-234", "dots-2345", "dots-15"},
+                at);
+  FrameRange range;
+  range.felt_to = FromEm(at, {16, 0});
+  range.before = 0.9;
+  range.behind = 0.2;
+  SignPlace told = at;
+  told.turn += 1.3 * kDegree;
+  told.size *= 1.02;
+  told.origin = FromEm(at, {0, -0.05});
+  const FrameFit fit = RefineFrame(belief, points, range, told);
+  EXPECT_GT(fit.log_likelihood, 20);
+  EXPECT_NEAR(fit.frame.turn / kDegree, 1, 0.35);  // a step
+  EXPECT_NEAR(fit.frame.size / kSize, 1, 0.02);  // dots tell it hardly finer
+  EXPECT_NEAR(ToEm(at, fit.frame.origin).y, 0, 0.06);
+}
+
 TEST(LineFrame, FindsNoneWhereThereIsNoInk) {
   const BrailleLine line;
   const LineBelief belief(*line.shapes, kWidth, line.script.space_advance);

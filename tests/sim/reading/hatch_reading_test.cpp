@@ -110,9 +110,10 @@ TEST(SlowHatchReading, MeetsUprightRidgesByLeaningColumns) {
   EXPECT_GT(right, 55U);  // halfway
 }
 
-// Of 360 letters of linked pages of this size (seeds 1 to 6) 55 of 60 are read.
+// Of 718 letters of linked pages of 6 mm (`recognise`, 12 seeds) 99 in 100 are read.
+// Were errors independent, more than these were wrong on one page in 1000.
 TEST(SlowHatchReading, ReadsLinkedLetters) {
-  ExpectRead({kText, "moon", Relief::kEngraved, 0.006, 3, false, false, LinkReach::kLetters}, 5);
+  ExpectRead({kText, "moon", Relief::kEngraved, 0.006, 3, false, false, LinkReach::kLetters}, 2);
 }
 
 // Raised letters of 10 mm are its hardest: of some 120 signs nine in ten are right, to within a
