@@ -312,7 +312,7 @@ TEST(LineFrame, ALongerLineMendsWhatItsBeginningTold) {
   const FrameFit fit = RefineFrame(belief, points, range, told);
   EXPECT_GT(fit.log_likelihood, 20);
   EXPECT_NEAR(fit.frame.turn / kDegree, 1, 0.35);  // a step
-  EXPECT_NEAR(fit.frame.size / kSize, 1, 0.02);  // dots tell it hardly finer
+  EXPECT_NEAR(fit.frame.size / kSize, 1, 0.02);    // dots tell it hardly finer
   EXPECT_NEAR(ToEm(at, fit.frame.origin).y, 0, 0.06);
 }
 
