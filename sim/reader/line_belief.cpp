@@ -18,7 +18,7 @@ constexpr double kWeight = 0.6;         ///< of a point; what is felt side by si
 constexpr double kUnknownWide = 0.6;
 constexpr double kUnknownCost = 2;    ///< of each point of ink, for what is no sign
 constexpr double kUnknownPrior = 12;  ///< before anything was felt
-constexpr double kUnknownLinks = 25;  ///< costs what is no sign among linked letters
+constexpr double kUnknownLinks = 25;  ///< more, among linked letters: those pay for links, too
 constexpr double kSpacePrior = 1.6;
 constexpr int kMostSpaces = 3;  ///< in a row
 constexpr double kEndPrior = 4;
@@ -29,7 +29,7 @@ constexpr double kNever = -1e9;
 // of links
 constexpr double kLeastOwn = 20;       ///< of what is felt of a sign, else it has no link
 constexpr double kUnlikelier = 30;     ///< than the likeliest sign: not looked at
-constexpr double kWithoutLinks = 120;  ///< the same while its links are not looked at
+constexpr double kWithoutLinks = 120;  ///< than it, both told without links: its links are not
 
 /// The first of points by x that lies right of `x` [em].
 std::vector<glm::dvec2>::const_iterator FirstFrom(const std::vector<glm::dvec2>& points, double x) {

@@ -144,9 +144,9 @@ TEST_F(SlowRecogniseCommand, ReadsLinkedLetters) {
   EXPECT_NE(words.out.find("so we met"), std::string::npos) << words.out;
 }
 
-// Told from the beginning of the first line, without its links, the turn of this page was two
-// degrees off and its letters five percent too large: 46 of the 60 were read. Where 97 of 100 are
-// read, less than these of 60 would be on one page in 300.
+// Told from the beginning of the first line, without its links, size and turn of this page were
+// off, and 46 of the 60 letters were read. Where 97 of 100 are read, less than these of 60 would be
+// on one page in 300.
 TEST_F(SlowRecogniseCommand, TellsALinkedPagesFrameByItsLinksAndAllOfItsFirstLine) {
   const Outcome outcome = RunLine(
       {"recognise", "jdx pecca rjzyb qrl yfdi auz zigf juxl tk mqhfhpi rj js jyqgnnt nofh izbc o",
