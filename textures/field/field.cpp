@@ -31,6 +31,7 @@ void Add(Digest& digest, const FlatElement& element) {
 void Add(Digest& digest, const Rows& rows) {
   digest.Add(rows.first_x);
   digest.Add(rows.step);
+  for (const LetterPair pair : rows.pairs) digest.Add(pair.bits);
   for (const Letters& letters : rows.slots) {
     digest.Add(static_cast<std::uint64_t>(letters.first()));
     for (std::uint32_t i = 0; i < Letters::kMost; ++i) {
@@ -87,6 +88,8 @@ TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
     (layer.relief == Relief::kEmbossed ? greatest_rise_ : greatest_fall_) += depth;
     slope_bound += layers_.back().blend_radii.size() > 1 ? kBlendSteepens * slope : slope;
   }
+  is_page_ = layers_.size() == 1 && !layers_[0].rows.pairs.empty() &&
+             layers_[0].rows.of_band.empty() && paper_.empty();
   greatest_slope_ += paper_.bounds().slope;
   slope_bound += paper_.bounds().slope;
   greatest_curvature_ += paper_.bounds().curvature;
@@ -99,12 +102,13 @@ TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
 std::size_t TextureField::memory_bytes() const noexcept {
   std::size_t bytes = sizeof *this + Bytes(layers_) + paper_.memory_bytes();
   for (const CompiledLayer& layer : layers_) {
-    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.y) + Bytes(layer.rows.of_band) +
-             Bytes(layer.bands) + Bytes(layer.buckets) + Bytes(layer.leaves) +
-             Bytes(layer.reaches) + Bytes(layer.heights) + Bytes(layer.blocks) +
-             Bytes(layer.blend_radii) + Bytes(layer.cells) + Bytes(layer.items) +
-             Bytes(layer.elements) + Bytes(layer.fills) + Bytes(layer.fades) +
-             Bytes(layer.profiles);
+    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.pairs) + Bytes(layer.rows.y) +
+             Bytes(layer.rows.steps_up) + Bytes(layer.rows.of_band) + Bytes(layer.bands) +
+             Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.reaches) +
+             Bytes(layer.heights) + Bytes(layer.blocks) + Bytes(layer.blend_radii) +
+             Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.lists) +
+             Bytes(layer.block_lists) + Bytes(layer.elements) + Bytes(layer.fills) +
+             Bytes(layer.fades) + Bytes(layer.profiles);
     for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
   }
   return bytes;
@@ -120,7 +124,7 @@ std::uint64_t TextureField::Hash() const noexcept {
       Add(digest, leaf.origin);
       digest.Add(std::uint64_t{leaf.block});
     }
-    for (const Block& block : layer.blocks) digest.Add(layer.blend_radii[block.blend]);
+    for (const BlockLists& lists : layer.block_lists) digest.Add(layer.blend_radii[lists.blend]);
     for (const FlatElement& element : layer.elements) Add(digest, element);
     for (const FlatFade& fade : layer.fades) {
       Add(digest, fade.spine);

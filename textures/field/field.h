@@ -61,6 +61,10 @@ class TextureField {
   std::uint64_t Hash() const noexcept;
 
  private:
+  /// SampleAt of any field, layer by layer.
+  Sample SampleLayers(glm::dvec2 p_P) const noexcept;
+
+  bool is_page_ = false;  ///< one layer of evenly set text on smooth paper: SampleAt's short way
   std::vector<CompiledLayer> layers_;
   PaperField paper_;
   double greatest_slope_ = 0;

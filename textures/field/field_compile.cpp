@@ -17,6 +17,8 @@ namespace {
 
 using CompiledLayer = TextureField::CompiledLayer;
 
+constexpr double kStepsPerWidth = 128;  ///< the fewest in the finest groove
+
 void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting,
                    std::vector<PlacedGroup>& leaves) {
   if (nesting > 64) throw InputError("groups are nested deeper than 64: flatten them");
@@ -34,10 +36,10 @@ FlatProfile Flatten(const Profile& profile) {
   const double slope = GreatestSlope(profile);
   return {profile.width / 2,
           profile.rounding,
+          profile.width / 2 - profile.rounding,
           profile.depth,
           slope,
-          slope / profile.rounding,
-          profile.depth + slope * profile.rounding / 2};
+          slope / profile.rounding};
 }
 
 std::uint16_t ProfileNumber(const Profile& profile, CompiledLayer& layer) {
@@ -73,6 +75,14 @@ FlatElement FlattenLine(const Line& line) {
   flat.length = glm::length(line.to - line.from);
   if (flat.length > 0) flat.direction = (line.to - line.from) / flat.length;
   return flat;
+}
+
+/// What an empty cell holds: a line that ends before it begins.
+FlatElement Nothing() {
+  FlatElement nothing;
+  nothing.direction = {1, 0};
+  nothing.length = -1;
+  return nothing;
 }
 
 FlatElement FlattenArc(const Arc& arc) {
@@ -225,6 +235,31 @@ void KeepNearest(const Group& group, glm::dvec2 middle, double reach,
   items.resize(kept);
 }
 
+/// Whether an element covers all of the disc, so that no point of its spine is ever nearer there
+/// than the spine itself.
+bool CoversAsSpine(const Element& element, glm::dvec2 middle, double reach, glm::dvec2 of_spine) {
+  constexpr double kOnSpine = 1e-16;  // rounding of places in a letter [m]
+  const auto covers = [&](const auto& piece) {
+    return BesideOf(piece, middle, reach) == Beside::kWholly &&
+           DistanceTo(piece, of_spine) <= kOnSpine;
+  };
+  return std::visit(Overload{[&](const Line& line) { return covers(line); },
+                             [&](const Arc& arc) { return covers(arc); },
+                             [](const Dot&) { return false; }, [](const Fill&) { return false; }},
+                    element.shape);
+}
+
+/// Of strokes of one profile: leaves out the caps on a stroke that the cell lies beside.
+void DropCaps(const Group& group, glm::dvec2 middle, double reach,
+              std::vector<std::uint16_t>& items) {
+  std::erase_if(items, [&](std::uint16_t i) {
+    const Dot* dot = std::get_if<Dot>(&group.elements[i].shape);
+    return dot != nullptr && std::any_of(items.begin(), items.end(), [&](std::uint16_t other) {
+             return CoversAsSpine(group.elements[other], middle, reach, dot->center);
+           });
+  });
+}
+
 /// The elements that can matter within `reach` of a cell's middle, in the group's order. `bounds`
 /// are the elements' own, which rule most of them out at once.
 Cell MakeCell(const Group& group, const Block& block, const std::vector<Box>& bounds,
@@ -234,43 +269,92 @@ Cell MakeCell(const Group& group, const Block& block, const std::vector<Box>& bo
     if (!Contains(Grown(bounds[i], reach), middle)) continue;
     if (CanMatter(group.elements[i], middle, reach)) items.push_back(static_cast<std::uint16_t>(i));
   }
-  if (block.plain) KeepNearest(group, middle, reach, items);
   if (items.empty()) return {};
-  if (items.size() == 1) return {block.first_element + items.front() + 1};
-  const auto first = static_cast<std::uint32_t>(layer.items.size());
+  const BlockLists& lists = layer.block_lists[block.more];
+  const bool plain =
+      lists.blend == 0 && std::all_of(items.begin(), items.end(), [&](std::uint16_t i) {
+        const FlatElement& flat = layer.elements[block.first_element + 1u + i];
+        return flat.kind < FlatKind::kDisc && flat.profile == block.profile;
+      });
+  if (plain) {
+    DropCaps(group, middle, reach, items);
+    KeepNearest(group, middle, reach, items);
+  }
+  // the block's first element is none
+  for (std::uint16_t& item : items) ++item;
+  if (plain && items.size() == 1 && items.front() < Cell::kListed) return {items.front()};
+  const std::size_t list = layer.lists.size() - lists.first_list;
+  layer.lists.push_back(static_cast<std::uint32_t>(2 * layer.items.size() + (plain ? 1 : 0)));
   layer.items.push_back(static_cast<std::uint16_t>(items.size()));
   layer.items.insert(layer.items.end(), items.begin(), items.end());
-  return {first | Cell::kListed};
+  return {static_cast<std::uint16_t>(list | Cell::kListed)};
 }
 
-/// Fills a block's grid: for each cell the elements that can matter there, in the group's order.
-void AddCells(const Group& group, double blend_reach, Block& block, CompiledLayer& layer) {
-  // cells of a third of the finest groove: most of them then hold one element or none
-  const glm::dvec2 size = block.box.max - block.box.min;
-  double finest = glm::length(size);
+double FinestWidth(const Group& group) {
+  double finest = std::numeric_limits<double>::infinity();
   for (const Element& element : group.elements) {
     finest = std::min(finest, element.profile.width);
   }
-  // coarser for what is not a letter of the plain page: links are many and stand mostly alone
-  const double share = block.plain || block.blend > 0 ? 0.33 : 1.0;
-  const auto count = [finest, share](double length) {
-    const double wanted = std::ceil(length / (share * finest));
-    return static_cast<std::uint8_t>(std::clamp(wanted, 1.0, 40.0));
-  };
-  block.columns = count(size.x);
-  block.rows = count(size.y);
-  block.cells_per_m = glm::dvec2(block.columns, block.rows) / size;
+  return finest;
+}
+
+/// One side of a block's grid, in steps.
+struct GridSide {
+  std::int32_t before = 0;     ///< how far before the origin it begins
+  std::uint32_t per_step = 0;  ///< cells, in parts of 2^32
+  std::uint8_t cells = 1;
+  double size = 0;  ///< of a cell
+};
+/// Covers what lies between the two places [steps], and two steps more on either side, with cells
+/// of about the wanted size, at most 40.
+GridSide SideOf(double from, double to, double wanted) {
+  const double begin = std::floor(from) - 2, length = std::ceil(to) + 2 - begin;
+  GridSide side;
+  side.before = static_cast<std::int32_t>(-begin);
+  side.cells = static_cast<std::uint8_t>(std::clamp(std::ceil(length / wanted), 1.0, 40.0));
+  side.per_step = static_cast<std::uint32_t>(std::floor(0x1p32 * side.cells / length));
+  side.size = 0x1p32 / side.per_step;
+  return side;
+}
+
+/// Fills a block's grid: for each cell the elements that can matter there, in the group's order.
+void AddCells(const Group& group, Block& block, CompiledLayer& layer) {
+  // cells of a third of the finest groove: most of them then hold one element or none; coarser for
+  // what is not a letter of the plain page: links are many and stand mostly alone
+  const bool fades = std::any_of(group.elements.begin(), group.elements.end(),
+                                 [](const Element& element) { return !element.fade.IsNone(); });
+  const double share = fades ? 1.0 : 0.33;
+  const double wanted = share * FinestWidth(group) * layer.steps_per_m;
+  const Box in_steps{(block.box.min - glm::dvec2(layer.lead, 0.0)) * layer.steps_per_m,
+                     (block.box.max - glm::dvec2(layer.lead, 0.0)) * layer.steps_per_m};
+  const GridSide across = SideOf(in_steps.min.x, in_steps.max.x, wanted);
+  const GridSide up = SideOf(in_steps.min.y, in_steps.max.y, wanted);
+  block.left = across.before;
+  block.below = up.before;
+  block.columns_per_step = across.per_step;
+  block.rows_per_step = up.per_step;
+  block.columns = across.cells + 1;
+  block.rows = up.cells + 1;
   block.first_cell = static_cast<std::uint32_t>(layer.cells.size());
+  layer.block_lists[block.more].first_list = static_cast<std::uint32_t>(layer.lists.size());
+  layer.cells.resize(layer.cells.size() + std::size_t{block.columns} * block.rows);
 
   std::vector<Box> bounds;
   for (const Element& element : group.elements) bounds.push_back(BoundsOf(element));
-  // the cell grown by a hair, so that rounding of a query's cell never hides an element
-  const glm::dvec2 cell = size / glm::dvec2(block.columns, block.rows);
-  const double reach = 0.5 * glm::length(cell) * (1 + 1e-9) + blend_reach;
-  for (std::uint32_t row = 0; row < block.rows; ++row) {
-    for (std::uint32_t column = 0; column < block.columns; ++column) {
-      const glm::dvec2 middle = block.box.min + cell * (glm::dvec2(column, row) + 0.5);
-      layer.cells.push_back(MakeCell(group, block, bounds, middle, reach, layer));
+  double blend_reach = 0;
+  if (group.blend_radius > 0) {
+    blend_reach = BlendReach(group.elements.size(), group.blend_radius) + group.blend_radius;
+  }
+  // a cell, and a step to either side and a hair, which counting in steps may be wrong by
+  const glm::dvec2 size(across.size, up.size);
+  const double reach = (0.5 * glm::length(size) + kStepsWrong) / layer.steps_per_m + blend_reach;
+  for (std::uint32_t row = 0; row < up.cells; ++row) {
+    for (std::uint32_t column = 0; column < across.cells; ++column) {
+      const glm::dvec2 steps =
+          size * (glm::dvec2(column, row) + 0.5) - glm::dvec2(block.left, block.below);
+      const glm::dvec2 middle = steps / layer.steps_per_m + glm::dvec2(layer.lead, 0.0);
+      layer.cells[block.first_cell + row * block.columns + column] =
+          MakeCell(group, block, bounds, middle, reach, layer);
     }
   }
 }
@@ -279,16 +363,17 @@ Block MakeBlock(const Group& group, CompiledLayer& layer) {
   if (group.elements.size() > 65534) throw InputError("a group of more than 65534 elements");
   Block block;
   block.first_element = static_cast<std::uint32_t>(layer.elements.size());
-  block.blend = BlendNumber(group.blend_radius, layer);
-  block.plain = group.blend_radius == 0;
+  layer.elements.push_back(Nothing());
+  const BlockLists lists{0, BlendNumber(group.blend_radius, layer)};
   std::size_t blending = 0;
   for (const Element& element : group.elements) {
     layer.elements.push_back(Flatten(element, layer));
     const FlatElement& flat = layer.elements.back();
     if (&element == &group.elements.front()) block.profile = flat.profile;
-    block.plain &= flat.kind < FlatKind::kDisc && flat.profile == block.profile;
     blending += flat.kind <= FlatKind::kRing ? 1 : 0;
   }
+  block.more = static_cast<std::uint32_t>(layer.block_lists.size());
+  layer.block_lists.push_back(lists);
   // an element can change the result where it is within the blend radius of one that reaches
   const double reach = BlendReach(blending, group.blend_radius);
   for (const Element& element : group.elements) {
@@ -296,7 +381,6 @@ Block MakeBlock(const Group& group, CompiledLayer& layer) {
   }
   // room for rounding on either side, and never a box without area
   block.box = Grown(block.box, 1e-12);
-  AddCells(group, group.blend_radius > 0 ? reach + group.blend_radius : 0, block, layer);
   return block;
 }
 
@@ -361,7 +445,16 @@ CompiledLayer CompileLayer(const Layer& layer) {
   }
   AddBlocks(leaves, compiled);
   compiled.hole = HoleIn(leaves);
+  double finest = std::numeric_limits<double>::infinity();
+  for (const FlatProfile& profile : compiled.profiles) finest = std::min(finest, 2 * profile.half);
+  compiled.steps_per_m = kStepsPerWidth / finest;
   AddPlaces(leaves, compiled);
+  std::vector<bool> done(compiled.blocks.size());
+  for (const PlacedGroup& leaf : leaves) {
+    if (done[leaf.block]) continue;
+    done[leaf.block] = true;
+    AddCells(*leaf.group, compiled.blocks[leaf.block], compiled);
+  }
   return compiled;
 }
 

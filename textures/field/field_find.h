@@ -14,33 +14,58 @@ inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
   return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
 }
 
-/// The cell in which a point of the block's box lies.
+/// Where a point lies beside a block's origin, in whole steps.
+struct Steps {
+  std::int64_t x = 0, y = 0;
+};
+
+/// Steps of a length, rounded.
+inline std::int64_t StepsOf(const TextureField::CompiledLayer& layer, double length) noexcept {
+  constexpr std::int64_t kAbove = 1 << 30;  // so that all is above zero, and is cut alike
+  return static_cast<std::int64_t>(length * layer.steps_per_m + (kAbove + 0.5)) - kAbove;
+}
+inline Steps StepsOf(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept {
+  return {StepsOf(layer, p.x - layer.lead), StepsOf(layer, p.y)};
+}
+
+/// A cell of a block's grid. What lies before the grid or beyond it falls into the last.
 struct CellPlace {
   std::uint32_t column = 0, row = 0;
 };
-inline CellPlace PlaceOf(const Block& block, glm::dvec2 p) noexcept {
-  const auto column = static_cast<std::uint32_t>((p.x - block.box.min.x) * block.cells_per_m.x);
-  const auto row = static_cast<std::uint32_t>((p.y - block.box.min.y) * block.cells_per_m.y);
-  return {std::min(column, block.columns - 1u), std::min(row, block.rows - 1u)};
+inline CellPlace PlaceOf(const Block& block, Steps at) noexcept {
+  const auto cell = [](std::int64_t steps, std::uint32_t per_step, std::uint32_t count) {
+    // below zero becomes large
+    const auto number = static_cast<std::uint64_t>(steps * std::int64_t{per_step}) >> 32;
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(number, count - 1));
+  };
+  return {cell(at.x + block.left, block.columns_per_step, block.columns),
+          cell(at.y + block.below, block.rows_per_step, block.rows)};
+}
+inline Cell CellAt(const TextureField::CompiledLayer& layer, const Block& block,
+                   CellPlace place) noexcept {
+  return layer.cells[block.first_cell + place.row * block.columns + place.column];
 }
 
 /// The elements of a cell that holds some, wherever their numbers stand.
 struct CellElements {
-  CellElements(const TextureField::CompiledLayer& layer, const Block& block, Cell cell) noexcept {
+  CellElements(const TextureField::CompiledLayer& layer, const Block& block, Cell cell) noexcept
+      : first(&layer.elements[block.first_element]) {
     if (!cell.listed()) {
-      first = &layer.elements[cell.element()];
+      first += cell.element();
       return;
     }
-    const std::uint16_t* list = &layer.items[cell.list()];
-    first = &layer.elements[block.first_element];
-    count = list[0];
-    items = list + 1;
+    const std::uint32_t list = layer.block_lists[block.more].first_list + cell.list();
+    const std::uint16_t* at = &layer.items[layer.lists[list] / 2];
+    plain = layer.lists[list] % 2 != 0;
+    count = at[0];
+    items = at + 1;
   }
   const FlatElement& operator[](std::size_t i) const noexcept { return first[items[i]]; }
 
   static constexpr std::uint16_t kFirst = 0;
-  const FlatElement* first = nullptr;
+  const FlatElement* first;
   std::uint32_t count = 1;
+  bool plain = true;  ///< strokes of the block's profile, of which the nearest spine decides
   const std::uint16_t* items = &kFirst;  ///< counted from `first`
 };
 
@@ -52,29 +77,46 @@ inline std::uint32_t BandOf(const TextureField::CompiledLayer& layer, double y) 
   return static_cast<std::uint32_t>(v);
 }
 
-/// A letter of a row, and the steps of the raster between which it is the one that a point meets.
+/// A letter of a row, and where its origin stands.
 struct FoundLetter {
   const Block* block = nullptr;  ///< nullptr: the point lies beyond the row
   glm::dvec2 origin{0, 0};       ///< [m]
-  std::int32_t from = 0, next = 0;
+  Steps steps;                   ///< of the point from there
+  /// Where the next one begins at the earliest, in steps of the raster; beyond the slot of a pair
+  /// it may begin before that.
+  std::int32_t next = 0;
 };
 
-/// Steps of the raster from a row's first slot, of a place within its slots.
-inline std::int32_t StepOf(const Rows& rows, double x) noexcept {
-  return static_cast<std::int32_t>((x - rows.begin) * rows.steps_per_m);
+/// Steps of a place in y, from the first band on.
+inline std::int64_t StepsUp(const TextureField::CompiledLayer& layer, double y) noexcept {
+  return static_cast<std::int64_t>((y - layer.origin.y) * layer.steps_per_m);
 }
 
-/// The last letter of a row that begins at or before the point: at most one is met.
-inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uint32_t row,
-                              double x) noexcept {
+/// The last of a page's letters in a row that begins at or before the point: at most one is met.
+/// `u` is the point's place in the row [slots].
+inline FoundLetter FindInPairs(const TextureField::CompiledLayer& layer, std::uint32_t row,
+                               glm::dvec2 p, double u) noexcept {
   const Rows& rows = layer.rows;
-  const double u = (x - rows.begin) * rows.slots_per_m;
-  if (!(u >= 0 && u < rows.slot_count)) return {};
+  const LetterPair pair = rows.pairs[row * rows.length + static_cast<std::uint32_t>(u)];
+  const auto here = static_cast<std::int32_t>((p.x - rows.begin) * layer.steps_per_m);
+  // without a branch, which at random points would be mispredicted
+  const std::int32_t second = pair.first() + pair.step();
+  const bool begun = second <= here;
+  const std::int32_t place = begun ? second : pair.first();
+  return {&layer.blocks[begun ? pair.second_block() : pair.first_block()],
+          {rows.first_x + static_cast<double>(place) * rows.step, rows.y[row]},
+          {here - place, StepsUp(layer, p.y) - rows.steps_up[row]},
+          begun ? Letters::kFar : second};
+}
+
+/// The same in a book.
+inline FoundLetter FindInSlots(const TextureField::CompiledLayer& layer, std::uint32_t row,
+                               glm::dvec2 p, double u) noexcept {
+  const Rows& rows = layer.rows;
   const std::uint32_t start =
       std::min(static_cast<std::uint32_t>(u), rows.length - 1 - Rows::kWindow);
   const Letters* slot = &rows.slots[row * rows.length + start];
-  // counting needs no branch, which at random points would be mispredicted
-  const std::int32_t here = StepOf(rows, x);
+  const auto here = static_cast<std::int32_t>((p.x - rows.begin) * layer.steps_per_m);
   std::uint32_t begun = 0;
   for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first() <= here ? 1 : 0;
   const Letters letters = slot[begun];
@@ -90,13 +132,21 @@ inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uin
   const Code& code = rows.codes[letters.code(which)];
   return {&layer.blocks[code.block],
           {rows.first_x + static_cast<double>(place) * rows.step, rows.y[row]},
-          place,
+          {here - place, StepsUp(layer, p.y) - rows.steps_up[row]},
           place + code.step};
 }
 
-/// Magnitude and gradient at a point of the block's box, from its origin.
-Magnitude SampleBlockAt(const TextureField::CompiledLayer& layer, const Block& block,
-                        glm::dvec2 p) noexcept;
+inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uint32_t row,
+                              glm::dvec2 p) noexcept {
+  const Rows& rows = layer.rows;
+  const double u = (p.x - rows.begin) * rows.slots_per_m;
+  if (!(u >= 0 && u < rows.slot_count)) return {};
+  return rows.pairs.empty() ? FindInSlots(layer, row, p, u) : FindInPairs(layer, row, p, u);
+}
+
+/// Magnitude and gradient at a point of that cell, from the block's origin.
+Magnitude SampleCellAt(const TextureField::CompiledLayer& layer, const Block& block, Cell cell,
+                       glm::dvec2 p) noexcept;
 /// The same of a whole layer, anywhere on the page.
 Magnitude SampleLayerAt(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept;
 /// Whether nothing of a layer other than the first can be there.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "textures/field/field.h"
@@ -14,10 +15,10 @@ namespace moontrace {
 struct FlatProfile {
   double half = 0;       ///< w/2 [m]
   double rounding = 0;   ///< r [m]
+  double straight = 0;   ///< w/2 - r, where the straight flank meets the spine's rounding [m]
   double depth = 0;      ///< D [m]
   double slope = 0;      ///< s [m/m]
   double curvature = 0;  ///< s/r [1/m]
-  double flank = 0;      ///< D + s r/2, where the straight flank meets the spine [m]
   bool operator==(const FlatProfile&) const = default;
 };
 
@@ -25,14 +26,15 @@ enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kF
 
 /// An element ready for the query; a cache line. Lines, arcs, rings and dots share one formula
 /// without branches, since at random points a branch on the kind would be mispredicted every second
-/// time: a dot is a ring of radius zero, a ring an arc without ends.
+/// time: a dot is a ring of radius zero, a ring an arc without ends, and a line a dot that is drawn
+/// along.
 struct FlatElement {
   glm::dvec2 anchor{0, 0};  ///< a line's start, else the centre [m]
   glm::dvec2 direction{
       0, 0};            ///< unit: along a line, to the middle of an arc; zero for rings and dots
   double radius = 0;    ///< of arc, ring, disc [m]; 0 for lines and dots
   double cos_half = 0;  ///< of half an arc's sweep; -1 for rings and dots, 0 for lines
-  double length = 0;    ///< of a line [m]; else infinite
+  double length = std::numeric_limits<double>::infinity();  ///< of a line [m]; else infinite
   FlatKind kind = FlatKind::kLine;
   std::uint16_t profile = 0;
   std::uint16_t fill = 0;  ///< number of the outline or of the fade, if any
@@ -57,29 +59,39 @@ struct FlatFade {
   double rate = 0;          ///< of an arc: share of it for an angle, below zero clockwise [1/rad]
 };
 
-/// What can matter in one cell of a block: nothing; one element, by its number among the layer's;
-/// or several, by where the layer's `items` give how many there are and which, counted from the
-/// block's first, ascending.
+/// What can matter in one cell of a block's grid: one element, by its number in the block, of which
+/// the first is none; or, listed, several, by the list's number in the block. So is one
+/// that is no stroke of the block's profile, or where strokes blend.
 struct Cell {
-  static constexpr std::uint32_t kListed = 0x8000'0000u;
-  std::uint32_t code = 0;  ///< 0, one more than the number, or kListed and the place in `items`
+  static constexpr std::uint16_t kListed = 0x8000u;
+  std::uint16_t code = 0;  ///< 0, the element's number, or kListed and the list's
   bool empty() const noexcept { return code == 0; }
-  bool listed() const noexcept { return (code & kListed) != 0; }
-  std::uint32_t element() const noexcept { return code - 1; }
-  std::uint32_t list() const noexcept { return code & ~kListed; }
+  bool listed() const noexcept { return code >= kListed; }
+  std::uint32_t element() const noexcept { return code; }
+  std::uint32_t list() const noexcept { return code & (kListed - 1u); }
 };
 
 /// The elements of one group, shared by all its placements, behind a small grid that says which of
-/// them can matter where; a cache line.
+/// them can matter where; a cache line. The grid is found in whole steps, since these are known
+/// before the place itself. Its last column and row are empty: there ends a query beyond the grid.
 struct Block {
   Box box;
-  glm::dvec2 cells_per_m{0, 0};
+  std::int32_t left = 0, below = 0;  ///< of the origin, how far the grid begins [steps]
+  std::uint32_t columns_per_step = 0, rows_per_step = 0;  ///< in parts of 2^32
   std::uint32_t first_cell = 0;
   std::uint32_t first_element = 0;
   std::uint16_t profile = 0;
+  std::uint8_t columns = 2, rows = 2;  ///< with the empty ones
+  std::uint32_t more = 0;              ///< number of BlockLists
+};
+
+/// How far a point may lie from where its steps say, in x and y together [steps].
+inline constexpr double kStepsWrong = 1.5;
+
+/// What of a block only few queries need.
+struct BlockLists {
+  std::uint32_t first_list = 0;
   std::uint16_t blend = 0;  ///< number of the blend radius; 0: nothing is blended
-  std::uint8_t columns = 1, rows = 1;
-  bool plain = true;  ///< strokes of one profile, nothing blended: the nearest spine decides
 };
 
 /// Where a leaf's box lies in its band, coarsely and never less than it does: four numbers of 15
@@ -109,6 +121,19 @@ struct Leaf {
   std::uint16_t block = 0;
 };
 
+/// The letter in which a slot begins and the one that may begin in it, in eight bytes.
+struct LetterPair {
+  static constexpr std::int32_t kMostSteps = 0xffff;
+  static constexpr std::uint32_t kMostBlocks = 0x1000;
+  std::uint64_t bits = 0;  ///< 24 of the first's place in steps, 16 to the second, 12 of each block
+  std::int32_t first() const noexcept { return static_cast<std::int32_t>(bits & 0xff'ffffu); }
+  std::int32_t step() const noexcept { return static_cast<std::int32_t>(bits >> 24 & 0xffffu); }
+  std::uint32_t first_block() const noexcept {
+    return static_cast<std::uint32_t>(bits >> 40 & 0xfffu);
+  }
+  std::uint32_t second_block() const noexcept { return static_cast<std::uint32_t>(bits >> 52); }
+};
+
 /// Up to five letters that follow each other in a row, in eight bytes.
 struct Letters {
   static constexpr std::uint32_t kMost = 5;
@@ -128,22 +153,24 @@ struct Code {
 };
 
 /// Evenly set text: placed blocks that stand apart from each other on a raster, those of one band
-/// at one height. A band is a row of slots, each for five letters: they are in the slot where the
-/// first of them begins, or, where letters crowd, up to `kWindow` further on; a slot left empty
-/// repeats the letters before. So a letter is found by arithmetic and one visit to memory, and two
-/// bytes a letter keep a book in the processor's cache.
+/// at one height. A band is a row of slots, so that a letter is found by arithmetic and one visit
+/// to memory. A page's slots are so narrow that at most one letter begins in each. In a book a slot
+/// is for five letters, found where the first of them begins, or, where letters crowd, up to
+/// `kWindow` further on; a slot left empty repeats the letters before: two bytes a letter keep a
+/// book in the processor's cache.
 struct Rows {
   static constexpr std::uint32_t kWindow = 2;
-  double first_x = 0;        ///< where the raster starts [m]
-  double step = 0;           ///< of the raster [m]
-  double begin = 0;          ///< of the first slot [m], left of the first letter
-  double steps_per_m = 0;    ///< [1/m]
-  double slots_per_m = 0;    ///< [1/m]
-  double slot_count = 0;     ///< in a row, a whole number; a point beyond it meets nothing
-  std::uint32_t length = 0;  ///< slots stored of each row
+  double first_x = 0;            ///< where the raster starts [m]
+  double step = 0;               ///< of the raster [m], the layer's
+  double begin = 0;              ///< of the first slot [m], left of the first letter
+  double slots_per_m = 0;        ///< [1/m]
+  double slot_count = 0;         ///< in a row, a whole number; a point beyond it meets nothing
+  std::uint32_t length = 0;      ///< slots stored of each row
+  LargeArray<LetterPair> pairs;  ///< of a page, else the following two
   LargeArray<Letters> slots;
   std::array<Code, 256> codes{};
-  std::vector<double> y;  ///< of each row's letters [m]
+  std::vector<double> y;               ///< of each row's letters [m]
+  std::vector<std::int64_t> steps_up;  ///< the same from the first band on, cut to steps
   /// The row that each band meets, where lines are unevenly spaced; else empty: bands are rows.
   std::vector<std::uint32_t> of_band;
 };
@@ -156,6 +183,8 @@ struct TextureField::CompiledLayer {
   double sign = -1;
   glm::dvec2 origin{0, 0};   ///< of the first band's first bucket [m]
   double bands_per_m = 0;    ///< [1/m]
+  double steps_per_m = 0;    ///< of the blocks' grids [1/m]
+  double lead = 0;           ///< where steps in x are counted from, beside a block's origin [m]
   double buckets_per_m = 0;  ///< [1/m]
   double reach_per_m = 0;    ///< steps of Reach in x [1/m]
   Box hole;                  ///< a rectangle within which there is nothing; empty: not known
@@ -171,6 +200,9 @@ struct TextureField::CompiledLayer {
   LargeArray<Block> blocks;
   std::vector<double> blend_radii{0.0};  ///< [m]
   LargeArray<Cell> cells;
+  std::vector<BlockLists> block_lists;
+  std::vector<std::uint32_t> lists;  ///< twice where in `items`: how many, and their numbers in the
+                                     ///< block; and 1 where the nearest spine decides
   std::vector<std::uint16_t> items;
   LargeArray<FlatElement> elements;  ///< each in one cache line
   std::vector<FlatFill> fills;

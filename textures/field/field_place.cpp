@@ -131,6 +131,10 @@ void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
     });
   }
   if (AddRows(bands, all, layer) || AddUnevenRows(places, all, layer)) {
+    for (const double y : layer.rows.y) {
+      const double steps = std::floor((y - layer.origin.y) * layer.steps_per_m);
+      layer.rows.steps_up.push_back(static_cast<std::int64_t>(steps));
+    }
     AddHeights(places, layer);
     return;
   }

@@ -101,40 +101,53 @@ class CodeBook {
   std::array<Code, 256> codes_{};
 };
 
-/// Writes a row's letters by fives; false if the code book does not suffice.
-bool Encode(const Row& row, const Raster& raster, CodeBook& book, std::vector<Letters>& line) {
+/// A letter's place on the raster, and its code.
+struct RasterLetter {
+  std::int32_t at = 0;  ///< [steps]
+  std::uint8_t code = 0;
+};
+using RasterLine = std::vector<RasterLetter>;
+
+/// False if the code book does not suffice.
+bool Encode(const Row& row, const Raster& raster, CodeBook& book, RasterLine& line) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto at = static_cast<std::int32_t>(raster.NumberOf(row[i]->origin.x));
-    const std::size_t which = i % Letters::kMost;
-    if (which == 0) line.push_back({static_cast<std::uint64_t>(at)});
     Code code{Letters::kFar, row[i]->block};
     if (i + 1 < row.size()) {
       code.step = static_cast<std::int32_t>(raster.NumberOf(row[i + 1]->origin.x)) - at;
     }
     std::uint8_t number = 0;
     if (!book.Add(code, number)) return false;
-    line.back().bits |= std::uint64_t{number} << (24 + 8 * which);
+    line.push_back({at, number});
   }
   return true;
 }
 
-/// Spreads a line over slots, from left to right; false if letters come to stand further on than a
-/// query looks.
-bool Spread(const std::vector<Letters>& line, const Rows& rows, std::vector<Letters>& slots) {
-  slots.assign(1, line.empty() ? Letters{Letters::kFar} : line.front());
-  for (const Letters& letters : line) {
+/// The letters of a line from one on, as many as a slot holds.
+Letters LettersFrom(const RasterLine& line, std::size_t first) {
+  Letters letters{static_cast<std::uint64_t>(line[first].at)};
+  for (std::size_t i = 0; i < Letters::kMost && first + i < line.size(); ++i) {
+    letters.bits |= std::uint64_t{line[first + i].code} << (24 + 8 * i);
+  }
+  return letters;
+}
+
+/// Spreads a line over slots by fives, from left to right; false if letters come to stand further
+/// on than a query looks.
+bool Spread(const RasterLine& line, const Rows& rows, std::vector<Letters>& slots) {
+  slots.assign(1, line.empty() ? Letters{Letters::kFar} : LettersFrom(line, 0));
+  for (std::size_t i = 0; i < line.size(); i += Letters::kMost) {
     // the first slot is for what begins before a query's
-    const auto own = 1 + static_cast<std::size_t>(letters.first() * rows.step * rows.slots_per_m);
+    const auto own = 1 + static_cast<std::size_t>(line[i].at * rows.step * rows.slots_per_m);
     if (slots.size() >= own + Rows::kWindow) return false;
     while (slots.size() < own) slots.push_back(slots.back());
-    slots.push_back(letters);
+    slots.push_back(LettersFrom(line, i));
   }
   return true;
 }
 
 /// Spreads all lines over `count` slots each; false as above.
-bool SpreadAll(const std::vector<std::vector<Letters>>& lines, std::size_t count, double width,
-               Rows& rows) {
+bool SpreadAll(const std::vector<RasterLine>& lines, std::size_t count, double width, Rows& rows) {
   rows.slots_per_m = static_cast<double>(count) / width;
   rows.slot_count = std::floor(width * rows.slots_per_m) + 1;
   std::vector<std::vector<Letters>> spread(lines.size());
@@ -149,6 +162,60 @@ bool SpreadAll(const std::vector<std::vector<Letters>>& lines, std::size_t count
     row.resize(length, row.back());
     rows.slots.insert(rows.slots.end(), row.begin(), row.end());
   }
+  return true;
+}
+
+/// What a slot tells: the i-th letter of a line, or none before its first, and the next, if it
+/// begins within reach.
+LetterPair PairOf(const RasterLine& line, const CodeBook& book, std::size_t i) {
+  const auto block = [&](std::size_t k) { return std::uint64_t{book.codes()[line[k].code].block}; };
+  const bool last = i + 1 == line.size();
+  const auto at = static_cast<std::uint64_t>(line[i].at);
+  const std::int32_t step =
+      last ? LetterPair::kMostSteps : std::min(line[i + 1].at - line[i].at, LetterPair::kMostSteps);
+  return {at | static_cast<std::uint64_t>(step) << 24 | block(i) << 40 |
+          block(last ? i : i + 1) << 52};
+}
+
+/// A line's slots where each holds the letter in which it begins and the one that may begin in it.
+/// A hair of rounding decides nothing, since letters begin half a step from where steps change.
+void SpreadInPairs(const RasterLine& line, const CodeBook& book, Rows& rows) {
+  constexpr LetterPair kNothing{Letters::kFar | std::uint64_t{LetterPair::kMostSteps} << 24};
+  const double slot_steps = 1 / (rows.slots_per_m * rows.step);
+  std::size_t i = 0;
+  for (std::uint32_t slot = 0; slot < rows.length; ++slot) {
+    const double begin = slot * slot_steps - 0.5, end = begin + slot_steps + 1;
+    while (i + 1 < line.size() && line[i + 1].at <= begin) ++i;
+    // so long after its origin no letter matters any more
+    const bool over = i < line.size() && line[i].at + LetterPair::kMostSteps <= end;
+    const std::size_t first = i + (over ? 1 : 0);
+    const bool nothing = first >= line.size() || (over && line[first].at > end);
+    rows.pairs.push_back(nothing ? kNothing : PairOf(line, book, first));
+  }
+}
+
+/// Slots so narrow that at most one letter begins in each; false if there would be more than a
+/// page's, or blocks that these cannot tell.
+bool SpreadAllInPairs(const std::vector<RasterLine>& lines, const CodeBook& book, double width,
+                      const LargeArray<Block>& blocks, Rows& rows) {
+  constexpr double kMostSlots = 6000;
+  if (blocks.size() > LetterPair::kMostBlocks) return false;
+  for (const Block& block : blocks) {
+    if (block.box.max.x - block.box.min.x > 0.5 * LetterPair::kMostSteps * rows.step) return false;
+  }
+  std::int32_t least = LetterPair::kMostSteps / 2;
+  for (const RasterLine& line : lines) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      least = std::min(least, line[i].at - line[i - 1].at);
+    }
+  }
+  const double slot = (least - 2) * rows.step;
+  if (least < 8 || width / slot * static_cast<double>(lines.size()) > kMostSlots) return false;
+  rows.slots_per_m = 1 / slot;
+  rows.slot_count = std::floor(width * rows.slots_per_m) + 1;
+  rows.length = static_cast<std::uint32_t>(rows.slot_count);
+  rows.pairs.reserve(rows.length * lines.size());
+  for (const RasterLine& line : lines) SpreadInPairs(line, book, rows);
   return true;
 }
 
@@ -183,6 +250,12 @@ double NarrowestGap(const std::vector<TextLine>& lines) {
   return gap;
 }
 
+void SetRows(Rows rows, double lead, TextureField::CompiledLayer& layer) {
+  layer.steps_per_m = 1 / rows.step;
+  layer.lead = lead;
+  layer.rows = std::move(rows);
+}
+
 }  // namespace
 
 bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& layer) {
@@ -194,31 +267,35 @@ bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& la
   // stand a cell apart, as in Braille, steps are parts of a cell
   const double gap = GapBetweenBlocks(bands, lead);
   if (!(gap > 0)) return false;
-  if (!(raster.step < gap)) raster.step /= std::floor(raster.step / gap) + 1;
+  // as fine as the blocks' grids need it; halved, so that places stay what they are to the bit
+  while (!(raster.step < gap) || raster.step * layer.steps_per_m > 1) raster.step /= 2;
   Rows rows;
   rows.first_x = raster.first;
   rows.step = raster.step;
-  rows.steps_per_m = 1 / raster.step;
   rows.begin = raster.first + lead - 0.5 * raster.step;
   const double width = all.max.x - rows.begin;
   if (!(2 * width < Letters::kFar * raster.step)) return false;
 
   CodeBook book;
-  std::vector<std::vector<Letters>> lines(bands.size());
+  std::vector<RasterLine> lines(bands.size());
   std::size_t places = 0, longest = 1;
   for (std::size_t i = 0; i < bands.size(); ++i) {
     if (!Encode(bands[i], raster, book, lines[i])) return false;
     places += bands[i].size();
-    longest = std::max(longest, lines[i].size());
+    longest = std::max(longest, (lines[i].size() + Letters::kMost - 1) / Letters::kMost);
     rows.y.push_back(bands[i].empty() ? 0 : bands[i].front()->origin.y);
   }
   rows.codes = book.codes();
+  if (SpreadAllInPairs(lines, book, width, layer.blocks, rows)) {
+    SetRows(std::move(rows), lead, layer);
+    return true;
+  }
   // the fewest slots that serve; not so many that rows would outgrow buckets
   const std::size_t most = (4 * places + 64) / bands.size();
   for (std::size_t count = std::max<std::size_t>(longest, Rows::kWindow); count < most;
        count += 1 + count / 8) {
     if (!SpreadAll(lines, count, width, rows)) continue;
-    layer.rows = std::move(rows);
+    SetRows(std::move(rows), lead, layer);
     return true;
   }
   return false;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "textures/base/branchless.h"
 #include "textures/field/blend.h"
 #include "textures/field/field_find.h"
 
@@ -17,15 +18,15 @@ constexpr double kFar = 1e300;
 constexpr double kTiny = 1e-300;
 constexpr std::size_t kMostFeet = 32;
 
-/// The positive part, exactly: std::fmax is a library call, and a comparison would become a branch
-/// that at random points is mispredicted.
-inline double PositivePart(double a) noexcept { return 0.5 * (a + std::abs(a)); }
-
-/// Where a point lies relative to an element's spine: the distance, and the unit direction in which
-/// it grows.
+/// Where a point lies relative to an element's spine: the distance, how far from the nearer butt
+/// end it is, below zero where that stops the element, and the unit direction in which the distance
+/// grows.
 struct Near {
-  double distance = kFar;  ///< kFar where a butt end stops the element
+  double distance = kFar;
+  double within = -1;
   glm::dvec2 away{0.0, 0.0};
+  /// kFar where a butt end stops the element.
+  double Reached() const noexcept { return within >= 0 ? distance : kFar; }
 };
 
 inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
@@ -35,28 +36,35 @@ inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
   // signs are copied and ranges joined, since points on either side are equally likely
   if (element.kind == FlatKind::kLine) {
     const double across = vy * ux - vx * uy;
-    if (!((along >= 0) & (along <= element.length))) return {};
     const double side = std::copysign(1.0, across);
-    return {std::abs(across), {-side * uy, side * ux}};
+    return {std::abs(across), Smaller(along, element.length - along), {-side * uy, side * ux}};
   }
   const double distance = std::sqrt(vx * vx + vy * vy);
-  if (!(along >= distance * element.cos_half)) return {};
   // at the centre no direction is nearest: none is chosen
-  const double d = distance - element.radius;
-  const double scale = std::copysign(1.0, d) / std::max(distance, kTiny);
-  return {std::abs(d), {scale * vx, scale * vy}};
+  const double off = distance - element.radius;
+  const double scale = std::copysign(1.0, off) / (distance + kTiny);
+  return {std::abs(off), along - distance * element.cos_half, {scale * vx, scale * vy}};
 }
 
-/// Magnitude and its gradient at a distance below w/2. The derivative is a trapezoid in d, written
-/// with maxima so that no branch depends on the point.
-inline Magnitude FromSpine(const FlatProfile& profile, double d, glm::dvec2 away) noexcept {
-  const double k = profile.curvature;
-  const double in_spine = PositivePart(profile.rounding - d);
-  const double in_rim = PositivePart(d - (profile.half - profile.rounding));
+/// How far within the rim a point lies; zero beyond it.
+inline double InsideOf(const FlatProfile& profile, const Near& near) noexcept {
+  return IfNotBelowZero(near.within, Larger(profile.half - near.distance, 0.0));
+}
+
+/// Magnitude and its gradient so far within the rim, exactly zero there. Two parabolas taken from a
+/// third: no branch depends on the point. `k` is the profile's curvature, or minus that for the
+/// displacement of a groove.
+inline Magnitude FromInside(const FlatProfile& profile, double k, double inside,
+                            glm::dvec2 away) noexcept {
+  const double past_rim = Larger(inside - profile.rounding, 0.0);
+  const double past_flank = Larger(inside - profile.straight, 0.0);
   const double height =
-      profile.flank - profile.slope * d + 0.5 * k * (in_rim * in_rim - in_spine * in_spine);
-  const double slope = k * (in_spine + in_rim) - profile.slope;
+      0.5 * k * (inside * inside - (past_rim * past_rim + past_flank * past_flank));
+  const double slope = k * (past_rim + past_flank - inside);
   return {height, {slope * away.x, slope * away.y}};
+}
+inline Magnitude OfNear(const FlatProfile& profile, const Near& near) noexcept {
+  return FromInside(profile, profile.curvature, InsideOf(profile, near), near.away);
 }
 
 inline Magnitude FromRim(const FlatProfile& profile, double inside, glm::dvec2 from_edge) noexcept {
@@ -68,7 +76,8 @@ inline Magnitude FromRim(const FlatProfile& profile, double inside, glm::dvec2 f
             profile.curvature * d / inside * from_edge};
   }
   if (d <= profile.half - profile.rounding) {
-    return {profile.flank - profile.slope * d, profile.slope / inside * from_edge};
+    return {profile.depth - profile.slope * (d - 0.5 * profile.rounding),
+            profile.slope / inside * from_edge};
   }
   return {0.5 * profile.curvature * inside * inside, profile.curvature * from_edge};
 }
@@ -86,7 +95,7 @@ inline FromOutline NearestOfOutline(const FlatFill& fill, glm::dvec2 p) noexcept
   };
   for (const FlatEdge& edge : fill.edges) {
     const Near near = NearestOf(edge.spine, p);
-    if (near.distance < kFar) take(near.distance * near.away);
+    if (near.within >= 0) take(near.distance * near.away);
     take(p - edge.first);
     take(p - edge.last);
   }
@@ -111,30 +120,21 @@ inline Magnitude OfFill(const CompiledLayer& layer, const FlatElement& fill,
   return FromRim(profile, std::sqrt(nearest.distance2), nearest.v);
 }
 
-/// All strokes of one profile: the nearest spine has the greatest magnitude.
-inline Magnitude SamplePlain(const CompiledLayer& layer, const Block& block, Cell cell,
-                             glm::dvec2 p) noexcept {
-  Near nearest;
-  if (cell.listed()) [[unlikely]] {
-    const CellElements elements(layer, block, cell);
-    nearest = NearestOf(elements[0], p);
-    for (std::uint32_t i = 1; i < elements.count; ++i) {
-      const Near near = NearestOf(elements[i], p);
-      if (near.distance < nearest.distance) nearest = near;
-    }
-  } else {
-    nearest = NearestOf(layer.elements[cell.element()], p);
+/// The nearest of a cell's elements.
+inline Near NearestIn(const CellElements& elements, glm::dvec2 p) noexcept {
+  Near nearest = NearestOf(elements[0], p);
+  for (std::uint32_t i = 1; i < elements.count; ++i) {
+    const Near near = NearestOf(elements[i], p);
+    if (near.Reached() < nearest.Reached()) nearest = near;
   }
-  const FlatProfile& profile = layer.profiles[block.profile];
-  if (!(nearest.distance < profile.half)) return {};
-  return FromSpine(profile, nearest.distance, nearest.away);
+  return nearest;
 }
 
 Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
   Foot foot{.distance = -1, .profile = element.profile};
   if (element.kind > FlatKind::kRing) return foot;
   const Near near = NearestOf(element, p);
-  if (near.distance == kFar) return foot;
+  if (!(near.within >= 0)) return foot;
   foot.distance = near.distance;
   foot.gradient = near.away;
   foot.inset = kFar;
@@ -163,7 +163,7 @@ Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::
   const FlatElement& spine = fade.spine;
   const FlatProfile& profile = layer.profiles[element.profile];
   const Near near = NearestOf(spine, p);
-  if (!(near.distance < profile.half)) return {};
+  if (!(near.Reached() < profile.half)) return {};
   const glm::dvec2 v = p - spine.anchor, a = spine.direction;
   double u = 0;
   glm::dvec2 rise(0.0, 0.0);  // of u
@@ -179,7 +179,7 @@ Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::
   const double q = fade.from + change * u * u * (3 - 2 * u);
   const double d = near.distance / q;
   if (!(d < profile.half)) return {};
-  const Magnitude whole = FromSpine(profile, d, near.away);
+  const Magnitude whole = FromInside(profile, profile.curvature, profile.half - d, near.away);
   const double slope = whole.gradient.x * near.away.x + whole.gradient.y * near.away.y;
   const double by_q = (2 * q * whole.height - near.distance * slope) * change * 6 * u * (1 - u);
   return {q * q * whole.height, q * whole.gradient + by_q * rise};
@@ -193,13 +193,13 @@ inline Magnitude OfElement(const CompiledLayer& layer, const FlatElement& elemen
   }
   const FlatProfile& profile = layer.profiles[element.profile];
   const Near near = NearestOf(element, p);
-  if (!(near.distance < profile.half)) return {};
-  return FromSpine(profile, near.distance, near.away);
+  if (!(near.Reached() < profile.half)) return {};
+  return OfNear(profile, near);
 }
 
 /// Mixed profiles and fills: magnitudes are compared one by one.
-Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, Cell cell,
-                      glm::dvec2 p) noexcept {
+[[gnu::noinline]] Magnitude SampleMixed(const CompiledLayer& layer, const Block& block, Cell cell,
+                                        glm::dvec2 p) noexcept {
   const CellElements elements(layer, block, cell);
   Magnitude greatest;
   for (std::size_t i = 0; i < elements.count; ++i) {
@@ -229,11 +229,11 @@ class CellFeet {
 };
 
 /// The same with creases rounded.
-Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, Cell cell,
-                        glm::dvec2 p) noexcept {
+[[gnu::noinline]] Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, Cell cell,
+                                          glm::dvec2 p) noexcept {
   const CellElements elements(layer, block, cell);
   const CellFeet feet(elements, elements.count, p);
-  const double rho = layer.blend_radii[block.blend];
+  const double rho = layer.blend_radii[layer.block_lists[block.more].blend];
   const double reach = BlendReach(elements.count, rho);
   Magnitude greatest;
   for (std::size_t i = 0; i < elements.count; ++i) {
@@ -244,8 +244,10 @@ Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, Cell cel
       const FlatProfile& profile = layer.profiles[element.profile];
       if (own.distance < 0 || own.distance >= profile.half + reach) continue;
       const BlendedDistance blended = Blend(feet, elements.count, i, rho);
-      const double d = PositivePart(blended.distance);
-      if (d < profile.half) member = FromSpine(profile, d, blended.gradient);
+      const double d = Larger(blended.distance, 0.0);
+      if (d < profile.half) {
+        member = FromInside(profile, profile.curvature, profile.half - d, blended.gradient);
+      }
     } else {
       member = OfElement(layer, element, p);
     }
@@ -254,22 +256,33 @@ Magnitude SampleBlended(const CompiledLayer& layer, const Block& block, Cell cel
   return greatest;
 }
 
-/// `p` lies in the block's box.
-inline Magnitude SampleBlock(const CompiledLayer& layer, const Block& block,
-                             glm::dvec2 p) noexcept {
-  const CellPlace place = PlaceOf(block, p);
-  const Cell cell = layer.cells[block.first_cell + place.row * block.columns + place.column];
-  if (cell.empty()) return {};
-  if (block.plain) return SamplePlain(layer, block, cell, p);
-  return block.blend > 0 ? SampleBlended(layer, block, cell, p)
-                         : SampleMixed(layer, block, cell, p);
+/// Of a cell that is listed.
+[[gnu::noinline]] Magnitude SampleListed(const CompiledLayer& layer, const Block& block, Cell cell,
+                                         glm::dvec2 p) noexcept {
+  const CellElements elements(layer, block, cell);
+  if (elements.plain) {
+    // all strokes of one profile: the nearest spine has the greatest magnitude
+    return OfNear(layer.profiles[block.profile], NearestIn(elements, p));
+  }
+  return layer.block_lists[block.more].blend > 0 ? SampleBlended(layer, block, cell, p)
+                                                 : SampleMixed(layer, block, cell, p);
+}
+
+inline Magnitude SampleCell(const CompiledLayer& layer, const Block& block, Cell cell,
+                            glm::dvec2 p) noexcept {
+  if (cell.listed()) return SampleListed(layer, block, cell, p);
+  const FlatProfile& profile = layer.profiles[block.profile];
+  const Near near = NearestOf(layer.elements[block.first_element + cell.element()], p);
+  return OfNear(profile, near);
 }
 
 inline Magnitude SampleRow(const CompiledLayer& layer, std::uint32_t row, glm::dvec2 p) noexcept {
-  const FoundLetter letter = FindLetter(layer, row, p.x);
+  const FoundLetter letter = FindLetter(layer, row, p);
   if (letter.block == nullptr) return {};
+  const Block& block = *letter.block;
   const glm::dvec2 local = p - letter.origin;
-  return IsIn(letter.block->box, local) ? SampleBlock(layer, *letter.block, local) : Magnitude{};
+  const Cell cell = CellAt(layer, block, PlaceOf(block, letter.steps));
+  return SampleCell(layer, block, cell, local);
 }
 
 /// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
@@ -312,7 +325,8 @@ Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, double u
       const Block& block = layer.blocks[leaf.block];
       const glm::dvec2 local = p - leaf.origin;
       if (!IsIn(block.box, local)) continue;
-      const Magnitude member = SampleBlock(layer, block, local);
+      const Cell cell = CellAt(layer, block, PlaceOf(block, StepsOf(layer, local)));
+      const Magnitude member = SampleCell(layer, block, cell, local);
       if (member.height > greatest.height ||
           (member.height == greatest.height && member.height > 0 && leaf.order < order)) {
         greatest = member;
@@ -345,8 +359,9 @@ inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept 
 
 }  // namespace
 
-Magnitude SampleBlockAt(const CompiledLayer& layer, const Block& block, glm::dvec2 p) noexcept {
-  return SampleBlock(layer, block, p);
+Magnitude SampleCellAt(const CompiledLayer& layer, const Block& block, Cell cell,
+                       glm::dvec2 p) noexcept {
+  return SampleCell(layer, block, cell, p);
 }
 Magnitude SampleLayerAt(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   return SampleLayer(layer, p);
@@ -355,7 +370,34 @@ bool IsBare(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   return IsIn(layer.hole, p) || IsBetween(layer, p);
 }
 
+Sample SampleSlow(const CompiledLayer& layer, const Block& block, Cell cell,
+                  glm::dvec2 p) noexcept {
+  const Magnitude magnitude = SampleListed(layer, block, cell, p);
+  return {layer.sign * magnitude.height, layer.sign * magnitude.gradient};
+}
+
 Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
+  if (!is_page_) [[unlikely]]
+    return SampleLayers(p_P);
+  const CompiledLayer& layer = layers_.front();
+  const Rows& rows = layer.rows;
+  const double v = (p_P.y - layer.origin.y) * layer.bands_per_m;
+  const double u = (p_P.x - rows.begin) * rows.slots_per_m;
+  if (!((v >= 0) & (v < layer.band_count) & (u >= 0) & (u < rows.slot_count))) return {};
+  const FoundLetter letter = FindInPairs(layer, static_cast<std::uint32_t>(v), p_P, u);
+  const Block& block = *letter.block;
+  const glm::dvec2 p = p_P - letter.origin;
+  const Cell cell = CellAt(layer, block, PlaceOf(block, letter.steps));
+  if (cell.listed()) [[unlikely]]
+    return SampleSlow(layer, block, cell, p);
+  const FlatProfile& profile = layer.profiles[block.profile];
+  const Near near = NearestOf(layer.elements[block.first_element + cell.element()], p);
+  const Magnitude signed_one =
+      FromInside(profile, layer.sign * profile.curvature, InsideOf(profile, near), near.away);
+  return {signed_one.height, {signed_one.gradient.x, signed_one.gradient.y}};
+}
+
+Sample TextureField::SampleLayers(glm::dvec2 p_P) const noexcept {
   Sample sum;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const CompiledLayer& layer = layers_[i];

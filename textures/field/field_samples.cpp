@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <limits>
 
 #include "textures/base/wide_vectors.h"
 #include "textures/field/field_find.h"
@@ -28,7 +30,7 @@ struct Run {
   alignas(64) std::array<double, kMost> height, slope_x, slope_y;
 };
 
-/// As NearestOf and SamplePlain of the single query, in the same order of operations.
+/// As NearestOf and FromSpine of the single query, in the same order of operations.
 MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& profile,
                              Run& run) noexcept {
   // whole vectors only, so that no rest is left to be worked out one by one
@@ -62,8 +64,8 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
         const double along = vx * ux + vy * uy;
         const double distance = std::sqrt(vx * vx + vy * vy);
         const double off = distance - radius;
-        const double scale = std::copysign(1.0, off) / (distance > kTiny ? distance : kTiny);
-        const double d = along >= distance * cos_half ? std::abs(off) : kFar;
+        const double scale = std::copysign(1.0, off) / (distance + kTiny);
+        const double d = along - distance * cos_half >= 0 ? std::abs(off) : kFar;
         const bool nearer = d < best[i];
         best[i] = nearer ? d : best[i];
         away_x[i] = nearer ? scale * vx : away_x[i];
@@ -72,19 +74,17 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
     }
   }
   const double k = profile.curvature, half = profile.half, rounding = profile.rounding;
-  const double flank = profile.flank, steep = profile.slope;
+  const double straight = profile.straight;
   double *height = run.height.data(), *slope_x = run.slope_x.data(), *slope_y = run.slope_y.data();
   for (std::size_t i = 0; i < count; ++i) {
-    const double d = best[i];
-    const double to_spine = rounding - d, to_rim = d - (half - rounding);
-    const double in_spine = 0.5 * (to_spine + std::abs(to_spine));
-    const double in_rim = 0.5 * (to_rim + std::abs(to_rim));
-    const double h = flank - steep * d + 0.5 * k * (in_rim * in_rim - in_spine * in_spine);
-    const double slope = k * (in_spine + in_rim) - steep;
-    const bool inside = d < half;
-    height[i] = inside ? h : 0;
-    slope_x[i] = inside ? slope * away_x[i] : 0;
-    slope_y[i] = inside ? slope * away_y[i] : 0;
+    const double to_rim = half - best[i];
+    const double inside = to_rim > 0 ? to_rim : 0;
+    const double past_rim = inside > rounding ? inside - rounding : 0;
+    const double past_flank = inside > straight ? inside - straight : 0;
+    const double slope = k * (past_rim + past_flank - inside);
+    height[i] = 0.5 * k * (inside * inside - (past_rim * past_rim + past_flank * past_flank));
+    slope_x[i] = slope * away_x[i];
+    slope_y[i] = slope * away_y[i];
   }
 }
 
@@ -174,7 +174,7 @@ class RowLayer {
     const std::uint32_t band = BandOf(layer_, p.y);
     if (band >= layer_.band_count) return Skip(i, {{-kFar, p.y}, {kFar, p.y}});
     const std::vector<std::uint32_t>& of_band = layer_.rows.of_band;
-    const FoundLetter letter = FindLetter(layer_, of_band.empty() ? band : of_band[band], p.x);
+    const FoundLetter letter = FindLetter(layer_, of_band.empty() ? band : of_band[band], p);
     if (letter.block == nullptr) return Skip(i, {p, p});
     const double below = layer_.origin.y + band * band_height_;
     const Box in_band{{-kFar, below + kHair}, {kFar, below + band_height_ - kHair}};
@@ -186,11 +186,16 @@ class RowLayer {
   /// one of its sides. A hair less, so that rounding decides nothing.
   Box GapBeside(const FoundLetter& letter, const Box& in_band, glm::dvec2 p) const noexcept {
     const Box box{letter.block->box.min + letter.origin, letter.block->box.max + letter.origin};
-    const double next = layer_.rows.begin + letter.next * layer_.rows.step;
+    const Rows& rows = layer_.rows;
+    double next = rows.begin + letter.next * rows.step;
+    if (!rows.pairs.empty()) {
+      const double slot = std::floor((p.x - rows.begin) * rows.slots_per_m);
+      next = std::min(next, rows.begin + (slot + 1) / rows.slots_per_m);
+    }
     Box gap = in_band;
     if (p.x < box.min.x) {
       gap.min.x = p.x;
-      gap.max.x = box.min.x - kHair;
+      gap.max.x = std::min(next, box.min.x) - kHair;
       return gap;
     }
     gap.min.x = p.x > box.max.x ? box.max.x + kHair : p.x;
@@ -215,8 +220,7 @@ class RowLayer {
     Box sure{block.box.min + kHair, block.box.max - kHair};
     sure.min.y = std::max(sure.min.y, in_band.min.y - letter.origin.y);
     sure.max.y = std::min(sure.max.y, in_band.max.y - letter.origin.y);
-    const glm::dvec2 size = 1.0 / block.cells_per_m;
-    do i = SetCells(letter, size, sure, i);
+    do i = SetCells(letter, sure, i);
     while (i < arrays_.count() && IsIn(sure, arrays_.PointAt(i) - letter.origin));
     return i;
   }
@@ -226,28 +230,29 @@ class RowLayer {
     Cell cell;
     Box sure;
   };
-  SureCell CellAt(const Block& block, glm::dvec2 size, const Box& of_letter,
-                  glm::dvec2 local) const noexcept {
-    const CellPlace place = PlaceOf(block, local);
-    const glm::dvec2 low = block.box.min + size * glm::dvec2(place.column, place.row);
-    return {layer_.cells[block.first_cell + place.row * block.columns + place.column],
-            {{std::max(low.x + kHair, of_letter.min.x), std::max(low.y + kHair, of_letter.min.y)},
-             {std::min(low.x + size.x - kHair, of_letter.max.x),
-              std::min(low.y + size.y - kHair, of_letter.max.y)}}};
+  SureCell SureCellAt(const Block& block, const Box& of_letter, glm::dvec2 local) const noexcept {
+    const CellPlace place = PlaceOf(block, StepsOf(layer_, local));
+    const glm::dvec2 size(0x1p32 / block.columns_per_step, 0x1p32 / block.rows_per_step);
+    const glm::dvec2 low =
+        size * glm::dvec2(place.column, place.row) - glm::dvec2(block.left, block.below);
+    // where counting in steps decides nothing
+    const glm::dvec2 from = (low + kStepsWrong) * step_ + glm::dvec2(layer_.lead, 0.0);
+    const glm::dvec2 to = (low + size - kStepsWrong) * step_ + glm::dvec2(layer_.lead, 0.0);
+    return {CellAt(layer_, block, place),
+            {glm::max(from, of_letter.min), glm::min(to, of_letter.max)}};
   }
 
   /// The same for the cells that hold the same as the i-th point's, as long as the points stay
   /// there.
-  std::size_t SetCells(const FoundLetter& letter, glm::dvec2 size, const Box& of_letter,
-                       std::size_t i) noexcept {
+  std::size_t SetCells(const FoundLetter& letter, const Box& of_letter, std::size_t i) noexcept {
     const Block& block = *letter.block;
     const std::size_t first = i, end = std::min(arrays_.count(), first + kMost);
-    SureCell at = CellAt(block, size, of_letter, arrays_.PointAt(i) - letter.origin);
+    SureCell at = SureCellAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
     const Cell cell = at.cell;
     do {
       i = Take(letter.origin, at.sure, first, i, end);
       if (i == end || !IsIn(of_letter, arrays_.PointAt(i) - letter.origin)) break;
-      at = CellAt(block, size, of_letter, arrays_.PointAt(i) - letter.origin);
+      at = SureCellAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
     } while (at.cell.code == cell.code);
     if (cell.empty()) {
       arrays_.Clear(first, i - first);
@@ -280,20 +285,22 @@ class RowLayer {
       run_.x[k] = run_.x[count - 1];
       run_.y[k] = run_.y[count - 1];
     }
-    if (!block.plain || count == 1) {
+    const CellElements elements(layer_, block, cell);
+    if (!elements.plain || count == 1) {
       for (std::size_t k = 0; k < count; ++k) {
-        const Magnitude magnitude = SampleBlockAt(layer_, block, {run_.x[k], run_.y[k]});
+        const Magnitude magnitude = SampleCellAt(layer_, block, cell, {run_.x[k], run_.y[k]});
         arrays_.Set(first + k, {layer_.sign * magnitude.height, layer_.sign * magnitude.gradient});
       }
       return;
     }
-    RunPlain(CellElements(layer_, block, cell), layer_.profiles[block.profile], run_);
+    RunPlain(elements, layer_.profiles[block.profile], run_);
     arrays_.Set(first, count, layer_.sign, run_);
   }
 
   const CompiledLayer& layer_;
   const Arrays arrays_;
   double band_height_ = 1 / layer_.bands_per_m;  ///< [m]
+  double step_ = 1 / layer_.steps_per_m;         ///< [m]
   Run run_;
 };
 

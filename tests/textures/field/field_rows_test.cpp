@@ -204,8 +204,10 @@ TEST(FieldRows, TheFirstInTheTreeDecidesATie) {
     const Sample tree = SampleTree(texture, middle),
                  sample = TextureField(texture).SampleAt(middle);
     EXPECT_NE(tree.gradient.x, 0);
-    EXPECT_EQ(sample.displacement, tree.displacement);
-    EXPECT_EQ(sample.gradient, tree.gradient);
+    // the tree writes the profile as its pieces, the field as parabolas: a few roundings apart
+    EXPECT_NEAR(sample.displacement, tree.displacement, 1e-18);
+    EXPECT_NEAR(sample.gradient.x, tree.gradient.x, 1e-15);
+    EXPECT_EQ(sample.gradient.y, tree.gradient.y);
   }
 }
 
