@@ -107,7 +107,7 @@ std::size_t TextureField::memory_bytes() const noexcept {
              Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.reaches) +
              Bytes(layer.heights) + Bytes(layer.blocks) + Bytes(layer.blend_radii) +
              Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.lists) +
-             Bytes(layer.block_lists) + Bytes(layer.elements) + Bytes(layer.fills) +
+             Bytes(layer.block_blends) + Bytes(layer.elements) + Bytes(layer.fills) +
              Bytes(layer.fades) + Bytes(layer.profiles);
     for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
   }
@@ -124,7 +124,7 @@ std::uint64_t TextureField::Hash() const noexcept {
       Add(digest, leaf.origin);
       digest.Add(std::uint64_t{leaf.block});
     }
-    for (const BlockLists& lists : layer.block_lists) digest.Add(layer.blend_radii[lists.blend]);
+    for (const std::uint16_t blend : layer.block_blends) digest.Add(layer.blend_radii[blend]);
     for (const FlatElement& element : layer.elements) Add(digest, element);
     for (const FlatFade& fade : layer.fades) {
       Add(digest, fade.spine);

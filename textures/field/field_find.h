@@ -1,5 +1,6 @@
 #pragma once
 
+#include <emmintrin.h>
 #include <algorithm>
 
 #include "textures/field/field_layer.h"
@@ -11,7 +12,14 @@ namespace moontrace {
 /// Whether a point relative to a placed block's origin lies in its box.
 inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
   // one branch instead of four: they are all taken or the point lies between letters
+#if defined(__SSE2__)
+  const __m128d at = _mm_set_pd(p.y, p.x);
+  const __m128d over = _mm_cmpge_pd(at, _mm_loadu_pd(&box.min.x));
+  const __m128d under = _mm_cmple_pd(at, _mm_loadu_pd(&box.max.x));
+  return _mm_movemask_pd(_mm_and_pd(over, under)) == 3;
+#else
   return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
+#endif
 }
 
 /// Where a point lies beside a block's origin, in whole steps.
@@ -54,18 +62,19 @@ struct CellElements {
       first += cell.element();
       return;
     }
-    const std::uint32_t list = layer.block_lists[block.more].first_list + cell.list();
-    const std::uint16_t* at = &layer.items[layer.lists[list] / 2];
-    plain = layer.lists[list] % 2 != 0;
-    count = at[0];
-    items = at + 1;
+    const CellList& list = layer.lists[block.first_list + cell.list()];
+    count = list.count;
+    rims = list.rims;
+    plain = list.plain;
+    items = &layer.items[list.first_item];
   }
   const FlatElement& operator[](std::size_t i) const noexcept { return first[items[i]]; }
 
   static constexpr std::uint16_t kFirst = 0;
   const FlatElement* first;
   std::uint32_t count = 1;
-  bool plain = true;  ///< strokes of the block's profile, of which the nearest spine decides
+  std::uint32_t rims = 0;  ///< that follow; they tell a fill
+  bool plain = true;       ///< strokes of the block's profile, of which the nearest spine decides
   const std::uint16_t* items = &kFirst;  ///< counted from `first`
 };
 

@@ -22,7 +22,8 @@ struct FlatProfile {
   bool operator==(const FlatProfile&) const = default;
 };
 
-enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kFading };
+/// kRim: an arc of a fill's outline, of use only in cells where arcs alone tell the fill.
+enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kFading, kRim };
 
 /// An element ready for the query; a cache line. Lines, arcs, rings and dots share one formula
 /// without branches, since at random points a branch on the kind would be mispredicted every second
@@ -31,9 +32,11 @@ enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kF
 struct FlatElement {
   glm::dvec2 anchor{0, 0};  ///< a line's start, else the centre [m]
   glm::dvec2 direction{
-      0, 0};            ///< unit: along a line, to the middle of an arc; zero for rings and dots
-  double radius = 0;    ///< of arc, ring, disc [m]; 0 for lines and dots
-  double cos_half = 0;  ///< of half an arc's sweep; -1 for rings and dots, 0 for lines
+      0, 0};          ///< unit: along a line, to the middle of an arc; zero for rings and dots
+  double radius = 0;  ///< of arc, ring, disc [m]; 0 for lines and dots
+  /// Of half an arc's sweep; -1 for rings and dots, 0 for lines. Of a rim: 1 where the fill lies
+  /// inside its circle, -1 outside.
+  double cos_half = 0;
   double length = std::numeric_limits<double>::infinity();  ///< of a line [m]; else infinite
   FlatKind kind = FlatKind::kLine;
   std::uint16_t profile = 0;
@@ -82,16 +85,19 @@ struct Block {
   std::uint32_t first_element = 0;
   std::uint16_t profile = 0;
   std::uint8_t columns = 2, rows = 2;  ///< with the empty ones
-  std::uint32_t more = 0;              ///< number of BlockLists
+  std::uint32_t first_list = 0;
 };
 
 /// How far a point may lie from where its steps say, in x and y together [steps].
 inline constexpr double kStepsWrong = 1.5;
 
-/// What of a block only few queries need.
-struct BlockLists {
-  std::uint32_t first_list = 0;
-  std::uint16_t blend = 0;  ///< number of the blend radius; 0: nothing is blended
+/// A cell that holds more than one stroke of the block's profile.
+struct CellList {
+  std::uint32_t first_item = 0;  ///< among the layer's: the elements' numbers, then the rims'
+  std::uint16_t count = 0;       ///< of elements
+  std::uint8_t rims = 0;         ///< that tell a fill
+  bool plain = false;            ///< strokes of the block's profile: the nearest spine decides
+  std::array<std::uint16_t, 2> elements{};  ///< the first two, of the numbers in the block
 };
 
 /// Where a leaf's box lies in its band, coarsely and never less than it does: four numbers of 15
@@ -200,9 +206,8 @@ struct TextureField::CompiledLayer {
   LargeArray<Block> blocks;
   std::vector<double> blend_radii{0.0};  ///< [m]
   LargeArray<Cell> cells;
-  std::vector<BlockLists> block_lists;
-  std::vector<std::uint32_t> lists;  ///< twice where in `items`: how many, and their numbers in the
-                                     ///< block; and 1 where the nearest spine decides
+  std::vector<std::uint16_t> block_blends;  ///< number of each block's blend radius; 0: none
+  std::vector<CellList> lists;
   std::vector<std::uint16_t> items;
   LargeArray<FlatElement> elements;  ///< each in one cache line
   std::vector<FlatFill> fills;

@@ -120,14 +120,53 @@ inline Magnitude OfFill(const CompiledLayer& layer, const FlatElement& fill,
   return FromRim(profile, std::sqrt(nearest.distance2), nearest.v);
 }
 
-/// The nearest of a cell's elements.
-inline Near NearestIn(const CellElements& elements, glm::dvec2 p) noexcept {
-  Near nearest = NearestOf(elements[0], p);
-  for (std::uint32_t i = 1; i < elements.count; ++i) {
-    const Near near = NearestOf(elements[i], p);
-    if (near.Reached() < nearest.Reached()) nearest = near;
+/// How far within the rim a point lies, and the direction in which that becomes less.
+struct Within {
+  double inside = 0;
+  glm::dvec2 away{0.0, 0.0};
+};
+inline Within WithinOf(const FlatProfile& profile, const FlatElement& element,
+                       glm::dvec2 p) noexcept {
+  const Near near = NearestOf(element, p);
+  return {InsideOf(profile, near), near.away};
+}
+
+/// Within a fill that rims tell.
+inline Within WithinRims(const FlatProfile& profile, const CellElements& elements,
+                         glm::dvec2 p) noexcept {
+  Within least{profile.half, {0.0, 0.0}};
+  for (std::uint32_t i = elements.count; i < elements.count + elements.rims; ++i) {
+    const FlatElement& rim = elements[i];
+    const glm::dvec2 v = p - rim.anchor;
+    const double length = std::sqrt(v.x * v.x + v.y * v.y);
+    const double inside = rim.cos_half * (rim.radius - length);
+    if (inside < least.inside) {
+      const double scale = rim.cos_half / (length + kTiny);
+      least = {Larger(inside, 0.0), {scale * v.x, scale * v.y}};
+    }
   }
-  return nearest;
+  return least;
+}
+
+/// Of strokes of one profile: the nearest spine has the greatest magnitude.
+inline Within WithinList(const FlatProfile& profile, const CellElements& elements,
+                         glm::dvec2 p) noexcept {
+  Within most;
+  for (std::uint32_t i = 0; i < elements.count; ++i) {
+    const Within within = WithinOf(profile, elements[i], p);
+    if (within.inside > most.inside) most = within;
+  }
+  if (elements.rims == 0) return most;
+  const Within fill = WithinRims(profile, elements, p);
+  return fill.inside > most.inside ? fill : most;
+}
+
+/// Of a list's two strokes, without a branch on which is nearer.
+inline Within WithinTwo(const FlatProfile& profile, const FlatElement* elements,
+                        const CellList& list, glm::dvec2 p) noexcept {
+  const Within two[2] = {WithinOf(profile, elements[list.elements[0]], p),
+                         WithinOf(profile, elements[list.elements[1]], p)};
+  return two[two[1].inside > two[0].inside ? 1 : 0];
 }
 
 Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
@@ -233,7 +272,8 @@ class CellFeet {
                                           glm::dvec2 p) noexcept {
   const CellElements elements(layer, block, cell);
   const CellFeet feet(elements, elements.count, p);
-  const double rho = layer.blend_radii[layer.block_lists[block.more].blend];
+  const std::size_t number = static_cast<std::size_t>(&block - layer.blocks.data());
+  const double rho = layer.blend_radii[layer.block_blends[number]];
   const double reach = BlendReach(elements.count, rho);
   Magnitude greatest;
   for (std::size_t i = 0; i < elements.count; ++i) {
@@ -259,13 +299,17 @@ class CellFeet {
 /// Of a cell that is listed.
 [[gnu::noinline]] Magnitude SampleListed(const CompiledLayer& layer, const Block& block, Cell cell,
                                          glm::dvec2 p) noexcept {
-  const CellElements elements(layer, block, cell);
-  if (elements.plain) {
-    // all strokes of one profile: the nearest spine has the greatest magnitude
-    return OfNear(layer.profiles[block.profile], NearestIn(elements, p));
+  const CellList& list = layer.lists[block.first_list + cell.list()];
+  if (list.plain) {
+    const FlatProfile& profile = layer.profiles[block.profile];
+    const bool two = list.count == 2 && list.rims == 0;
+    const Within within = two ? WithinTwo(profile, &layer.elements[block.first_element], list, p)
+                              : WithinList(profile, CellElements(layer, block, cell), p);
+    return FromInside(profile, profile.curvature, within.inside, within.away);
   }
-  return layer.block_lists[block.more].blend > 0 ? SampleBlended(layer, block, cell, p)
-                                                 : SampleMixed(layer, block, cell, p);
+  return layer.block_blends[static_cast<std::size_t>(&block - layer.blocks.data())] > 0
+             ? SampleBlended(layer, block, cell, p)
+             : SampleMixed(layer, block, cell, p);
 }
 
 inline Magnitude SampleCell(const CompiledLayer& layer, const Block& block, Cell cell,

@@ -225,21 +225,27 @@ class RowLayer {
     return i;
   }
 
-  /// A cell and the part of the letter's box where a point surely lies in it.
-  struct SureCell {
+  /// What a cell and its neighbours in a row hold, and the part of the letter's box where a point
+  /// surely lies in one of them.
+  struct SureCells {
     Cell cell;
     Box sure;
   };
-  SureCell SureCellAt(const Block& block, const Box& of_letter, glm::dvec2 local) const noexcept {
+  SureCells CellsAt(const Block& block, const Box& of_letter, glm::dvec2 local) const noexcept {
     const CellPlace place = PlaceOf(block, StepsOf(layer_, local));
+    const Cell* row = &layer_.cells[block.first_cell + place.row * block.columns];
+    const Cell cell = row[place.column];
+    std::uint32_t first = place.column, end = first + 1;
+    while (end < block.columns && row[end].code == cell.code) ++end;
+    while (first > 0 && row[first - 1].code == cell.code) --first;
     const glm::dvec2 size(0x1p32 / block.columns_per_step, 0x1p32 / block.rows_per_step);
-    const glm::dvec2 low =
-        size * glm::dvec2(place.column, place.row) - glm::dvec2(block.left, block.below);
+    const glm::dvec2 origin(block.left, block.below), lead(layer_.lead, 0.0);
     // where counting in steps decides nothing
-    const glm::dvec2 from = (low + kStepsWrong) * step_ + glm::dvec2(layer_.lead, 0.0);
-    const glm::dvec2 to = (low + size - kStepsWrong) * step_ + glm::dvec2(layer_.lead, 0.0);
-    return {CellAt(layer_, block, place),
-            {glm::max(from, of_letter.min), glm::min(to, of_letter.max)}};
+    const glm::dvec2 from = size * glm::dvec2(first, place.row) - origin + kStepsWrong;
+    const glm::dvec2 to = size * glm::dvec2(end, place.row + 1) - origin - kStepsWrong;
+    return {
+        cell,
+        {glm::max(from * step_ + lead, of_letter.min), glm::min(to * step_ + lead, of_letter.max)}};
   }
 
   /// The same for the cells that hold the same as the i-th point's, as long as the points stay
@@ -247,12 +253,12 @@ class RowLayer {
   std::size_t SetCells(const FoundLetter& letter, const Box& of_letter, std::size_t i) noexcept {
     const Block& block = *letter.block;
     const std::size_t first = i, end = std::min(arrays_.count(), first + kMost);
-    SureCell at = SureCellAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
+    SureCells at = CellsAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
     const Cell cell = at.cell;
     do {
       i = Take(letter.origin, at.sure, first, i, end);
       if (i == end || !IsIn(of_letter, arrays_.PointAt(i) - letter.origin)) break;
-      at = SureCellAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
+      at = CellsAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
     } while (at.cell.code == cell.code);
     if (cell.empty()) {
       arrays_.Clear(first, i - first);
@@ -286,7 +292,7 @@ class RowLayer {
       run_.y[k] = run_.y[count - 1];
     }
     const CellElements elements(layer_, block, cell);
-    if (!elements.plain || count == 1) {
+    if (!elements.plain || elements.rims > 0 || count == 1) {
       for (std::size_t k = 0; k < count; ++k) {
         const Magnitude magnitude = SampleCellAt(layer_, block, cell, {run_.x[k], run_.y[k]});
         arrays_.Set(first + k, {layer_.sign * magnitude.height, layer_.sign * magnitude.gradient});
