@@ -64,7 +64,7 @@ class TextureField {
   /// SampleAt of any field, layer by layer.
   Sample SampleLayers(glm::dvec2 p_P) const noexcept;
 
-  bool is_page_ = false;  ///< one layer of evenly set text on smooth paper: SampleAt's short way
+  bool is_page_ = false;  ///< one layer of letters in pairs on smooth paper: SampleAt's short way
   std::vector<CompiledLayer> layers_;
   PaperField paper_;
   double greatest_slope_ = 0;

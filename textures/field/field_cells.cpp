@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "textures/base/overload.h"
+#include "textures/base/units.h"
 #include "textures/field/blend.h"
 
 namespace moontrace {
@@ -185,11 +186,10 @@ std::vector<std::uint16_t> RimsAt(const FillRims& fill, const Block& block, glm:
     if (any == fill.numbers.end()) return {};
     rims.push_back(*any);
   }
-  // rims may also bound parts of the fill that lie beside each other: tried
+  // rims may also bound parts of the fill that lie beside each other: tried, all around the cell
   constexpr double kSame = 1e-12;  // [m]
-  for (const glm::dvec2 way : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(-1, 0),
-                               glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
-    const glm::dvec2 p = middle + reach * way;
+  for (int eighth = 0; eighth < 9; ++eighth) {
+    const glm::dvec2 p = middle + (eighth == 8 ? 0.0 : reach) * DirectionOf(eighth * kTurn / 8);
     double inside = half;
     for (const std::uint16_t rim : rims) inside = std::min(inside, InsideOf(rim_of(rim), p));
     if (std::abs(std::max(inside, 0.0) - InsideOf(fill, p, half)) > kSame) return {};

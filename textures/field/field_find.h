@@ -1,6 +1,5 @@
 #pragma once
 
-#include <emmintrin.h>
 #include <algorithm>
 
 #include "textures/field/field_layer.h"
@@ -12,14 +11,7 @@ namespace moontrace {
 /// Whether a point relative to a placed block's origin lies in its box.
 inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
   // one branch instead of four: they are all taken or the point lies between letters
-#if defined(__SSE2__)
-  const __m128d at = _mm_set_pd(p.y, p.x);
-  const __m128d over = _mm_cmpge_pd(at, _mm_loadu_pd(&box.min.x));
-  const __m128d under = _mm_cmple_pd(at, _mm_loadu_pd(&box.max.x));
-  return _mm_movemask_pd(_mm_and_pd(over, under)) == 3;
-#else
   return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
-#endif
 }
 
 /// Where a point lies beside a block's origin, in whole steps.
@@ -156,8 +148,8 @@ inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uin
 /// Magnitude and gradient at a point of that cell, from the block's origin.
 Magnitude SampleCellAt(const TextureField::CompiledLayer& layer, const Block& block, Cell cell,
                        glm::dvec2 p) noexcept;
-/// The same of a whole layer, anywhere on the page.
-Magnitude SampleLayerAt(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept;
+/// What a whole layer gives, anywhere on the page.
+Sample SampleLayerAt(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept;
 /// Whether nothing of a layer other than the first can be there.
 bool IsBare(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept;
 

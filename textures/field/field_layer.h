@@ -25,10 +25,9 @@ struct FlatProfile {
 /// kRim: an arc of a fill's outline, of use only in cells where arcs alone tell the fill.
 enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kFading, kRim };
 
-/// An element ready for the query; a cache line. Lines, arcs, rings and dots share one formula
-/// without branches, since at random points a branch on the kind would be mispredicted every second
-/// time: a dot is a ring of radius zero, a ring an arc without ends, and a line a dot that is drawn
-/// along.
+/// An element ready for the query; a cache line. Arcs, rings and dots share one formula without
+/// branches, since at random points branches are mispredicted: a dot is a ring of radius zero, a
+/// ring an arc without ends. A line has one of its own, which needs no root.
 struct FlatElement {
   glm::dvec2 anchor{0, 0};  ///< a line's start, else the centre [m]
   glm::dvec2 direction{

@@ -67,19 +67,11 @@ inline Magnitude OfNear(const FlatProfile& profile, const Near& near) noexcept {
   return FromInside(profile, profile.curvature, InsideOf(profile, near), near.away);
 }
 
+/// Of a fill: `from_edge` leads from the outline's nearest point.
 inline Magnitude FromRim(const FlatProfile& profile, double inside, glm::dvec2 from_edge) noexcept {
   if (!(inside > 0)) return {};
-  if (inside >= profile.half) return {profile.depth, {0.0, 0.0}};
-  const double d = profile.half - inside;
-  if (d <= profile.rounding) {
-    return {profile.depth - 0.5 * profile.curvature * d * d,
-            profile.curvature * d / inside * from_edge};
-  }
-  if (d <= profile.half - profile.rounding) {
-    return {profile.depth - profile.slope * (d - 0.5 * profile.rounding),
-            profile.slope / inside * from_edge};
-  }
-  return {0.5 * profile.curvature * inside * inside, profile.curvature * from_edge};
+  return FromInside(profile, profile.curvature, std::min(inside, profile.half),
+                    -1 / inside * from_edge);
 }
 
 /// Vector from the nearest point of an outline to p, and its square.
@@ -320,13 +312,41 @@ inline Magnitude SampleCell(const CompiledLayer& layer, const Block& block, Cell
   return OfNear(profile, near);
 }
 
-inline Magnitude SampleRow(const CompiledLayer& layer, std::uint32_t row, glm::dvec2 p) noexcept {
-  const FoundLetter letter = FindLetter(layer, row, p);
-  if (letter.block == nullptr) return {};
+Sample Signed(const CompiledLayer& layer, const Magnitude& magnitude) noexcept {
+  return {layer.sign * magnitude.height, layer.sign * magnitude.gradient};
+}
+Sample SampleListedOf(const CompiledLayer& layer, const Block& block, Cell cell,
+                      glm::dvec2 p) noexcept {
+  return Signed(layer, SampleListed(layer, block, cell, p));
+}
+
+/// The displacement and gradient of a layer in rows: the way that nearly every query takes.
+template <bool kInPairs>
+[[gnu::always_inline]] inline Sample SampleRows(const CompiledLayer& layer,
+                                                glm::dvec2 p_P) noexcept {
+  const Rows& rows = layer.rows;
+  const double v = (p_P.y - layer.origin.y) * layer.bands_per_m;
+  const double u = (p_P.x - rows.begin) * rows.slots_per_m;
+  // comparisons are written so that a NaN ends here
+  if (!((v >= 0) & (v < layer.band_count) & (u >= 0) & (u < rows.slot_count))) return {};
+  auto row = static_cast<std::uint32_t>(v);
+  if (!rows.of_band.empty()) row = rows.of_band[row];
+  const FoundLetter letter = kInPairs ? FindInPairs(layer, row, p_P, u)  //
+                                      : FindInSlots(layer, row, p_P, u);
   const Block& block = *letter.block;
-  const glm::dvec2 local = p - letter.origin;
+  const glm::dvec2 p = p_P - letter.origin;
   const Cell cell = CellAt(layer, block, PlaceOf(block, letter.steps));
-  return SampleCell(layer, block, cell, local);
+  if (cell.listed()) [[unlikely]]
+    return SampleListedOf(layer, block, cell, p);
+  const FlatProfile& profile = layer.profiles[block.profile];
+  const Near near = NearestOf(layer.elements[block.first_element + cell.element()], p);
+  const Magnitude found =
+      FromInside(profile, layer.sign * profile.curvature, InsideOf(profile, near), near.away);
+  // one by one: a copy of the whole would wait for what was just written
+  return {found.height, {found.gradient.x, found.gradient.y}};
+}
+[[gnu::noinline]] Sample SampleBook(const CompiledLayer& layer, glm::dvec2 p_P) noexcept {
+  return SampleRows<false>(layer, p_P);
 }
 
 /// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
@@ -390,15 +410,13 @@ inline bool IsBetween(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   return (p.y < height.x) | (p.y > height.y);
 }
 
-/// The layer's magnitude and gradient.
-inline Magnitude SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
-  // comparisons are written so that a NaN ends here
+inline Sample SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+  if (!layer.rows.pairs.empty()) return SampleRows<true>(layer, p);
+  if (layer.rows.length > 0) return SampleBook(layer, p);
   const double v = (p.y - layer.origin.y) * layer.bands_per_m;
   if (!(v >= 0 && v < layer.band_count)) return {};
   const auto band = static_cast<std::uint32_t>(v);
-  if (layer.rows.length == 0) return SampleBuckets(layer, band, v - band, p);
-  const std::vector<std::uint32_t>& of_band = layer.rows.of_band;
-  return SampleRow(layer, of_band.empty() ? band : of_band[band], p);
+  return Signed(layer, SampleBuckets(layer, band, v - band, p));
 }
 
 }  // namespace
@@ -407,38 +425,17 @@ Magnitude SampleCellAt(const CompiledLayer& layer, const Block& block, Cell cell
                        glm::dvec2 p) noexcept {
   return SampleCell(layer, block, cell, p);
 }
-Magnitude SampleLayerAt(const CompiledLayer& layer, glm::dvec2 p) noexcept {
+Sample SampleLayerAt(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   return SampleLayer(layer, p);
 }
 bool IsBare(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   return IsIn(layer.hole, p) || IsBetween(layer, p);
 }
 
-Sample SampleSlow(const CompiledLayer& layer, const Block& block, Cell cell,
-                  glm::dvec2 p) noexcept {
-  const Magnitude magnitude = SampleListed(layer, block, cell, p);
-  return {layer.sign * magnitude.height, layer.sign * magnitude.gradient};
-}
-
 Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
-  if (!is_page_) [[unlikely]]
-    return SampleLayers(p_P);
-  const CompiledLayer& layer = layers_.front();
-  const Rows& rows = layer.rows;
-  const double v = (p_P.y - layer.origin.y) * layer.bands_per_m;
-  const double u = (p_P.x - rows.begin) * rows.slots_per_m;
-  if (!((v >= 0) & (v < layer.band_count) & (u >= 0) & (u < rows.slot_count))) return {};
-  const FoundLetter letter = FindInPairs(layer, static_cast<std::uint32_t>(v), p_P, u);
-  const Block& block = *letter.block;
-  const glm::dvec2 p = p_P - letter.origin;
-  const Cell cell = CellAt(layer, block, PlaceOf(block, letter.steps));
-  if (cell.listed()) [[unlikely]]
-    return SampleSlow(layer, block, cell, p);
-  const FlatProfile& profile = layer.profiles[block.profile];
-  const Near near = NearestOf(layer.elements[block.first_element + cell.element()], p);
-  const Magnitude signed_one =
-      FromInside(profile, layer.sign * profile.curvature, InsideOf(profile, near), near.away);
-  return {signed_one.height, {signed_one.gradient.x, signed_one.gradient.y}};
+  if (is_page_) [[likely]]
+    return SampleRows<true>(layers_.front(), p_P);
+  return SampleLayers(p_P);
 }
 
 Sample TextureField::SampleLayers(glm::dvec2 p_P) const noexcept {
@@ -447,9 +444,10 @@ Sample TextureField::SampleLayers(glm::dvec2 p_P) const noexcept {
     const CompiledLayer& layer = layers_[i];
     // what is added to the text is mostly not where the text is
     if (i > 0 && (IsIn(layer.hole, p_P) || IsBetween(layer, p_P))) continue;
-    const Magnitude magnitude = SampleLayer(layer, p_P);
-    sum.displacement += layer.sign * magnitude.height;
-    sum.gradient += layer.sign * magnitude.gradient;
+    const Sample sample = SampleLayer(layer, p_P);
+    sum.displacement += sample.displacement;
+    sum.gradient.x += sample.gradient.x;
+    sum.gradient.y += sample.gradient.y;
   }
   if (paper_.empty()) return sum;
   const Sample paper = paper_.SampleAt(p_P);

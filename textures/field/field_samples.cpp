@@ -324,8 +324,7 @@ void SampleAll(const std::vector<CompiledLayer>& layers, const PaperField& paper
     for (std::size_t k = 0; k < arrays.count(); ++k) {
       const glm::dvec2 p_P = arrays.PointAt(k);
       if (i > 0 && IsBare(layer, p_P)) continue;
-      const Magnitude magnitude = SampleLayerAt(layer, p_P);
-      arrays.Add(k, {layer.sign * magnitude.height, layer.sign * magnitude.gradient});
+      arrays.Add(k, SampleLayerAt(layer, p_P));
     }
   }
   if (paper.empty()) return;
