@@ -263,7 +263,8 @@ std::string Altered(std::string_view altered, const ReplayResult& replay) {
 
 std::string OtherField(std::string_view folder) {
   return fmt::format(
-      "{}: the page built again is not the one recorded; restore the script's files of then",
+      "{}: the page built again is not the one recorded; restore the script's files, or the "
+      "program, of then",
       folder);
 }
 
