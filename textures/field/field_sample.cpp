@@ -439,6 +439,9 @@ Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
 }
 
 Sample TextureField::SampleLayers(glm::dvec2 p_P) const noexcept {
+  if (layers_.size() == 1 && layers_.front().rows.length > 0 && paper_.empty()) {
+    return SampleBook(layers_.front(), p_P);
+  }
   Sample sum;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const CompiledLayer& layer = layers_[i];
