@@ -18,6 +18,7 @@ namespace {
 
 using CompiledLayer = TextureField::CompiledLayer;
 
+constexpr double kMostSteps = 0x1p28;   ///< from a group's origin
 constexpr double kStepsPerWidth = 128;  ///< the fewest in the finest groove
 
 void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting,
@@ -255,7 +256,13 @@ CompiledLayer CompileLayer(const Layer& layer) {
   compiled.hole = HoleIn(leaves);
   double finest = std::numeric_limits<double>::infinity();
   for (const FlatProfile& profile : compiled.profiles) finest = std::min(finest, 2 * profile.half);
-  compiled.steps_per_m = kStepsPerWidth / finest;
+  double longest = 0;
+  for (const Block& block : compiled.blocks) {
+    const glm::dvec2 far = glm::max(glm::abs(block.box.min), glm::abs(block.box.max));
+    longest = std::max({longest, far.x, far.y});
+  }
+  // coarser where a group is so large that its steps could not be counted
+  compiled.steps_per_m = std::min(kStepsPerWidth / finest, kMostSteps / longest);
   AddPlaces(leaves, compiled);
   std::vector<bool> done(compiled.blocks.size());
   for (const PlacedGroup& leaf : leaves) {

@@ -312,8 +312,13 @@ inline Magnitude SampleCell(const CompiledLayer& layer, const Block& block, Cell
   return OfNear(profile, near);
 }
 
+/// Flat paper is plus zero, which the sign of a groove would turn round.
+inline Sample WithoutMinusZero(double displacement, double x, double y) noexcept {
+  return {displacement + 0.0, {x + 0.0, y + 0.0}};
+}
 Sample Signed(const CompiledLayer& layer, const Magnitude& magnitude) noexcept {
-  return {layer.sign * magnitude.height, layer.sign * magnitude.gradient};
+  return WithoutMinusZero(layer.sign * magnitude.height, layer.sign * magnitude.gradient.x,
+                          layer.sign * magnitude.gradient.y);
 }
 Sample SampleListedOf(const CompiledLayer& layer, const Block& block, Cell cell,
                       glm::dvec2 p) noexcept {
@@ -343,7 +348,7 @@ template <bool kInPairs>
   const Magnitude found =
       FromInside(profile, layer.sign * profile.curvature, InsideOf(profile, near), near.away);
   // one by one: a copy of the whole would wait for what was just written
-  return {found.height, {found.gradient.x, found.gradient.y}};
+  return WithoutMinusZero(found.height, found.gradient.x, found.gradient.y);
 }
 [[gnu::noinline]] Sample SampleBook(const CompiledLayer& layer, glm::dvec2 p_P) noexcept {
   return SampleRows<false>(layer, p_P);

@@ -107,7 +107,9 @@ class SideBySide {
   /// Those of a run, the first of which has the number `first`.
   void Set(std::size_t first, std::size_t count, double sign, const Run& run) const noexcept {
     for (std::size_t k = 0; k < count; ++k) {
-      Set(first + k, {sign * run.height[k], sign * glm::dvec2(run.slope_x[k], run.slope_y[k])});
+      // plus zero where paper is flat, as the single query
+      Set(first + k,
+          {sign * run.height[k] + 0.0, {sign * run.slope_x[k] + 0.0, sign * run.slope_y[k] + 0.0}});
     }
   }
 
@@ -141,7 +143,7 @@ class InColumns {
   }
   void Set(std::size_t first, std::size_t count, double sign, const Run& run) const noexcept {
     const auto copy = [=](const double* from, double* to) {
-      for (std::size_t k = 0; k < count; ++k) to[k] = sign * from[k];
+      for (std::size_t k = 0; k < count; ++k) to[k] = sign * from[k] + 0.0;
     };
     copy(run.height.data(), samples_.displacement + first);
     copy(run.slope_x.data(), samples_.gradient_x + first);
@@ -295,7 +297,9 @@ class RowLayer {
     if (!elements.plain || elements.rims > 0 || count == 1) {
       for (std::size_t k = 0; k < count; ++k) {
         const Magnitude magnitude = SampleCellAt(layer_, block, cell, {run_.x[k], run_.y[k]});
-        arrays_.Set(first + k, {layer_.sign * magnitude.height, layer_.sign * magnitude.gradient});
+        arrays_.Set(first + k, {layer_.sign * magnitude.height + 0.0,
+                                {layer_.sign * magnitude.gradient.x + 0.0,
+                                 layer_.sign * magnitude.gradient.y + 0.0}});
       }
       return;
     }

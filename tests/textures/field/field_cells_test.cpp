@@ -135,5 +135,47 @@ TEST(FieldCells, StrokesWithCapsAndJointsEqualTheTree) {
   }
 }
 
+TEST(FieldCells, AHairInAGroupOfAKilometreEqualsTheTree) {
+  const Profile hair{1e-6, 0.3e-6, 0.2e-6};
+  Group group;
+  group.elements = {{Line{{0, 0}, {1000, 0}}, hair}, {Line{{500, -3e-6}, {500, 3e-6}}, hair}};
+  const Texture texture{{{Finish(group), Relief::kEngraved}}, {}};
+  const TextureField field(texture);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> x(499.999, 500.001), y(-1e-6, 1e-6);
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec2 p(x(random), y(random));
+    // places are exact to 1e-13 m there
+    ASSERT_NEAR(field.SampleAt(p).displacement, SampleTree(texture, p).displacement, 1e-12);
+  }
+  EXPECT_LT(field.SampleAt({999.0, 0.0}).displacement, -0.2e-6);
+}
+
+TEST(FieldCells, FlatPaperInALetterIsPlusZeroOneByOneAndAtOnce) {
+  Group group;
+  group.elements = {{Line{{0, 0}, {4e-3, 4e-3}}, kProfile}};
+  Group page;
+  const std::shared_ptr<const Group> letter = Finish(group);
+  page.placements = {{letter, {0, 0}}, {letter, {0.02, 0}}};
+  const TextureField field({{{Finish(page), Relief::kEngraved}}, {}});
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i <= 80; ++i) points.emplace_back(0.05e-3 * i, 1e-3);
+  std::vector<Sample> samples(points.size());
+  field.SamplesAt(points, samples);
+  int flat = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Sample one = field.SampleAt(points[i]);
+    EXPECT_EQ(one.displacement, samples[i].displacement);
+    if (one.displacement != 0) continue;
+    ++flat;
+    for (const Sample& sample : {one, samples[i]}) {
+      EXPECT_FALSE(std::signbit(sample.displacement)) << i;
+      EXPECT_FALSE(std::signbit(sample.gradient.x)) << i;
+      EXPECT_FALSE(std::signbit(sample.gradient.y)) << i;
+    }
+  }
+  EXPECT_GT(flat, 30);
+}
+
 }  // namespace
 }  // namespace moontrace
