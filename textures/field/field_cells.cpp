@@ -309,7 +309,9 @@ GridSide SideOf(double from, double to, double wanted) {
   const double begin = std::floor(from) - 2, length = std::ceil(to) + 2 - begin;
   GridSide side;
   side.before = static_cast<std::int32_t>(-begin);
-  side.cells = static_cast<std::uint8_t>(std::clamp(std::ceil(length / wanted), 1.0, 40.0));
+  // each longer than a step
+  const double most = std::min(40.0, length - 1);
+  side.cells = static_cast<std::uint8_t>(std::clamp(std::ceil(length / wanted), 1.0, most));
   side.per_step = static_cast<std::uint32_t>(std::floor(0x1p32 * side.cells / length));
   side.size = 0x1p32 / side.per_step;
   return side;
