@@ -7,7 +7,8 @@ endif()
 set(cache_launcher ${CMAKE_COMMAND} -E env
   CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_COMPILERCHECK=content
   CCACHE_EXTRAFILES=${PROJECT_SOURCE_DIR}/.ci/sanitizer.ignore
-  CCACHE_SLOPPINESS=locale  # a message's language changes no object
+  # A message's language changes no object; the other two are what a precompiled header needs.
+  CCACHE_SLOPPINESS=locale,pch_defines,time_macros
   ${CCACHE})
 set(CMAKE_C_COMPILER_LAUNCHER ${cache_launcher})
 set(CMAKE_CXX_COMPILER_LAUNCHER ${cache_launcher})
