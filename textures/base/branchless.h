@@ -1,10 +1,24 @@
 #pragma once
 
+#include <cstdint>
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <emmintrin.h>
+#endif
+
 namespace moontrace {
 
 /// Choices between numbers in single instructions. Where the same is written as a comparison, GCC
 /// follows both outcomes and often makes a branch of it, which at random points is mispredicted
 /// every second time.
+/// All bits, or none.
+inline std::int32_t MaskIf(bool set) noexcept {
+  std::int32_t mask = -static_cast<std::int32_t>(set);
+#ifdef __GNUC__
+  __asm__("" : "+r"(mask));  // seen as any number, so that no branch is made of what it chooses
+#endif
+  return mask;
+}
+
 #if defined(__x86_64__) && defined(__GNUC__)
 
 /// The larger of two numbers; `b` if one is none.
@@ -23,12 +37,21 @@ inline double IfNotBelowZero(double gate, double value) noexcept {
   __asm__("cmplesd %1, %0\n\tandpd %2, %0" : "+&x"(mask) : "x"(gate), "x"(value));
   return mask;
 }
+/// `a < b ? then : otherwise`.
+inline double IfLess(double a, double b, double then, double otherwise) noexcept {
+  const __m128d mask = _mm_cmplt_sd(_mm_set_sd(a), _mm_set_sd(b));
+  return _mm_cvtsd_f64(
+      _mm_or_pd(_mm_and_pd(mask, _mm_set_sd(then)), _mm_andnot_pd(mask, _mm_set_sd(otherwise))));
+}
 
 #else
 
 inline double Larger(double a, double b) noexcept { return a > b ? a : b; }
 inline double Smaller(double a, double b) noexcept { return a < b ? a : b; }
 inline double IfNotBelowZero(double gate, double value) noexcept { return gate >= 0 ? value : 0; }
+inline double IfLess(double a, double b, double then, double otherwise) noexcept {
+  return a < b ? then : otherwise;
+}
 
 #endif
 

@@ -88,7 +88,8 @@ TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
     (layer.relief == Relief::kEmbossed ? greatest_rise_ : greatest_fall_) += depth;
     slope_bound += layers_.back().blend_radii.size() > 1 ? kBlendSteepens * slope : slope;
   }
-  is_page_ = layers_.size() == 1 && !layers_.front().rows.pairs.empty() && paper_.empty();
+  is_page_ = layers_.size() == 1 && !layers_.front().rows.pairs.empty() &&
+             layers_.front().profiles.size() == 1 && paper_.empty();
   greatest_slope_ += paper_.bounds().slope;
   slope_bound += paper_.bounds().slope;
   greatest_curvature_ += paper_.bounds().curvature;

@@ -129,6 +129,7 @@ void DropCaps(const Group& group, glm::dvec2 middle, double reach,
 struct FillRims {
   std::size_t element = 0;
   const Fill* fill = nullptr;
+  double width = 0;  ///< of its profile [m]
   std::vector<RisingEdge> rising;
   std::vector<std::uint16_t> numbers;  ///< of each piece's rim in the block; 0 for lines
 };
@@ -138,7 +139,7 @@ std::vector<FillRims> RimsOf(const Group& group) {
   for (std::size_t i = 0; i < group.elements.size(); ++i) {
     const Fill* fill = std::get_if<Fill>(&group.elements[i].shape);
     if (fill == nullptr) continue;
-    FillRims rims{i, fill, RisingEdges(fill->outline), {}};
+    FillRims rims{i, fill, group.elements[i].profile.width, RisingEdges(fill->outline), {}};
     for (const Piece& piece : fill->outline) {
       rims.numbers.push_back(ArcOf(piece) ? static_cast<std::uint16_t>(next++) : 0);
     }
@@ -163,12 +164,10 @@ double InsideOf(const FlatElement& rim, glm::dvec2 p) {
 
 /// The rims of a fill that tell how far each point of a cell lies within it: the least of what they
 /// say. None where a line or a corner is near, or where rims do not tell.
-std::vector<std::uint16_t> RimsAt(const FillRims& fill, const Block& block, glm::dvec2 middle,
-                                  double reach, const CompiledLayer& layer) {
-  const double half = layer.profiles[block.profile].half;
-  const auto rim_of = [&](std::uint16_t number) -> const FlatElement& {
-    return layer.elements[block.first_element + number];
-  };
+std::vector<std::uint16_t> RimsAt(const FillRims& fill, const FlatElement* elements,
+                                  glm::dvec2 middle, double reach) {
+  const double half = 0.5 * fill.width;
+  const auto rim_of = [&](std::uint16_t number) -> const FlatElement& { return elements[number]; };
   std::vector<std::uint16_t> rims;
   const std::vector<Piece>& outline = fill.fill->outline;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -197,23 +196,56 @@ std::vector<std::uint16_t> RimsAt(const FillRims& fill, const Block& block, glm:
   return rims;
 }
 
+/// The number in the block of the capped line that stands for all that can matter in a cell, or 0.
+std::uint16_t CappedAt(const std::vector<CappedLine>& lines, std::uint16_t first,
+                       const Group& group, const std::vector<std::uint16_t>& items,
+                       glm::dvec2 middle, double reach) {
+  const auto holds = [&items](std::uint16_t i) {
+    return std::find(items.begin(), items.end(), i) != items.end();
+  };
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const CappedLine& capped = lines[k];
+    if (!holds(capped.line)) continue;
+    const auto is_part = [&capped](std::uint16_t i) {
+      return i == capped.line || i == capped.caps[0] || i == capped.caps[1];
+    };
+    if (!std::all_of(items.begin(), items.end(), is_part)) continue;
+    // an end without a cap must lie beyond the cell
+    const Line& line = std::get<Line>(group.elements[capped.line].shape);
+    const double length = glm::length(line.to - line.from);
+    const double along = glm::dot(middle - line.from, line.to - line.from) / length;
+    const bool at_start = capped.caps[0] != CappedLine::kNone || along >= reach;
+    const bool at_end = capped.caps[1] != CappedLine::kNone || along <= length - reach;
+    if (at_start && at_end) return static_cast<std::uint16_t>(first + k);
+  }
+  return 0;
+}
+
 /// What can matter in a cell.
 struct CellItems {
   std::vector<std::uint16_t> elements;  ///< of the group; without the fill that rims stand for
   std::vector<std::uint16_t> rims;      ///< by their numbers in the block
-  bool plain = false;                   ///< strokes of the block's profile, and rims
+  bool plain = false;                   ///< strokes and rims of one profile
+  std::uint16_t profile = 0;            ///< the first's
+  std::uint16_t one = 0;  ///< the only one, if a cell can name it without a list, in the block
   bool empty() const { return elements.empty() && rims.empty(); }
-  /// Whether a cell can name what matters without a list.
-  bool IsOne() const {
-    return plain && rims.empty() && elements.size() == 1 && elements[0] + 1 < Cell::kListed;
-  }
 };
 
 /// Finds what can matter in a part of a block.
 class ItemFinder {
  public:
   ItemFinder(const Group& group, const Block& block, const CompiledLayer& layer)
-      : group_(group), block_(block), layer_(layer), fills_(RimsOf(group)) {
+      : group_(group),
+        elements_(&layer.elements[block.first_element]),
+        fills_(RimsOf(group)),
+        capped_(CappedLines(group)) {
+    std::size_t before = group.elements.size();
+    for (const FillRims& fill : fills_) {
+      before +=
+          static_cast<std::size_t>(std::count_if(fill.numbers.begin(), fill.numbers.end(),
+                                                 [](std::uint16_t number) { return number != 0; }));
+    }
+    first_capped_ = static_cast<std::uint16_t>(before + 1);
     for (const Element& element : group.elements) bounds_.push_back(BoundsOf(element));
     blends_ = layer.block_blends[static_cast<std::size_t>(&block - layer.blocks.data())] > 0;
   }
@@ -227,9 +259,10 @@ class ItemFinder {
       // the boxes rule most out at once
       if (!Contains(Grown(bounds_[i], reach), middle)) continue;
       if (!CanMatter(group_.elements[i], middle, reach)) continue;
-      const FlatElement& flat = layer_.elements[block_.first_element + 1 + i];
+      const FlatElement& flat = elements_[1 + i];
+      if (items.elements.empty()) items.profile = flat.profile;
       const bool is_fill = flat.kind == FlatKind::kDisc || flat.kind == FlatKind::kFill;
-      items.plain &= (is_fill || flat.kind < FlatKind::kDisc) && flat.profile == block_.profile;
+      items.plain &= (is_fill || flat.kind < FlatKind::kDisc) && flat.profile == items.profile;
       filled += is_fill ? 1 : 0;
       items.elements.push_back(static_cast<std::uint16_t>(i));
     }
@@ -239,18 +272,27 @@ class ItemFinder {
     if (items.plain) {
       DropCaps(group_, middle, reach, items.elements);
       KeepNearest(group_, middle, reach, items.elements);
+      if (items.rims.empty()) items.one = OneOf(items.elements, middle, reach);
     }
     return items;
   }
 
  private:
+  std::uint16_t OneOf(const std::vector<std::uint16_t>& items, glm::dvec2 middle,
+                      double reach) const {
+    const std::size_t one = items.size() == 1
+                                ? items[0] + 1u
+                                : CappedAt(capped_, first_capped_, group_, items, middle, reach);
+    return static_cast<std::uint16_t>(one < Cell::kCapped ? one : 0);
+  }
+
   /// Puts rims in place of the fill; false where they do not tell it.
   bool PutRims(glm::dvec2 middle, double reach, CellItems& items) const {
     constexpr std::size_t kMostRims = 0xff;
     for (const FillRims& fill : fills_) {
       const auto at = std::find(items.elements.begin(), items.elements.end(), fill.element);
       if (at == items.elements.end()) continue;
-      items.rims = RimsAt(fill, block_, middle, reach, layer_);
+      items.rims = RimsAt(fill, elements_, middle, reach);
       if (items.rims.empty() || items.rims.size() > kMostRims) break;
       items.elements.erase(at);
       return true;
@@ -260,9 +302,10 @@ class ItemFinder {
   }
 
   const Group& group_;
-  const Block& block_;
-  const CompiledLayer& layer_;
+  const FlatElement* elements_;  ///< the block's, of which the first is none
   std::vector<FillRims> fills_;
+  std::vector<CappedLine> capped_;
+  std::uint16_t first_capped_ = 0;  ///< number of the first one's element in the block
   std::vector<Box> bounds_;
   bool blends_ = false;
 };
@@ -271,22 +314,29 @@ class ItemFinder {
 Cell MakeCell(const CellItems& items, const Block& block, CompiledLayer& layer) {
   if (items.empty()) return {};
   // the block's first element is none
-  if (items.IsOne()) return {static_cast<std::uint16_t>(items.elements[0] + 1)};
+  if (items.one != 0) {
+    const FlatKind kind = layer.elements[block.first_element + items.one].kind;
+    const unsigned of_kind = kind == FlatKind::kLine     ? 0u
+                             : kind == FlatKind::kCapped ? Cell::kCapped
+                                                         : Cell::kRound;
+    return {static_cast<std::uint16_t>(items.one | of_kind)};
+  }
   CellList list;
   list.first_item = static_cast<std::uint32_t>(layer.items.size());
   list.count = static_cast<std::uint16_t>(items.elements.size());
   list.rims = static_cast<std::uint8_t>(items.rims.size());
   list.plain = items.plain;
+  list.profile = items.profile;
   for (const std::uint16_t element : items.elements) {
     layer.items.push_back(static_cast<std::uint16_t>(element + 1));
   }
-  std::copy_n(layer.items.begin() + list.first_item, std::min<std::size_t>(2, list.count),
-              list.elements.begin());
   layer.items.insert(layer.items.end(), items.rims.begin(), items.rims.end());
   const std::size_t number = layer.lists.size() - block.first_list;
   layer.lists.push_back(list);
   return {static_cast<std::uint16_t>(number | Cell::kListed)};
 }
+
+constexpr double kCellShare = 0.5;
 
 double FinestWidth(const Group& group) {
   double finest = std::numeric_limits<double>::infinity();
@@ -296,49 +346,59 @@ double FinestWidth(const Group& group) {
   return finest;
 }
 
-/// One side of a block's grid, in steps.
+/// One side of a grid, in steps.
 struct GridSide {
-  std::int32_t before = 0;     ///< how far before the origin it begins
-  std::uint32_t per_step = 0;  ///< cells, in parts of 2^32
+  std::int32_t before = 0;  ///< how far before the origin it begins
+  std::uint8_t shift = 1;   ///< a cell's side is two to this
   std::uint8_t cells = 1;
-  double size = 0;  ///< of a cell
 };
 /// Covers what lies between the two places [steps], and two steps more on either side, with cells
-/// of about the wanted size, at most 40.
+/// no longer than wanted, at least two steps long, or so long that 40 suffice.
 GridSide SideOf(double from, double to, double wanted) {
   const double begin = std::floor(from) - 2, length = std::ceil(to) + 2 - begin;
   GridSide side;
   side.before = static_cast<std::int32_t>(-begin);
-  // each longer than a step
-  const double most = std::min(40.0, length - 1);
-  side.cells = static_cast<std::uint8_t>(std::clamp(std::ceil(length / wanted), 1.0, most));
-  side.per_step = static_cast<std::uint32_t>(std::floor(0x1p32 * side.cells / length));
-  side.size = 0x1p32 / side.per_step;
+  const auto count = [&] { return std::ceil(std::ldexp(length, -side.shift)); };
+  while (std::ldexp(2, side.shift) <= wanted || count() > 40) ++side.shift;
+  side.cells = static_cast<std::uint8_t>(count());
   return side;
 }
 
-}  // namespace
-
-void AddCells(const Group& group, Block& block, CompiledLayer& layer) {
+/// What a grid is for.
+struct GridWish {
+  Box box;
+  double cell = std::numeric_limits<double>::infinity();  ///< side of a cell [m]
+};
+GridWish WishOf(const Group& group, const Block& block) {
   // cells of a third of the finest groove: most of them then hold one element or none; coarser for
   // what is not a letter of the plain page: links are many and stand mostly alone
   const bool fades = std::any_of(group.elements.begin(), group.elements.end(),
                                  [](const Element& element) { return !element.fade.IsNone(); });
-  const double wanted = (fades ? 1.0 : 0.33) * FinestWidth(group) * layer.steps_per_m;
+  return {block.box, (fades ? 1.0 : kCellShare) * FinestWidth(group)};
+}
+void Include(GridWish& wish, const GridWish& other) {
+  Include(wish.box, other.box);
+  wish.cell = std::min(wish.cell, other.cell);
+}
+
+CellGrid GridOf(const GridWish& wish, const CompiledLayer& layer) {
   const glm::dvec2 lead(layer.lead, 0.0);
-  const Box in_steps{(block.box.min - lead) * layer.steps_per_m,
-                     (block.box.max - lead) * layer.steps_per_m};
+  const Box in_steps{(wish.box.min - lead) * layer.steps_per_m,
+                     (wish.box.max - lead) * layer.steps_per_m};
+  const double wanted = wish.cell * layer.steps_per_m;
   const GridSide across = SideOf(in_steps.min.x, in_steps.max.x, wanted);
   const GridSide up = SideOf(in_steps.min.y, in_steps.max.y, wanted);
-  block.left = across.before;
-  block.below = up.before;
-  block.columns_per_step = across.per_step;
-  block.rows_per_step = up.per_step;
-  block.columns = across.cells + 1;
-  block.rows = up.cells + 1;
+  CellGrid grid{across.before, up.before, across.shift, up.shift};
+  grid.columns = static_cast<std::uint8_t>(across.cells + 1);
+  grid.rows = static_cast<std::uint8_t>(up.cells + 1);
+  return grid;
+}
+
+void FillCells(const Group& group, Block& block, CompiledLayer& layer) {
+  const CellGrid& grid = block.grid;
   block.first_cell = static_cast<std::uint32_t>(layer.cells.size());
   block.first_list = static_cast<std::uint32_t>(layer.lists.size());
-  layer.cells.resize(layer.cells.size() + std::size_t{block.columns} * block.rows);
+  layer.cells.resize(layer.cells.size() + grid.cells());
 
   const ItemFinder finder(group, block, layer);
   double blend_reach = 0;
@@ -346,15 +406,59 @@ void AddCells(const Group& group, Block& block, CompiledLayer& layer) {
     blend_reach = BlendReach(group.elements.size(), group.blend_radius) + group.blend_radius;
   }
   // a cell, and what counting in steps may be wrong by
-  const glm::dvec2 size(across.size, up.size);
+  const glm::dvec2 size(1u << grid.column_shift, 1u << grid.row_shift);
   const double reach = (0.5 * glm::length(size) + kStepsWrong) / layer.steps_per_m + blend_reach;
-  for (std::uint32_t row = 0; row < up.cells; ++row) {
-    for (std::uint32_t column = 0; column < across.cells; ++column) {
+  const glm::dvec2 lead(layer.lead, 0.0);
+  for (std::uint32_t row = 0; row + 1u < grid.rows; ++row) {
+    for (std::uint32_t column = 0; column + 1u < grid.columns; ++column) {
       const glm::dvec2 steps =
-          size * (glm::dvec2(column, row) + 0.5) - glm::dvec2(block.left, block.below);
+          size * (glm::dvec2(column, row) + 0.5) - glm::dvec2(grid.left, grid.below);
       const CellItems items = finder.ItemsAt(steps / layer.steps_per_m + lead, reach);
-      layer.cells[block.first_cell + row * block.columns + column] = MakeCell(items, block, layer);
+      layer.cells[block.first_cell + row * grid.columns + column] = MakeCell(items, block, layer);
     }
+  }
+}
+
+}  // namespace
+
+std::vector<CappedLine> CappedLines(const Group& group) {
+  const auto IsSame = [](const Profile& a, const Profile& b) {
+    return a.width == b.width && a.rounding == b.rounding && a.depth == b.depth;
+  };
+  constexpr double kSame = 1e-16;  // rounding of places in a letter [m]
+  const std::size_t count = group.elements.size();
+  std::vector<CappedLine> lines;
+  if (count >= Cell::kCapped) return lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Line* line = std::get_if<Line>(&group.elements[i].shape);
+    if (line == nullptr || !group.elements[i].fade.IsNone() || line->from == line->to) continue;
+    CappedLine capped{static_cast<std::uint16_t>(i), {CappedLine::kNone, CappedLine::kNone}};
+    for (std::size_t k = 0; k < count; ++k) {
+      const Dot* dot = std::get_if<Dot>(&group.elements[k].shape);
+      if (dot == nullptr || !IsSame(group.elements[k].profile, group.elements[i].profile)) continue;
+      if (glm::distance(dot->center, line->from) <= kSame)
+        capped.caps[0] = static_cast<std::uint16_t>(k);
+      if (glm::distance(dot->center, line->to) <= kSame)
+        capped.caps[1] = static_cast<std::uint16_t>(k);
+    }
+    if (capped.caps != std::array{CappedLine::kNone, CappedLine::kNone}) lines.push_back(capped);
+  }
+  return lines;
+}
+
+void AddCells(const std::vector<const Group*>& groups, CompiledLayer& layer) {
+  const bool in_rows = layer.rows.length > 0;
+  if (in_rows) {
+    GridWish wish;
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      Include(wish, WishOf(*groups[i], layer.blocks[i]));
+    layer.rows.grid = GridOf(wish, layer);
+    layer.rows.cells_per_block = layer.rows.grid.cells();
+  }
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Block& block = layer.blocks[i];
+    block.grid = in_rows ? layer.rows.grid : GridOf(WishOf(*groups[i], block), layer);
+    FillCells(*groups[i], block, layer);
   }
 }
 

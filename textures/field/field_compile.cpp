@@ -154,13 +154,14 @@ FlatElement Flatten(const Element& element, CompiledLayer& layer) {
 }
 
 /// The arcs of a fill's outline as rims, with the side on which the fill lies.
-void AddRims(const Fill& fill, CompiledLayer& layer) {
+void AddRims(const Fill& fill, std::uint16_t profile, CompiledLayer& layer) {
   constexpr double kHair = 1e-8;  // [m]
   for (const Piece& piece : fill.outline) {
     const std::optional<Arc> arc = ArcOf(piece);
     if (!arc) continue;
     FlatElement rim = FlattenRound(arc->center, arc->radius);
     rim.kind = FlatKind::kRim;
+    rim.profile = profile;
     const glm::dvec2 middle = DirectionOf(arc->start + 0.5 * SweepOf(*arc));
     rim.cos_half = IsInside(fill.outline, arc->center + (arc->radius - kHair) * middle) ? 1 : -1;
     layer.elements.push_back(rim);
@@ -176,11 +177,16 @@ Block MakeBlock(const Group& group, CompiledLayer& layer) {
   for (const Element& element : group.elements) {
     layer.elements.push_back(Flatten(element, layer));
     const FlatElement& flat = layer.elements.back();
-    if (&element == &group.elements.front()) block.profile = flat.profile;
     blending += flat.kind <= FlatKind::kRing ? 1 : 0;
   }
   for (const Element& element : group.elements) {
-    if (const Fill* fill = std::get_if<Fill>(&element.shape)) AddRims(*fill, layer);
+    const Fill* fill = std::get_if<Fill>(&element.shape);
+    if (fill != nullptr) AddRims(*fill, ProfileNumber(element.profile, layer), layer);
+  }
+  for (const CappedLine& capped : CappedLines(group)) {
+    FlatElement line = layer.elements[block.first_element + 1 + capped.line];
+    line.kind = FlatKind::kCapped;
+    layer.elements.push_back(line);
   }
   layer.block_blends.push_back(BlendNumber(group.blend_radius, layer));
   // an element can change the result where it is within the blend radius of one that reaches
@@ -264,12 +270,9 @@ CompiledLayer CompileLayer(const Layer& layer) {
   // coarser where a group is so large that its steps could not be counted
   compiled.steps_per_m = std::min(kStepsPerWidth / finest, kMostSteps / longest);
   AddPlaces(leaves, compiled);
-  std::vector<bool> done(compiled.blocks.size());
-  for (const PlacedGroup& leaf : leaves) {
-    if (done[leaf.block]) continue;
-    done[leaf.block] = true;
-    AddCells(*leaf.group, compiled.blocks[leaf.block], compiled);
-  }
+  std::vector<const Group*> groups(compiled.blocks.size());
+  for (const PlacedGroup& leaf : leaves) groups[leaf.block] = leaf.group;
+  AddCells(groups, compiled);
   return compiled;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "textures/base/branchless.h"
 #include "textures/field/field_layer.h"
 
 namespace moontrace {
@@ -32,18 +33,18 @@ inline Steps StepsOf(const TextureField::CompiledLayer& layer, glm::dvec2 p) noe
 struct CellPlace {
   std::uint32_t column = 0, row = 0;
 };
-inline CellPlace PlaceOf(const Block& block, Steps at) noexcept {
-  const auto cell = [](std::int64_t steps, std::uint32_t per_step, std::uint32_t count) {
+inline CellPlace PlaceOf(const CellGrid& grid, Steps at) noexcept {
+  const auto cell = [](std::int64_t steps, std::uint8_t shift, std::uint32_t count) {
     // below zero becomes large
-    const auto number = static_cast<std::uint64_t>(steps * std::int64_t{per_step}) >> 32;
+    const auto number = static_cast<std::uint64_t>(steps) >> shift;
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(number, count - 1));
   };
-  return {cell(at.x + block.left, block.columns_per_step, block.columns),
-          cell(at.y + block.below, block.rows_per_step, block.rows)};
+  return {cell(at.x + grid.left, grid.column_shift, grid.columns),
+          cell(at.y + grid.below, grid.row_shift, grid.rows)};
 }
 inline Cell CellAt(const TextureField::CompiledLayer& layer, const Block& block,
                    CellPlace place) noexcept {
-  return layer.cells[block.first_cell + place.row * block.columns + place.column];
+  return layer.cells[block.first_cell + place.row * block.grid.columns + place.column];
 }
 
 /// The elements of a cell that holds some, wherever their numbers stand.
@@ -58,6 +59,7 @@ struct CellElements {
     count = list.count;
     rims = list.rims;
     plain = list.plain;
+    profile = list.profile;
     items = &layer.items[list.first_item];
   }
   const FlatElement& operator[](std::size_t i) const noexcept { return first[items[i]]; }
@@ -65,8 +67,9 @@ struct CellElements {
   static constexpr std::uint16_t kFirst = 0;
   const FlatElement* first;
   std::uint32_t count = 1;
-  std::uint32_t rims = 0;  ///< that follow; they tell a fill
-  bool plain = true;       ///< strokes of the block's profile, of which the nearest spine decides
+  std::uint32_t rims = 0;     ///< that follow; they tell a fill
+  bool plain = true;          ///< strokes of one profile, of which the nearest spine decides
+  std::uint16_t profile = 0;  ///< that, of a list
   const std::uint16_t* items = &kFirst;  ///< counted from `first`
 };
 
@@ -80,14 +83,20 @@ inline std::uint32_t BandOf(const TextureField::CompiledLayer& layer, double y) 
 
 /// A letter of a row, and where its origin stands.
 struct FoundLetter {
-  const Block* block = nullptr;  ///< nullptr: the point lies beyond the row
-  glm::dvec2 origin{0, 0};       ///< [m]
-  Steps steps;                   ///< of the point from there
+  static constexpr std::uint32_t kNone = 0xffff'ffffu;
+  std::uint32_t block = kNone;  ///< its number; none: the point lies beyond the row
+  glm::dvec2 origin{0, 0};      ///< [m]
+  std::int32_t place = 0;       ///< the same in steps of the raster
+  std::uint32_t row = 0;
   /// Where the next one begins at the earliest, in steps of the raster; beyond the slot of a pair
   /// it may begin before that.
   std::int32_t next = 0;
 };
 
+/// A place in x in steps of the raster.
+inline std::int32_t StepsAlong(const TextureField::CompiledLayer& layer, double x) noexcept {
+  return static_cast<std::int32_t>((x - layer.rows.begin) * layer.steps_per_m);
+}
 /// Steps of a place in y, from the first band on.
 inline std::int64_t StepsUp(const TextureField::CompiledLayer& layer, double y) noexcept {
   return static_cast<std::int64_t>((y - layer.origin.y) * layer.steps_per_m);
@@ -99,15 +108,16 @@ inline FoundLetter FindInPairs(const TextureField::CompiledLayer& layer, std::ui
                                glm::dvec2 p, double u) noexcept {
   const Rows& rows = layer.rows;
   const LetterPair pair = rows.pairs[row * rows.length + static_cast<std::uint32_t>(u)];
-  const auto here = static_cast<std::int32_t>((p.x - rows.begin) * layer.steps_per_m);
+  const std::int32_t here = StepsAlong(layer, p.x);
   // without a branch, which at random points would be mispredicted
   const std::int32_t second = pair.first() + pair.step();
-  const bool begun = second <= here;
-  const std::int32_t place = begun ? second : pair.first();
-  return {&layer.blocks[begun ? pair.second_block() : pair.first_block()],
+  const std::int32_t not_begun = (here - second) >> 31;  // all bits, or none
+  const std::int32_t place = second - (pair.step() & not_begun);
+  return {pair.block(not_begun),
           {rows.first_x + static_cast<double>(place) * rows.step, rows.y[row]},
-          {here - place, StepsUp(layer, p.y) - rows.steps_up[row]},
-          begun ? Letters::kFar : second};
+          place,
+          row,
+          second | (Letters::kFar & ~not_begun)};
 }
 
 /// The same in a book.
@@ -117,7 +127,7 @@ inline FoundLetter FindInSlots(const TextureField::CompiledLayer& layer, std::ui
   const std::uint32_t start =
       std::min(static_cast<std::uint32_t>(u), rows.length - 1 - Rows::kWindow);
   const Letters* slot = &rows.slots[row * rows.length + start];
-  const auto here = static_cast<std::int32_t>((p.x - rows.begin) * layer.steps_per_m);
+  const std::int32_t here = StepsAlong(layer, p.x);
   std::uint32_t begun = 0;
   for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first() <= here ? 1 : 0;
   const Letters letters = slot[begun];
@@ -131,10 +141,26 @@ inline FoundLetter FindInSlots(const TextureField::CompiledLayer& layer, std::ui
     which += static_cast<std::uint32_t>(has_begun);
   }
   const Code& code = rows.codes[letters.code(which)];
-  return {&layer.blocks[code.block],
+  return {code.block,
           {rows.first_x + static_cast<double>(place) * rows.step, rows.y[row]},
-          {here - place, StepsUp(layer, p.y) - rows.steps_up[row]},
+          place,
+          row,
           place + code.step};
+}
+
+/// The cell of a layer in rows where a point meets a letter.
+inline CellPlace PlaceOf(const TextureField::CompiledLayer& layer, const FoundLetter& letter,
+                         glm::dvec2 p) noexcept {
+  const Rows& rows = layer.rows;
+  return PlaceOf(rows.grid, {StepsAlong(layer, p.x) - letter.place,
+                             StepsUp(layer, p.y) - rows.steps_up[letter.row]});
+}
+inline Cell CellOf(const TextureField::CompiledLayer& layer, const FoundLetter& letter,
+                   glm::dvec2 p) noexcept {
+  const CellGrid& grid = layer.rows.grid;
+  const CellPlace place = PlaceOf(layer, letter, p);
+  return layer
+      .cells[letter.block * layer.rows.cells_per_block + place.row * grid.columns + place.column];
 }
 
 inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uint32_t row,
@@ -145,9 +171,9 @@ inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uin
   return rows.pairs.empty() ? FindInSlots(layer, row, p, u) : FindInPairs(layer, row, p, u);
 }
 
-/// Magnitude and gradient at a point of that cell, from the block's origin.
-Magnitude SampleCellAt(const TextureField::CompiledLayer& layer, const Block& block, Cell cell,
-                       glm::dvec2 p) noexcept;
+/// What a cell of a layer in rows gives at a point of it, from the block's origin.
+Sample SampleCellAt(const TextureField::CompiledLayer& layer, const Block& block, Cell cell,
+                    glm::dvec2 p) noexcept;
 /// What a whole layer gives, anywhere on the page.
 Sample SampleLayerAt(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept;
 /// Whether nothing of a layer other than the first can be there.

@@ -22,8 +22,19 @@ struct FlatProfile {
   bool operator==(const FlatProfile&) const = default;
 };
 
-/// kRim: an arc of a fill's outline, of use only in cells where arcs alone tell the fill.
-enum class FlatKind : std::uint32_t { kLine, kArc, kRing, kDot, kDisc, kFill, kFading, kRim };
+/// kRim: an arc of a fill's outline, of use only in cells where arcs alone tell the fill. kCapped:
+/// a line and the round caps at its ends, of use only in cells where no others matter.
+enum class FlatKind : std::uint32_t {
+  kLine,
+  kArc,
+  kRing,
+  kDot,
+  kDisc,
+  kFill,
+  kFading,
+  kRim,
+  kCapped
+};
 
 /// An element ready for the query; a cache line. Arcs, rings and dots share one formula without
 /// branches, since at random points branches are mispredicted: a dot is a ring of radius zero, a
@@ -62,41 +73,49 @@ struct FlatFade {
 };
 
 /// What can matter in one cell of a block's grid: one element, by its number in the block, of which
-/// the first is none; or, listed, several, by the list's number in the block. So is one
-/// that is no stroke of the block's profile, or where strokes blend.
+/// the first is none; or, listed, several, by the list's number in the block. So is one that is no
+/// stroke, or where strokes blend. The kind of the one stroke is told too, so that a query need not
+/// wait for it.
 struct Cell {
-  static constexpr std::uint16_t kListed = 0x8000u;
-  std::uint16_t code = 0;  ///< 0, the element's number, or kListed and the list's
+  static constexpr std::uint16_t kListed = 0x8000u, kRound = 0x4000u, kCapped = 0x2000u;
+  std::uint16_t code = 0;  ///< 0, the element's number and its kind, or kListed and the list's
   bool empty() const noexcept { return code == 0; }
   bool listed() const noexcept { return code >= kListed; }
-  std::uint32_t element() const noexcept { return code; }
+  bool round() const noexcept { return (code & kRound) != 0; }
+  bool capped() const noexcept { return (code & kCapped) != 0; }
+  std::uint32_t element() const noexcept { return code & (kCapped - 1u); }
   std::uint32_t list() const noexcept { return code & (kListed - 1u); }
 };
 
-/// The elements of one group, shared by all its placements, behind a small grid that says which of
-/// them can matter where; a cache line. The grid is found in whole steps, since these are known
-/// before the place itself. Its last column and row are empty: there ends a query beyond the grid.
+/// How the cells of a block lie. They are found in whole steps, since these are known before the
+/// place itself. The last column and row are empty: there ends a query beyond the grid.
+struct CellGrid {
+  std::int32_t left = 0, below = 0;              ///< of the origin, how far the grid begins [steps]
+  std::uint8_t column_shift = 0, row_shift = 0;  ///< a cell's sides are two to these [steps]
+  std::uint8_t columns = 2, rows = 2;            ///< with the empty ones
+  std::uint32_t cells() const noexcept { return std::uint32_t{columns} * rows; }
+};
+
+/// The elements of one group, shared by all its placements, behind a grid of cells that says which
+/// of them can matter where; a cache line.
 struct Block {
   Box box;
-  std::int32_t left = 0, below = 0;  ///< of the origin, how far the grid begins [steps]
-  std::uint32_t columns_per_step = 0, rows_per_step = 0;  ///< in parts of 2^32
+  CellGrid grid;
   std::uint32_t first_cell = 0;
   std::uint32_t first_element = 0;
-  std::uint16_t profile = 0;
-  std::uint8_t columns = 2, rows = 2;  ///< with the empty ones
   std::uint32_t first_list = 0;
 };
 
 /// How far a point may lie from where its steps say, in x and y together [steps].
 inline constexpr double kStepsWrong = 1.5;
 
-/// A cell that holds more than one stroke of the block's profile.
+/// A cell that holds more than one stroke.
 struct CellList {
   std::uint32_t first_item = 0;  ///< among the layer's: the elements' numbers, then the rims'
   std::uint16_t count = 0;       ///< of elements
   std::uint8_t rims = 0;         ///< that tell a fill
-  bool plain = false;            ///< strokes of the block's profile: the nearest spine decides
-  std::array<std::uint16_t, 2> elements{};  ///< the first two, of the numbers in the block
+  bool plain = false;            ///< strokes of one profile: the nearest spine decides
+  std::uint16_t profile = 0;     ///< of these
 };
 
 /// Where a leaf's box lies in its band, coarsely and never less than it does: four numbers of 15
@@ -133,10 +152,10 @@ struct LetterPair {
   std::uint64_t bits = 0;  ///< 24 of the first's place in steps, 16 to the second, 12 of each block
   std::int32_t first() const noexcept { return static_cast<std::int32_t>(bits & 0xff'ffffu); }
   std::int32_t step() const noexcept { return static_cast<std::int32_t>(bits >> 24 & 0xffffu); }
-  std::uint32_t first_block() const noexcept {
-    return static_cast<std::uint32_t>(bits >> 40 & 0xfffu);
+  /// Of the first where all bits of the mask are set, of the second where none is.
+  std::uint32_t block(std::int32_t first) const noexcept {
+    return static_cast<std::uint32_t>(bits >> (52 - (first & 12)) & 0xfffu);
   }
-  std::uint32_t second_block() const noexcept { return static_cast<std::uint32_t>(bits >> 52); }
 };
 
 /// Up to five letters that follow each other in a row, in eight bytes.
@@ -176,6 +195,9 @@ struct Rows {
   std::array<Code, 256> codes{};
   std::vector<double> y;               ///< of each row's letters [m]
   std::vector<std::int64_t> steps_up;  ///< the same from the first band on, cut to steps
+  /// That of every block, so that a cell is found without a visit to the block; block by block.
+  CellGrid grid;
+  std::uint32_t cells_per_block = 0;
   /// The row that each band meets, where lines are unevenly spaced; else empty: bands are rows.
   std::vector<std::uint32_t> of_band;
 };

@@ -29,16 +29,19 @@ struct Near {
   double Reached() const noexcept { return within >= 0 ? distance : kFar; }
 };
 
-inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
+// signs are copied and ranges joined, since points on either side are equally likely
+inline Near NearestOfLine(const FlatElement& element, glm::dvec2 p) noexcept {
   const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
   const double ux = element.direction.x, uy = element.direction.y;
   const double along = vx * ux + vy * uy;
-  // signs are copied and ranges joined, since points on either side are equally likely
-  if (element.kind == FlatKind::kLine) {
-    const double across = vy * ux - vx * uy;
-    const double side = std::copysign(1.0, across);
-    return {std::abs(across), Smaller(along, element.length - along), {-side * uy, side * ux}};
-  }
+  const double across = vy * ux - vx * uy;
+  const double side = std::copysign(1.0, across);
+  return {std::abs(across), Smaller(along, element.length - along), {-side * uy, side * ux}};
+}
+/// Of an arc, a ring or a dot.
+inline Near NearestOfRound(const FlatElement& element, glm::dvec2 p) noexcept {
+  const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
+  const double along = vx * element.direction.x + vy * element.direction.y;
   const double distance = std::sqrt(vx * vx + vy * vy);
   // at the centre no direction is nearest: none is chosen
   const double off = distance - element.radius;
@@ -46,32 +49,57 @@ inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
   return {std::abs(off), along - distance * element.cos_half, {scale * vx, scale * vy}};
 }
 
+/// Of a line between round caps.
+inline Near NearestOfCapped(const FlatElement& element, glm::dvec2 p) noexcept {
+  const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
+  const double ux = element.direction.x, uy = element.direction.y;
+  const double along = Smaller(Larger(vx * ux + vy * uy, 0.0), element.length);
+  const double wx = vx - along * ux, wy = vy - along * uy;
+  const double distance = std::sqrt(wx * wx + wy * wy);
+  const double scale = 1.0 / (distance + kTiny);
+  return {distance, 0.0, {scale * wx, scale * wy}};
+}
+inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
+  if (element.kind == FlatKind::kLine) return NearestOfLine(element, p);
+  return element.kind == FlatKind::kCapped ? NearestOfCapped(element, p)
+                                           : NearestOfRound(element, p);
+}
+
 /// How far within the rim a point lies; zero beyond it.
 inline double InsideOf(const FlatProfile& profile, const Near& near) noexcept {
   return IfNotBelowZero(near.within, Larger(profile.half - near.distance, 0.0));
 }
 
-/// Magnitude and its gradient so far within the rim, exactly zero there. Two parabolas taken from a
-/// third: no branch depends on the point. `k` is the profile's curvature, or minus that for the
-/// displacement of a groove.
-inline Magnitude FromInside(const FlatProfile& profile, double k, double inside,
-                            glm::dvec2 away) noexcept {
-  const double past_rim = Larger(inside - profile.rounding, 0.0);
+/// Displacement and gradient so far within the rim, plus zero at the rim and beyond. No branch
+/// depends on the point: the profile's rounded rim, its straight flank and its rounded spine are
+/// told by how much of `inside` belongs to the rim and how much lies past the flank. `sign` is
+/// minus one for a groove.
+inline Sample DisplacementAt(const FlatProfile& profile, double sign, double inside,
+                             glm::dvec2 away) noexcept {
+  const double k = profile.curvature, signed_k = sign * k;
+  const double at_rim = Smaller(inside, profile.rounding);
   const double past_flank = Larger(inside - profile.straight, 0.0);
+  const double steepness = k * at_rim - k * past_flank;
+  // turned and cleared before they are needed
+  const double to_x = IfLess(0.0, inside, 0.0 - sign * away.x, 0.0);
+  const double to_y = IfLess(0.0, inside, 0.0 - sign * away.y, 0.0);
   const double height =
-      0.5 * k * (inside * inside - (past_rim * past_rim + past_flank * past_flank));
-  const double slope = k * (past_rim + past_flank - inside);
-  return {height, {slope * away.x, slope * away.y}};
+      signed_k * at_rim * (inside - 0.5 * at_rim) - 0.5 * signed_k * past_flank * past_flank;
+  return {height, {steepness * to_x, steepness * to_y}};
+}
+/// The same as a magnitude.
+inline Magnitude FromInside(const FlatProfile& profile, double inside, glm::dvec2 away) noexcept {
+  const Sample raised = DisplacementAt(profile, 1.0, inside, away);
+  return {raised.displacement, raised.gradient};
 }
 inline Magnitude OfNear(const FlatProfile& profile, const Near& near) noexcept {
-  return FromInside(profile, profile.curvature, InsideOf(profile, near), near.away);
+  return FromInside(profile, InsideOf(profile, near), near.away);
 }
 
 /// Of a fill: `from_edge` leads from the outline's nearest point.
 inline Magnitude FromRim(const FlatProfile& profile, double inside, glm::dvec2 from_edge) noexcept {
   if (!(inside > 0)) return {};
-  return FromInside(profile, profile.curvature, std::min(inside, profile.half),
-                    -1 / inside * from_edge);
+  return FromInside(profile, std::min(inside, profile.half), -1 / inside * from_edge);
 }
 
 /// Vector from the nearest point of an outline to p, and its square.
@@ -117,10 +145,29 @@ struct Within {
   double inside = 0;
   glm::dvec2 away{0.0, 0.0};
 };
+/// As NearestOf, but without a branch on the kind: which of a list's strokes are lines changes from
+/// list to list.
 inline Within WithinOf(const FlatProfile& profile, const FlatElement& element,
                        glm::dvec2 p) noexcept {
-  const Near near = NearestOf(element, p);
-  return {InsideOf(profile, near), near.away};
+  const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
+  const double ux = element.direction.x, uy = element.direction.y;
+  const double along = vx * ux + vy * uy, across = vy * ux - vx * uy;
+  const double distance = std::sqrt(vx * vx + vy * vy);
+  // lines alone have a length, and neither a radius nor an angle
+  const auto for_line = [&element](double line, double round) {
+    return IfLess(element.length, kFar, line, round);
+  };
+  const double off = for_line(across, distance - element.radius);
+  const double scale = std::copysign(1.0, off) / for_line(1.0, distance + kTiny);
+  const double within = Smaller(along, element.length - along) - distance * element.cos_half;
+  return {InsideOf(profile, {std::abs(off), within, {}}),
+          {scale * for_line(-uy, vx), scale * for_line(ux, vy)}};
+}
+inline Within LargerOf(const Within& a, const Within& b) noexcept {
+  const auto of = [&](double from_a, double from_b) {
+    return IfLess(a.inside, b.inside, from_b, from_a);
+  };
+  return {of(a.inside, b.inside), {of(a.away.x, b.away.x), of(a.away.y, b.away.y)}};
 }
 
 /// Within a fill that rims tell.
@@ -132,10 +179,12 @@ inline Within WithinRims(const FlatProfile& profile, const CellElements& element
     const glm::dvec2 v = p - rim.anchor;
     const double length = std::sqrt(v.x * v.x + v.y * v.y);
     const double inside = rim.cos_half * (rim.radius - length);
-    if (inside < least.inside) {
-      const double scale = rim.cos_half / (length + kTiny);
-      least = {Larger(inside, 0.0), {scale * v.x, scale * v.y}};
-    }
+    const double scale = rim.cos_half / (length + kTiny);
+    const auto of = [&](double of_rim, double of_least) {
+      return IfLess(inside, least.inside, of_rim, of_least);
+    };
+    least = {of(Larger(inside, 0.0), least.inside),
+             {of(scale * v.x, least.away.x), of(scale * v.y, least.away.y)}};
   }
   return least;
 }
@@ -145,20 +194,9 @@ inline Within WithinList(const FlatProfile& profile, const CellElements& element
                          glm::dvec2 p) noexcept {
   Within most;
   for (std::uint32_t i = 0; i < elements.count; ++i) {
-    const Within within = WithinOf(profile, elements[i], p);
-    if (within.inside > most.inside) most = within;
+    most = LargerOf(most, WithinOf(profile, elements[i], p));
   }
-  if (elements.rims == 0) return most;
-  const Within fill = WithinRims(profile, elements, p);
-  return fill.inside > most.inside ? fill : most;
-}
-
-/// Of a list's two strokes, without a branch on which is nearer.
-inline Within WithinTwo(const FlatProfile& profile, const FlatElement* elements,
-                        const CellList& list, glm::dvec2 p) noexcept {
-  const Within two[2] = {WithinOf(profile, elements[list.elements[0]], p),
-                         WithinOf(profile, elements[list.elements[1]], p)};
-  return two[two[1].inside > two[0].inside ? 1 : 0];
+  return elements.rims == 0 ? most : LargerOf(most, WithinRims(profile, elements, p));
 }
 
 Foot FootOf(const FlatElement& element, glm::dvec2 p) noexcept {
@@ -210,7 +248,7 @@ Magnitude OfFading(const CompiledLayer& layer, const FlatElement& element, glm::
   const double q = fade.from + change * u * u * (3 - 2 * u);
   const double d = near.distance / q;
   if (!(d < profile.half)) return {};
-  const Magnitude whole = FromInside(profile, profile.curvature, profile.half - d, near.away);
+  const Magnitude whole = FromInside(profile, profile.half - d, near.away);
   const double slope = whole.gradient.x * near.away.x + whole.gradient.y * near.away.y;
   const double by_q = (2 * q * whole.height - near.distance * slope) * change * 6 * u * (1 - u);
   return {q * q * whole.height, q * whole.gradient + by_q * rise};
@@ -278,7 +316,7 @@ class CellFeet {
       const BlendedDistance blended = Blend(feet, elements.count, i, rho);
       const double d = Larger(blended.distance, 0.0);
       if (d < profile.half) {
-        member = FromInside(profile, profile.curvature, profile.half - d, blended.gradient);
+        member = FromInside(profile, profile.half - d, blended.gradient);
       }
     } else {
       member = OfElement(layer, element, p);
@@ -288,17 +326,9 @@ class CellFeet {
   return greatest;
 }
 
-/// Of a cell that is listed.
-[[gnu::noinline]] Magnitude SampleListed(const CompiledLayer& layer, const Block& block, Cell cell,
-                                         glm::dvec2 p) noexcept {
-  const CellList& list = layer.lists[block.first_list + cell.list()];
-  if (list.plain) {
-    const FlatProfile& profile = layer.profiles[block.profile];
-    const bool two = list.count == 2 && list.rims == 0;
-    const Within within = two ? WithinTwo(profile, &layer.elements[block.first_element], list, p)
-                              : WithinList(profile, CellElements(layer, block, cell), p);
-    return FromInside(profile, profile.curvature, within.inside, within.away);
-  }
+/// Of a cell whose strokes blend, or have several profiles, or are fills.
+Magnitude SampleUneven(const CompiledLayer& layer, const Block& block, Cell cell,
+                       glm::dvec2 p) noexcept {
   return layer.block_blends[static_cast<std::size_t>(&block - layer.blocks.data())] > 0
              ? SampleBlended(layer, block, cell, p)
              : SampleMixed(layer, block, cell, p);
@@ -306,10 +336,15 @@ class CellFeet {
 
 inline Magnitude SampleCell(const CompiledLayer& layer, const Block& block, Cell cell,
                             glm::dvec2 p) noexcept {
-  if (cell.listed()) return SampleListed(layer, block, cell, p);
-  const FlatProfile& profile = layer.profiles[block.profile];
-  const Near near = NearestOf(layer.elements[block.first_element + cell.element()], p);
-  return OfNear(profile, near);
+  if (cell.listed()) {
+    const CellElements elements(layer, block, cell);
+    if (!elements.plain) return SampleUneven(layer, block, cell, p);
+    const FlatProfile& profile = layer.profiles[elements.profile];
+    const Within within = WithinList(profile, elements, p);
+    return FromInside(profile, within.inside, within.away);
+  }
+  const FlatElement& element = layer.elements[block.first_element + cell.element()];
+  return OfNear(layer.profiles[element.profile], NearestOf(element, p));
 }
 
 /// Flat paper is plus zero, which the sign of a groove would turn round.
@@ -320,13 +355,18 @@ Sample Signed(const CompiledLayer& layer, const Magnitude& magnitude) noexcept {
   return WithoutMinusZero(layer.sign * magnitude.height, layer.sign * magnitude.gradient.x,
                           layer.sign * magnitude.gradient.y);
 }
-Sample SampleListedOf(const CompiledLayer& layer, const Block& block, Cell cell,
-                      glm::dvec2 p) noexcept {
-  return Signed(layer, SampleListed(layer, block, cell, p));
+[[gnu::noinline]] Sample SampleListed(const CompiledLayer& layer, const Block& block, Cell cell,
+                                      glm::dvec2 p) noexcept {
+  const CellElements elements(layer, block, cell);
+  if (!elements.plain) return Signed(layer, SampleUneven(layer, block, cell, p));
+  const FlatProfile& profile = layer.profiles[elements.profile];
+  const Within within = WithinList(profile, elements, p);
+  return DisplacementAt(profile, layer.sign, within.inside, within.away);
 }
 
-/// The displacement and gradient of a layer in rows: the way that nearly every query takes.
-template <bool kInPairs>
+/// The displacement and gradient of a layer in rows: the way that nearly every query takes. Where
+/// all strokes have one profile a query need not wait to learn which.
+template <bool kInPairs, bool kOneProfile>
 [[gnu::always_inline]] inline Sample SampleRows(const CompiledLayer& layer,
                                                 glm::dvec2 p_P) noexcept {
   const Rows& rows = layer.rows;
@@ -338,20 +378,21 @@ template <bool kInPairs>
   if (!rows.of_band.empty()) row = rows.of_band[row];
   const FoundLetter letter = kInPairs ? FindInPairs(layer, row, p_P, u)  //
                                       : FindInSlots(layer, row, p_P, u);
-  const Block& block = *letter.block;
+  const Cell cell = CellOf(layer, letter, p_P);
+  const Block& block = layer.blocks[letter.block];
   const glm::dvec2 p = p_P - letter.origin;
-  const Cell cell = CellAt(layer, block, PlaceOf(block, letter.steps));
   if (cell.listed()) [[unlikely]]
-    return SampleListedOf(layer, block, cell, p);
-  const FlatProfile& profile = layer.profiles[block.profile];
-  const Near near = NearestOf(layer.elements[block.first_element + cell.element()], p);
-  const Magnitude found =
-      FromInside(profile, layer.sign * profile.curvature, InsideOf(profile, near), near.away);
-  // one by one: a copy of the whole would wait for what was just written
-  return WithoutMinusZero(found.height, found.gradient.x, found.gradient.y);
+    return SampleListed(layer, block, cell, p);
+  const FlatElement* elements = &layer.elements[block.first_element];
+  const FlatElement& element = elements[cell.element()];
+  const FlatProfile& profile = layer.profiles[kOneProfile ? 0 : element.profile];
+  const Near near = cell.round()    ? NearestOfRound(element, p)
+                    : cell.capped() ? NearestOfCapped(element, p)
+                                    : NearestOfLine(element, p);
+  return DisplacementAt(profile, layer.sign, InsideOf(profile, near), near.away);
 }
 [[gnu::noinline]] Sample SampleBook(const CompiledLayer& layer, glm::dvec2 p_P) noexcept {
-  return SampleRows<false>(layer, p_P);
+  return SampleRows<false, false>(layer, p_P);
 }
 
 /// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
@@ -394,7 +435,7 @@ Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, double u
       const Block& block = layer.blocks[leaf.block];
       const glm::dvec2 local = p - leaf.origin;
       if (!IsIn(block.box, local)) continue;
-      const Cell cell = CellAt(layer, block, PlaceOf(block, StepsOf(layer, local)));
+      const Cell cell = CellAt(layer, block, PlaceOf(block.grid, StepsOf(layer, local)));
       const Magnitude member = SampleCell(layer, block, cell, local);
       if (member.height > greatest.height ||
           (member.height == greatest.height && member.height > 0 && leaf.order < order)) {
@@ -416,7 +457,7 @@ inline bool IsBetween(const CompiledLayer& layer, glm::dvec2 p) noexcept {
 }
 
 inline Sample SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
-  if (!layer.rows.pairs.empty()) return SampleRows<true>(layer, p);
+  if (!layer.rows.pairs.empty()) return SampleRows<true, false>(layer, p);
   if (layer.rows.length > 0) return SampleBook(layer, p);
   const double v = (p.y - layer.origin.y) * layer.bands_per_m;
   if (!(v >= 0 && v < layer.band_count)) return {};
@@ -426,9 +467,13 @@ inline Sample SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
 
 }  // namespace
 
-Magnitude SampleCellAt(const CompiledLayer& layer, const Block& block, Cell cell,
-                       glm::dvec2 p) noexcept {
-  return SampleCell(layer, block, cell, p);
+Sample SampleCellAt(const CompiledLayer& layer, const Block& block, Cell cell,
+                    glm::dvec2 p) noexcept {
+  if (cell.listed()) return SampleListed(layer, block, cell, p);
+  const FlatElement& element = layer.elements[block.first_element + cell.element()];
+  const FlatProfile& profile = layer.profiles[element.profile];
+  const Near near = NearestOf(element, p);
+  return DisplacementAt(profile, layer.sign, InsideOf(profile, near), near.away);
 }
 Sample SampleLayerAt(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   return SampleLayer(layer, p);
@@ -439,14 +484,12 @@ bool IsBare(const CompiledLayer& layer, glm::dvec2 p) noexcept {
 
 Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
   if (is_page_) [[likely]]
-    return SampleRows<true>(layers_.front(), p_P);
+    return SampleRows<true, true>(layers_.front(), p_P);
   return SampleLayers(p_P);
 }
 
 Sample TextureField::SampleLayers(glm::dvec2 p_P) const noexcept {
-  if (layers_.size() == 1 && layers_.front().rows.length > 0 && paper_.empty()) {
-    return SampleBook(layers_.front(), p_P);
-  }
+  if (layers_.size() == 1 && paper_.empty()) return SampleLayer(layers_.front(), p_P);
   Sample sum;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const CompiledLayer& layer = layers_[i];

@@ -31,7 +31,7 @@ struct Run {
 };
 
 /// As NearestOf and FromSpine of the single query, in the same order of operations.
-MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& profile,
+MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& profile, double sign,
                              Run& run) noexcept {
   // whole vectors only, so that no rest is left to be worked out one by one
   const std::size_t count = (run.count + kSide - 1) / kSide * kSide;
@@ -57,6 +57,20 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
         away_x[i] = nearer ? -side * uy : away_x[i];
         away_y[i] = nearer ? side * ux : away_y[i];
       }
+    } else if (element.kind == FlatKind::kCapped) {
+      const double length = element.length;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double vx = x[i] - ax, vy = y[i] - ay;
+        const double on_line = vx * ux + vy * uy;
+        const double past_start = on_line > 0 ? on_line : 0;
+        const double along = past_start < length ? past_start : length;
+        const double wx = vx - along * ux, wy = vy - along * uy;
+        const double distance = std::sqrt(wx * wx + wy * wy);
+        const double scale = 1.0 / (distance + kTiny);
+        best[i] = distance;
+        away_x[i] = scale * wx;
+        away_y[i] = scale * wy;
+      }
     } else {
       const double radius = element.radius, cos_half = element.cos_half;
       for (std::size_t i = 0; i < count; ++i) {
@@ -73,18 +87,21 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
       }
     }
   }
-  const double k = profile.curvature, half = profile.half, rounding = profile.rounding;
-  const double straight = profile.straight;
+  const double half = profile.half, rounding = profile.rounding, straight = profile.straight;
+  const double k = profile.curvature, signed_k = sign * k;
   double *height = run.height.data(), *slope_x = run.slope_x.data(), *slope_y = run.slope_y.data();
   for (std::size_t i = 0; i < count; ++i) {
     const double to_rim = half - best[i];
     const double inside = to_rim > 0 ? to_rim : 0;
-    const double past_rim = inside > rounding ? inside - rounding : 0;
+    const double at_rim = inside < rounding ? inside : rounding;
     const double past_flank = inside > straight ? inside - straight : 0;
-    const double slope = k * (past_rim + past_flank - inside);
-    height[i] = 0.5 * k * (inside * inside - (past_rim * past_rim + past_flank * past_flank));
-    slope_x[i] = slope * away_x[i];
-    slope_y[i] = slope * away_y[i];
+    const double steepness = k * at_rim - k * past_flank;
+    const double to_x = inside > 0 ? 0.0 - sign * away_x[i] : 0;
+    const double to_y = inside > 0 ? 0.0 - sign * away_y[i] : 0;
+    height[i] =
+        signed_k * at_rim * (inside - 0.5 * at_rim) - 0.5 * signed_k * past_flank * past_flank;
+    slope_x[i] = steepness * to_x;
+    slope_y[i] = steepness * to_y;
   }
 }
 
@@ -105,11 +122,9 @@ class SideBySide {
     samples_[i].gradient += sample.gradient;
   }
   /// Those of a run, the first of which has the number `first`.
-  void Set(std::size_t first, std::size_t count, double sign, const Run& run) const noexcept {
+  void Set(std::size_t first, std::size_t count, const Run& run) const noexcept {
     for (std::size_t k = 0; k < count; ++k) {
-      // plus zero where paper is flat, as the single query
-      Set(first + k,
-          {sign * run.height[k] + 0.0, {sign * run.slope_x[k] + 0.0, sign * run.slope_y[k] + 0.0}});
+      Set(first + k, {run.height[k], {run.slope_x[k], run.slope_y[k]}});
     }
   }
 
@@ -141,13 +156,10 @@ class InColumns {
     samples_.gradient_x[i] += sample.gradient.x;
     samples_.gradient_y[i] += sample.gradient.y;
   }
-  void Set(std::size_t first, std::size_t count, double sign, const Run& run) const noexcept {
-    const auto copy = [=](const double* from, double* to) {
-      for (std::size_t k = 0; k < count; ++k) to[k] = sign * from[k] + 0.0;
-    };
-    copy(run.height.data(), samples_.displacement + first);
-    copy(run.slope_x.data(), samples_.gradient_x + first);
-    copy(run.slope_y.data(), samples_.gradient_y + first);
+  void Set(std::size_t first, std::size_t count, const Run& run) const noexcept {
+    std::copy_n(run.height.data(), count, samples_.displacement + first);
+    std::copy_n(run.slope_x.data(), count, samples_.gradient_x + first);
+    std::copy_n(run.slope_y.data(), count, samples_.gradient_y + first);
   }
 
  private:
@@ -177,17 +189,18 @@ class RowLayer {
     if (band >= layer_.band_count) return Skip(i, {{-kFar, p.y}, {kFar, p.y}});
     const std::vector<std::uint32_t>& of_band = layer_.rows.of_band;
     const FoundLetter letter = FindLetter(layer_, of_band.empty() ? band : of_band[band], p);
-    if (letter.block == nullptr) return Skip(i, {p, p});
+    if (letter.block == FoundLetter::kNone) return Skip(i, {p, p});
     const double below = layer_.origin.y + band * band_height_;
     const Box in_band{{-kFar, below + kHair}, {kFar, below + band_height_ - kHair}};
-    if (IsIn(letter.block->box, p - letter.origin)) return SetLetter(letter, in_band, i);
+    if (IsIn(layer_.blocks[letter.block].box, p - letter.origin))
+      return SetLetter(letter, in_band, i);
     return Skip(i, GapBeside(letter, in_band, p));
   }
 
   /// Where there is nothing around a point of the letter's stretch that is not in its box: beyond
   /// one of its sides. A hair less, so that rounding decides nothing.
   Box GapBeside(const FoundLetter& letter, const Box& in_band, glm::dvec2 p) const noexcept {
-    const Box box{letter.block->box.min + letter.origin, letter.block->box.max + letter.origin};
+    const Box box = Moved(layer_.blocks[letter.block].box, letter.origin);
     const Rows& rows = layer_.rows;
     double next = rows.begin + letter.next * rows.step;
     if (!rows.pairs.empty()) {
@@ -217,7 +230,7 @@ class RowLayer {
 
   /// The same for all cells of one letter that the points go through.
   std::size_t SetLetter(const FoundLetter& letter, const Box& in_band, std::size_t i) noexcept {
-    const Block& block = *letter.block;
+    const Block& block = layer_.blocks[letter.block];
     // a hair within the letter's box and its band a point surely meets this letter
     Box sure{block.box.min + kHair, block.box.max - kHair};
     sure.min.y = std::max(sure.min.y, in_band.min.y - letter.origin.y);
@@ -233,15 +246,17 @@ class RowLayer {
     Cell cell;
     Box sure;
   };
-  SureCells CellsAt(const Block& block, const Box& of_letter, glm::dvec2 local) const noexcept {
-    const CellPlace place = PlaceOf(block, StepsOf(layer_, local));
-    const Cell* row = &layer_.cells[block.first_cell + place.row * block.columns];
+  SureCells CellsAt(const FoundLetter& letter, const Box& of_letter, glm::dvec2 p) const noexcept {
+    const CellGrid& grid = layer_.rows.grid;
+    const CellPlace place = PlaceOf(layer_, letter, p);
+    const Cell* row =
+        &layer_.cells[letter.block * layer_.rows.cells_per_block + place.row * grid.columns];
     const Cell cell = row[place.column];
     std::uint32_t first = place.column, end = first + 1;
-    while (end < block.columns && row[end].code == cell.code) ++end;
+    while (end < grid.columns && row[end].code == cell.code) ++end;
     while (first > 0 && row[first - 1].code == cell.code) --first;
-    const glm::dvec2 size(0x1p32 / block.columns_per_step, 0x1p32 / block.rows_per_step);
-    const glm::dvec2 origin(block.left, block.below), lead(layer_.lead, 0.0);
+    const glm::dvec2 size(1u << grid.column_shift, 1u << grid.row_shift);
+    const glm::dvec2 origin(grid.left, grid.below), lead(layer_.lead, 0.0);
     // where counting in steps decides nothing
     const glm::dvec2 from = size * glm::dvec2(first, place.row) - origin + kStepsWrong;
     const glm::dvec2 to = size * glm::dvec2(end, place.row + 1) - origin - kStepsWrong;
@@ -253,14 +268,14 @@ class RowLayer {
   /// The same for the cells that hold the same as the i-th point's, as long as the points stay
   /// there.
   std::size_t SetCells(const FoundLetter& letter, const Box& of_letter, std::size_t i) noexcept {
-    const Block& block = *letter.block;
+    const Block& block = layer_.blocks[letter.block];
     const std::size_t first = i, end = std::min(arrays_.count(), first + kMost);
-    SureCells at = CellsAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
+    SureCells at = CellsAt(letter, of_letter, arrays_.PointAt(i));
     const Cell cell = at.cell;
     do {
       i = Take(letter.origin, at.sure, first, i, end);
       if (i == end || !IsIn(of_letter, arrays_.PointAt(i) - letter.origin)) break;
-      at = CellsAt(block, of_letter, arrays_.PointAt(i) - letter.origin);
+      at = CellsAt(letter, of_letter, arrays_.PointAt(i));
     } while (at.cell.code == cell.code);
     if (cell.empty()) {
       arrays_.Clear(first, i - first);
@@ -296,15 +311,12 @@ class RowLayer {
     const CellElements elements(layer_, block, cell);
     if (!elements.plain || elements.rims > 0 || count == 1) {
       for (std::size_t k = 0; k < count; ++k) {
-        const Magnitude magnitude = SampleCellAt(layer_, block, cell, {run_.x[k], run_.y[k]});
-        arrays_.Set(first + k, {layer_.sign * magnitude.height + 0.0,
-                                {layer_.sign * magnitude.gradient.x + 0.0,
-                                 layer_.sign * magnitude.gradient.y + 0.0}});
+        arrays_.Set(first + k, SampleCellAt(layer_, block, cell, {run_.x[k], run_.y[k]}));
       }
       return;
     }
-    RunPlain(elements, layer_.profiles[block.profile], run_);
-    arrays_.Set(first, count, layer_.sign, run_);
+    RunPlain(elements, layer_.profiles[elements[0].profile], layer_.sign, run_);
+    arrays_.Set(first, count, run_);
   }
 
   const CompiledLayer& layer_;
