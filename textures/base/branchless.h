@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <emmintrin.h>
 #endif
@@ -10,15 +9,6 @@ namespace moontrace {
 /// Choices between numbers in single instructions. Where the same is written as a comparison, GCC
 /// follows both outcomes and often makes a branch of it, which at random points is mispredicted
 /// every second time.
-/// All bits, or none.
-inline std::int32_t MaskIf(bool set) noexcept {
-  std::int32_t mask = -static_cast<std::int32_t>(set);
-#ifdef __GNUC__
-  __asm__("" : "+r"(mask));  // seen as any number, so that no branch is made of what it chooses
-#endif
-  return mask;
-}
-
 #if defined(__x86_64__) && defined(__GNUC__)
 
 /// The larger of two numbers; `b` if one is none.

@@ -36,11 +36,11 @@ void Add(Digest& digest, const Rows& rows) {
     digest.Add(static_cast<std::uint64_t>(letters.first()));
     for (std::uint32_t i = 0; i < Letters::kMost; ++i) {
       const Code& code = rows.codes[letters.code(i)];
-      digest.Add(static_cast<std::uint64_t>(code.step));
-      digest.Add(std::uint64_t{code.block});
+      digest.Add(static_cast<std::uint64_t>(code.step()));
+      digest.Add(std::uint64_t{code.block()});
     }
   }
-  for (const double y : rows.y) digest.Add(y);
+  for (const RowHeight& height : rows.heights) digest.Add(height.y);
   for (const std::uint32_t row : rows.of_band) digest.Add(std::uint64_t{row});
 }
 
@@ -102,13 +102,13 @@ TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
 std::size_t TextureField::memory_bytes() const noexcept {
   std::size_t bytes = sizeof *this + Bytes(layers_) + paper_.memory_bytes();
   for (const CompiledLayer& layer : layers_) {
-    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.pairs) + Bytes(layer.rows.y) +
-             Bytes(layer.rows.steps_up) + Bytes(layer.rows.of_band) + Bytes(layer.bands) +
-             Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.reaches) +
-             Bytes(layer.heights) + Bytes(layer.blocks) + Bytes(layer.blend_radii) +
-             Bytes(layer.cells) + Bytes(layer.items) + Bytes(layer.lists) +
-             Bytes(layer.block_blends) + Bytes(layer.elements) + Bytes(layer.fills) +
-             Bytes(layer.fades) + Bytes(layer.profiles);
+    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.pairs) + Bytes(layer.rows.heights) +
+             Bytes(layer.rows.of_band) + Bytes(layer.bands) + Bytes(layer.buckets) +
+             Bytes(layer.leaves) + Bytes(layer.reaches) + Bytes(layer.heights) +
+             Bytes(layer.blocks) + Bytes(layer.blend_radii) + Bytes(layer.cells) +
+             Bytes(layer.items) + Bytes(layer.lists) + Bytes(layer.block_blends) +
+             Bytes(layer.elements) + Bytes(layer.fills) + Bytes(layer.fades) +
+             Bytes(layer.profiles);
     for (const FlatFill& fill : layer.fills) bytes += Bytes(fill.edges) + Bytes(fill.rising);
   }
   return bytes;

@@ -102,6 +102,11 @@ inline std::int64_t StepsUp(const TextureField::CompiledLayer& layer, double y) 
   return static_cast<std::int64_t>((y - layer.origin.y) * layer.steps_per_m);
 }
 
+/// All bits where what begins at a place has begun, else none [steps].
+inline std::uint64_t MaskIfBegun(std::int32_t begin, std::int32_t here) noexcept {
+  return static_cast<std::uint64_t>((std::int64_t{begin} - here - 1) >> 63);
+}
+
 /// The last of a page's letters in a row that begins at or before the point: at most one is met.
 /// `u` is the point's place in the row [slots].
 inline FoundLetter FindInPairs(const TextureField::CompiledLayer& layer, std::uint32_t row,
@@ -111,13 +116,13 @@ inline FoundLetter FindInPairs(const TextureField::CompiledLayer& layer, std::ui
   const std::int32_t here = StepsAlong(layer, p.x);
   // without a branch, which at random points would be mispredicted
   const std::int32_t second = pair.first() + pair.step();
-  const std::int32_t not_begun = (here - second) >> 31;  // all bits, or none
-  const std::int32_t place = second - (pair.step() & not_begun);
-  return {pair.block(not_begun),
-          {rows.first_x + static_cast<double>(place) * rows.step, rows.y[row]},
+  const std::uint64_t begun = MaskIfBegun(second, here);
+  const std::int32_t place = pair.first() + (pair.step() & static_cast<std::int32_t>(begun));
+  return {pair.block(begun),
+          {rows.first_x + static_cast<double>(place) * rows.step, rows.heights[row].y},
           place,
           row,
-          second | (Letters::kFar & ~not_begun)};
+          second | (Letters::kFar & static_cast<std::int32_t>(begun))};
 }
 
 /// The same in a book.
@@ -128,24 +133,26 @@ inline FoundLetter FindInSlots(const TextureField::CompiledLayer& layer, std::ui
       std::min(static_cast<std::uint32_t>(u), rows.length - 1 - Rows::kWindow);
   const Letters* slot = &rows.slots[row * rows.length + start];
   const std::int32_t here = StepsAlong(layer, p.x);
-  std::uint32_t begun = 0;
-  for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) begun += slot[i].first() <= here ? 1 : 0;
-  const Letters letters = slot[begun];
-  std::int32_t place = letters.first(), next = place;
-  std::uint32_t which = 0;
-  for (std::uint32_t i = 0; i + 1 < Letters::kMost; ++i) {
-    const std::int32_t step = rows.codes[letters.code(i)].step;
-    next += step;
-    const std::int32_t has_begun = next <= here ? 1 : 0;
-    place += step & -has_begun;
-    which += static_cast<std::uint32_t>(has_begun);
+  // without a branch: what has begun, one after the other, is put in place of what stands before it
+  Letters letters = slot[0];
+  for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) {
+    letters.bits ^= (slot[i - 1].bits ^ slot[i].bits) & MaskIfBegun(slot[i].first(), here);
   }
-  const Code& code = rows.codes[letters.code(which)];
-  return {code.block,
-          {rows.first_x + static_cast<double>(place) * rows.step, rows.y[row]},
+  std::int32_t place = letters.first(), next = place;
+  Code code = rows.codes[letters.code(0)], before = code;
+  for (std::uint32_t i = 1; i < Letters::kMost; ++i) {
+    const Code after = rows.codes[letters.code(i)];
+    next += before.step();
+    const std::uint64_t begun = MaskIfBegun(next, here);
+    code.bits ^= (before.bits ^ after.bits) & begun;
+    place += before.step() & static_cast<std::int32_t>(begun);
+    before = after;
+  }
+  return {code.block(),
+          {rows.first_x + static_cast<double>(place) * rows.step, rows.heights[row].y},
           place,
           row,
-          place + code.step};
+          place + code.step()};
 }
 
 /// The cell of a layer in rows where a point meets a letter.
@@ -153,7 +160,7 @@ inline CellPlace PlaceOf(const TextureField::CompiledLayer& layer, const FoundLe
                          glm::dvec2 p) noexcept {
   const Rows& rows = layer.rows;
   return PlaceOf(rows.grid, {StepsAlong(layer, p.x) - letter.place,
-                             StepsUp(layer, p.y) - rows.steps_up[letter.row]});
+                             StepsUp(layer, p.y) - rows.heights[letter.row].steps});
 }
 inline Cell CellOf(const TextureField::CompiledLayer& layer, const FoundLetter& letter,
                    glm::dvec2 p) noexcept {

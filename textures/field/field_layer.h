@@ -152,9 +152,9 @@ struct LetterPair {
   std::uint64_t bits = 0;  ///< 24 of the first's place in steps, 16 to the second, 12 of each block
   std::int32_t first() const noexcept { return static_cast<std::int32_t>(bits & 0xff'ffffu); }
   std::int32_t step() const noexcept { return static_cast<std::int32_t>(bits >> 24 & 0xffffu); }
-  /// Of the first where all bits of the mask are set, of the second where none is.
-  std::uint32_t block(std::int32_t first) const noexcept {
-    return static_cast<std::uint32_t>(bits >> (52 - (first & 12)) & 0xfffu);
+  /// Of the second where all bits of the mask are set, of the first where none is.
+  std::uint32_t block(std::uint64_t second) const noexcept {
+    return static_cast<std::uint32_t>(bits >> (40 + (second & 12)) & 0xfffu);
   }
 };
 
@@ -172,8 +172,18 @@ struct Letters {
 
 /// A block, and where the next one in the row stands.
 struct Code {
-  std::int32_t step = 0;  ///< to the next origin, in steps of the raster
-  std::uint16_t block = 0;
+  std::uint64_t bits = 0;  ///< 32 of the step to the next origin, in steps of the raster; the block
+  std::int32_t step() const noexcept { return static_cast<std::int32_t>(bits); }
+  std::uint32_t block() const noexcept { return static_cast<std::uint32_t>(bits >> 32); }
+};
+inline Code MakeCode(std::int32_t step, std::uint16_t block) noexcept {
+  return {static_cast<std::uint32_t>(step) | std::uint64_t{block} << 32};
+}
+
+/// Where a row's letters stand.
+struct RowHeight {
+  double y = 0;            ///< [m]
+  std::int64_t steps = 0;  ///< the same from the first band on, cut to steps
 };
 
 /// Evenly set text: placed blocks that stand apart from each other on a raster, those of one band
@@ -193,8 +203,7 @@ struct Rows {
   LargeArray<LetterPair> pairs;  ///< of a page, else the following two
   LargeArray<Letters> slots;
   std::array<Code, 256> codes{};
-  std::vector<double> y;               ///< of each row's letters [m]
-  std::vector<std::int64_t> steps_up;  ///< the same from the first band on, cut to steps
+  std::vector<RowHeight> heights;
   /// That of every block, so that a cell is found without a visit to the block; block by block.
   CellGrid grid;
   std::uint32_t cells_per_block = 0;

@@ -131,9 +131,9 @@ void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
     });
   }
   if (AddRows(bands, all, layer) || AddUnevenRows(places, all, layer)) {
-    for (const double y : layer.rows.y) {
-      const double steps = std::floor((y - layer.origin.y) * layer.steps_per_m);
-      layer.rows.steps_up.push_back(static_cast<std::int64_t>(steps));
+    for (RowHeight& row : layer.rows.heights) {
+      row.steps =
+          static_cast<std::int64_t>(std::floor((row.y - layer.origin.y) * layer.steps_per_m));
     }
     AddHeights(places, layer);
     return;

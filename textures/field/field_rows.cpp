@@ -88,7 +88,7 @@ class CodeBook {
  public:
   /// False if there are too many.
   bool Add(Code code, std::uint8_t& number) {
-    const auto [at, is_new] = numbers_.try_emplace({code.block, code.step}, numbers_.size());
+    const auto [at, is_new] = numbers_.try_emplace(code.bits, numbers_.size());
     if (at->second >= codes_.size()) return false;
     number = static_cast<std::uint8_t>(at->second);
     codes_[number] = code;
@@ -97,7 +97,7 @@ class CodeBook {
   const std::array<Code, 256>& codes() const { return codes_; }
 
  private:
-  std::map<std::pair<std::uint16_t, std::int32_t>, std::size_t> numbers_;
+  std::map<std::uint64_t, std::size_t> numbers_;
   std::array<Code, 256> codes_{};
 };
 
@@ -112,12 +112,12 @@ using RasterLine = std::vector<RasterLetter>;
 bool Encode(const Row& row, const Raster& raster, CodeBook& book, RasterLine& line) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     const auto at = static_cast<std::int32_t>(raster.NumberOf(row[i]->origin.x));
-    Code code{Letters::kFar, row[i]->block};
+    std::int32_t step = Letters::kFar;
     if (i + 1 < row.size()) {
-      code.step = static_cast<std::int32_t>(raster.NumberOf(row[i + 1]->origin.x)) - at;
+      step = static_cast<std::int32_t>(raster.NumberOf(row[i + 1]->origin.x)) - at;
     }
     std::uint8_t number = 0;
-    if (!book.Add(code, number)) return false;
+    if (!book.Add(MakeCode(step, row[i]->block), number)) return false;
     line.push_back({at, number});
   }
   return true;
@@ -168,7 +168,9 @@ bool SpreadAll(const std::vector<RasterLine>& lines, std::size_t count, double w
 /// What a slot tells: the i-th letter of a line, or none before its first, and the next, if it
 /// begins within reach.
 LetterPair PairOf(const RasterLine& line, const CodeBook& book, std::size_t i) {
-  const auto block = [&](std::size_t k) { return std::uint64_t{book.codes()[line[k].code].block}; };
+  const auto block = [&](std::size_t k) {
+    return std::uint64_t{book.codes()[line[k].code].block()};
+  };
   const bool last = i + 1 == line.size();
   const auto at = static_cast<std::uint64_t>(line[i].at);
   const std::int32_t step =
@@ -283,7 +285,7 @@ bool AddRows(const Bands& bands, const Box& all, TextureField::CompiledLayer& la
     if (!Encode(bands[i], raster, book, lines[i])) return false;
     places += bands[i].size();
     longest = std::max(longest, (lines[i].size() + Letters::kMost - 1) / Letters::kMost);
-    rows.y.push_back(bands[i].empty() ? 0 : bands[i].front()->origin.y);
+    rows.heights.push_back({bands[i].empty() ? 0 : bands[i].front()->origin.y, 0});
   }
   rows.codes = book.codes();
   if (SpreadAllInPairs(lines, book, width, layer.blocks, rows)) {

@@ -392,7 +392,8 @@ template <bool kInPairs, bool kOneProfile>
   return DisplacementAt(profile, layer.sign, InsideOf(profile, near), near.away);
 }
 [[gnu::noinline]] Sample SampleBook(const CompiledLayer& layer, glm::dvec2 p_P) noexcept {
-  return SampleRows<false, false>(layer, p_P);
+  return layer.profiles.size() == 1 ? SampleRows<false, true>(layer, p_P)
+                                    : SampleRows<false, false>(layer, p_P);
 }
 
 /// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
