@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <random>
@@ -18,6 +19,24 @@ constexpr Profile kProfile{1e-3, 0.3e-3, 0.2e-3};
 /// Places of a few millimetres are exact to 1e-18 m, what is derived from them to some of those;
 /// a cap may lie 1e-16 m beside the spine that stands for it.
 constexpr double kRounding = 2e-16;
+
+/// Rows of points over the letter, many at once: bit for bit what one by one gives.
+void ExpectTheSameAtOnce(const TextureField& field, const Box& box) {
+  std::vector<glm::dvec2> points;
+  for (double y = box.min.y; y < box.max.y; y += 0.13e-3) {
+    for (double x = box.min.x; x < box.max.x; x += 0.03e-3) {
+      points.push_back(glm::dvec2(0.031, 0.02) + glm::dvec2(x, y));
+    }
+  }
+  std::vector<Sample> samples(points.size());
+  field.SamplesAt(points, samples);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Sample one = field.SampleAt(points[i]);
+    const bool same = std::memcmp(&one, &samples[i], sizeof one) == 0;
+    EXPECT_TRUE(same) << points[i].x << " " << points[i].y;
+    if (!same) return;
+  }
+}
 
 /// Compares field and tree all over a letter of these elements; returns how many points felt
 /// something.
@@ -42,6 +61,7 @@ int ExpectTheTree(std::vector<Element> elements, Relief relief, std::uint64_t se
     if (!equal) return felt;
     felt += tree.displacement != 0 ? 1 : 0;
   }
+  ExpectTheSameAtOnce(field, box);
   return felt;
 }
 
@@ -133,6 +153,31 @@ TEST(FieldCells, StrokesWithCapsAndJointsEqualTheTree) {
     }
     EXPECT_GT(ExpectTheTree(elements, Relief::kEngraved, letter), 2000) << letter;
   }
+}
+
+TEST(FieldCells, LinesCappedAtOneEndOrBothEqualTheTree) {
+  // from shorter than a cell to longer than the groove is wide
+  std::uint64_t seed = 0;
+  for (const double length : {0.02e-3, 0.2e-3, 0.6e-3, 3e-3}) {
+    const Line line{{0.1e-3, -0.2e-3}, {0.1e-3 + 0.8 * length, -0.2e-3 + 0.6 * length}};
+    const Element bar{line, kProfile}, first{Dot{line.from}, kProfile},
+        last{Dot{line.to}, kProfile};
+    const Element other{Dot{line.to + glm::dvec2(0.9e-3, 0.1e-3)}, kProfile};
+    for (const Relief relief : {Relief::kEngraved, Relief::kEmbossed}) {
+      EXPECT_GT(ExpectTheTree({first, bar}, relief, ++seed), 2000) << length;
+      EXPECT_GT(ExpectTheTree({bar, last}, relief, ++seed), 2000) << length;
+      EXPECT_GT(ExpectTheTree({first, bar, last}, relief, ++seed), 2000) << length;
+      EXPECT_GT(ExpectTheTree({other, bar, last}, relief, ++seed), 2000) << length;
+    }
+  }
+}
+
+TEST(FieldCells, ACapOfAnotherWidthEqualsTheTree) {
+  const Profile wide{1.3e-3, 0.3e-3, 0.2e-3};
+  const Line line{{0, 0}, {2e-3, 0.5e-3}};
+  const Element bar{line, kProfile}, cap{Dot{line.to}, wide}, own{Dot{line.to}, kProfile};
+  EXPECT_GT(ExpectTheTree({bar, cap}, Relief::kEngraved, 1), 2000);
+  EXPECT_GT(ExpectTheTree({own, bar, cap}, Relief::kEmbossed, 2), 2000);
 }
 
 TEST(FieldCells, AHairInAGroupOfAKilometreEqualsTheTree) {

@@ -189,7 +189,7 @@ TEST(TwoSizes, AreKeptAsRowsOfTheCompiledField) {
   const TextureField::CompiledLayer layer =
       CompileLayer(BuildTexture(set.pages[0], moon, style).layers.at(0));
   EXPECT_GT(layer.rows.length, 0U);
-  EXPECT_EQ(layer.rows.y.size(), 6U);
+  EXPECT_EQ(layer.rows.heights.size(), 6U);
   EXPECT_GT(layer.rows.of_band.size(), 6U);
 }
 
