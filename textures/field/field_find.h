@@ -33,14 +33,15 @@ inline Steps StepsOf(const TextureField::CompiledLayer& layer, glm::dvec2 p) noe
 struct CellPlace {
   std::uint32_t column = 0, row = 0;
 };
+/// The number of a cell so many steps from the grid's edge; below zero they become many.
+template <class Unsigned>
+inline std::uint32_t CellNumber(Unsigned steps, std::uint8_t shift, std::uint32_t count) noexcept {
+  return static_cast<std::uint32_t>(std::min<Unsigned>(steps >> shift, count - 1));
+}
 inline CellPlace PlaceOf(const CellGrid& grid, Steps at) noexcept {
-  const auto cell = [](std::int64_t steps, std::uint8_t shift, std::uint32_t count) {
-    // below zero becomes large
-    const auto number = static_cast<std::uint64_t>(steps) >> shift;
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(number, count - 1));
-  };
-  return {cell(at.x + grid.left, grid.column_shift, grid.columns),
-          cell(at.y + grid.below, grid.row_shift, grid.rows)};
+  const auto x = static_cast<std::uint64_t>(at.x + grid.left);
+  const auto y = static_cast<std::uint64_t>(at.y + grid.below);
+  return {CellNumber(x, grid.column_shift, grid.columns), CellNumber(y, grid.row_shift, grid.rows)};
 }
 inline Cell CellAt(const TextureField::CompiledLayer& layer, const Block& block,
                    CellPlace place) noexcept {
@@ -102,9 +103,10 @@ inline std::int64_t StepsUp(const TextureField::CompiledLayer& layer, double y) 
   return static_cast<std::int64_t>((y - layer.origin.y) * layer.steps_per_m);
 }
 
-/// All bits where what begins at a place has begun, else none [steps].
-inline std::uint64_t MaskIfBegun(std::int32_t begin, std::int32_t here) noexcept {
-  return static_cast<std::uint64_t>((std::int64_t{begin} - here - 1) >> 63);
+/// All bits where what begins at a place has begun, else none. `after` is a step after here
+/// [steps].
+inline std::int32_t MaskIfBegun(std::int32_t begin, std::int32_t after) noexcept {
+  return (begin - after) >> 31;
 }
 
 /// The last of a page's letters in a row that begins at or before the point: at most one is met.
@@ -116,13 +118,13 @@ inline FoundLetter FindInPairs(const TextureField::CompiledLayer& layer, std::ui
   const std::int32_t here = StepsAlong(layer, p.x);
   // without a branch, which at random points would be mispredicted
   const std::int32_t second = pair.first() + pair.step();
-  const std::uint64_t begun = MaskIfBegun(second, here);
-  const std::int32_t place = pair.first() + (pair.step() & static_cast<std::int32_t>(begun));
+  const std::int32_t begun = MaskIfBegun(second, here + 1);
+  const std::int32_t place = pair.first() + (pair.step() & begun);
   return {pair.block(begun),
           {rows.first_x + static_cast<double>(place) * rows.step, rows.heights[row].y},
           place,
           row,
-          second | (Letters::kFar & static_cast<std::int32_t>(begun))};
+          second | (Letters::kFar & begun)};
 }
 
 /// The same in a book.
@@ -136,15 +138,16 @@ inline FoundLetter FindInSlots(const TextureField::CompiledLayer& layer, std::ui
   // without a branch: what has begun, one after the other, is put in place of what stands before it
   Letters letters = slot[0];
   for (std::uint32_t i = 1; i <= Rows::kWindow; ++i) {
-    letters.bits ^= (slot[i - 1].bits ^ slot[i].bits) & MaskIfBegun(slot[i].first(), here);
+    const std::int64_t begun = MaskIfBegun(slot[i].first(), here + 1);
+    letters.bits ^= (slot[i - 1].bits ^ slot[i].bits) & static_cast<std::uint64_t>(begun);
   }
   std::int32_t place = letters.first(), next = place;
   Code code = rows.codes[letters.code(0)], before = code;
   for (std::uint32_t i = 1; i < Letters::kMost; ++i) {
     const Code after = rows.codes[letters.code(i)];
     next += before.step();
-    const std::uint64_t begun = MaskIfBegun(next, here);
-    code.bits ^= (before.bits ^ after.bits) & begun;
+    const std::int64_t begun = MaskIfBegun(next, here + 1);
+    code.bits ^= (before.bits ^ after.bits) & static_cast<std::uint64_t>(begun);
     place += before.step() & static_cast<std::int32_t>(begun);
     before = after;
   }
@@ -158,9 +161,12 @@ inline FoundLetter FindInSlots(const TextureField::CompiledLayer& layer, std::ui
 /// The cell of a layer in rows where a point meets a letter.
 inline CellPlace PlaceOf(const TextureField::CompiledLayer& layer, const FoundLetter& letter,
                          glm::dvec2 p) noexcept {
-  const Rows& rows = layer.rows;
-  return PlaceOf(rows.grid, {StepsAlong(layer, p.x) - letter.place,
-                             StepsUp(layer, p.y) - rows.heights[letter.row].steps});
+  const CellGrid& grid = layer.rows.grid;
+  // what the letter has no part in is added first
+  const auto x = static_cast<std::uint32_t>((StepsAlong(layer, p.x) + grid.left) - letter.place);
+  const auto y = static_cast<std::uint64_t>(StepsUp(layer, p.y) + grid.below -
+                                            layer.rows.heights[letter.row].steps);
+  return {CellNumber(x, grid.column_shift, grid.columns), CellNumber(y, grid.row_shift, grid.rows)};
 }
 inline Cell CellOf(const TextureField::CompiledLayer& layer, const FoundLetter& letter,
                    glm::dvec2 p) noexcept {

@@ -153,7 +153,7 @@ struct LetterPair {
   std::int32_t first() const noexcept { return static_cast<std::int32_t>(bits & 0xff'ffffu); }
   std::int32_t step() const noexcept { return static_cast<std::int32_t>(bits >> 24 & 0xffffu); }
   /// Of the second where all bits of the mask are set, of the first where none is.
-  std::uint32_t block(std::uint64_t second) const noexcept {
+  std::uint32_t block(std::int32_t second) const noexcept {
     return static_cast<std::uint32_t>(bits >> (40 + (second & 12)) & 0xfffu);
   }
 };

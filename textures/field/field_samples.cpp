@@ -255,14 +255,10 @@ class RowLayer {
     std::uint32_t first = place.column, end = first + 1;
     while (end < grid.columns && row[end].code == cell.code) ++end;
     while (first > 0 && row[first - 1].code == cell.code) --first;
-    const glm::dvec2 size(1u << grid.column_shift, 1u << grid.row_shift);
-    const glm::dvec2 origin(grid.left, grid.below), lead(layer_.lead, 0.0);
     // where counting in steps decides nothing
-    const glm::dvec2 from = size * glm::dvec2(first, place.row) - origin + kStepsWrong;
-    const glm::dvec2 to = size * glm::dvec2(end, place.row + 1) - origin - kStepsWrong;
-    return {
-        cell,
-        {glm::max(from * step_ + lead, of_letter.min), glm::min(to * step_ + lead, of_letter.max)}};
+    const glm::dvec2 from = grid_begin_ + cell_size_ * glm::dvec2(first, place.row) + wrong_;
+    const glm::dvec2 to = grid_begin_ + cell_size_ * glm::dvec2(end, place.row + 1) - wrong_;
+    return {cell, {glm::max(from, of_letter.min), glm::min(to, of_letter.max)}};
   }
 
   /// The same for the cells that hold the same as the i-th point's, as long as the points stay
@@ -323,6 +319,12 @@ class RowLayer {
   const Arrays arrays_;
   double band_height_ = 1 / layer_.bands_per_m;  ///< [m]
   double step_ = 1 / layer_.steps_per_m;         ///< [m]
+  double wrong_ = kStepsWrong * step_;           ///< [m]
+  /// Of a letter's cells, from its origin [m].
+  glm::dvec2 grid_begin_ = glm::dvec2(layer_.lead, 0.0) -
+                           step_ * glm::dvec2(layer_.rows.grid.left, layer_.rows.grid.below);
+  glm::dvec2 cell_size_ = step_ * glm::dvec2(1u << layer_.rows.grid.column_shift,
+                                             1u << layer_.rows.grid.row_shift);  ///< [m]
   Run run_;
 };
 
