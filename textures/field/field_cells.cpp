@@ -197,9 +197,8 @@ std::vector<std::uint16_t> RimsAt(const FillRims& fill, const FlatElement* eleme
 }
 
 /// The number in the block of the capped line that stands for all that can matter in a cell, or 0.
-std::uint16_t CappedAt(const std::vector<CappedLine>& lines, std::uint16_t first,
-                       const Group& group, const std::vector<std::uint16_t>& items,
-                       glm::dvec2 middle, double reach) {
+std::size_t CappedAt(const std::vector<CappedLine>& lines, std::size_t first, const Group& group,
+                     const std::vector<std::uint16_t>& items, glm::dvec2 middle, double reach) {
   const auto holds = [&items](std::uint16_t i) {
     return std::find(items.begin(), items.end(), i) != items.end();
   };
@@ -216,7 +215,7 @@ std::uint16_t CappedAt(const std::vector<CappedLine>& lines, std::uint16_t first
     const double along = glm::dot(middle - line.from, line.to - line.from) / length;
     const bool at_start = capped.caps[0] != CappedLine::kNone || along >= reach;
     const bool at_end = capped.caps[1] != CappedLine::kNone || along <= length - reach;
-    if (at_start && at_end) return static_cast<std::uint16_t>(first + k);
+    if (at_start && at_end) return first + k;
   }
   return 0;
 }
@@ -239,13 +238,10 @@ class ItemFinder {
         elements_(&layer.elements[block.first_element]),
         fills_(RimsOf(group)),
         capped_(CappedLines(group)) {
-    std::size_t before = group.elements.size();
-    for (const FillRims& fill : fills_) {
-      before +=
-          static_cast<std::size_t>(std::count_if(fill.numbers.begin(), fill.numbers.end(),
-                                                 [](std::uint16_t number) { return number != 0; }));
-    }
-    first_capped_ = static_cast<std::uint16_t>(before + 1);
+    // behind the group's own elements and the rims of its fills
+    std::size_t number = 1 + group.elements.size();
+    while (!capped_.empty() && elements_[number].kind != FlatKind::kCapped) ++number;
+    first_capped_ = number;
     for (const Element& element : group.elements) bounds_.push_back(BoundsOf(element));
     blends_ = layer.block_blends[static_cast<std::size_t>(&block - layer.blocks.data())] > 0;
   }
@@ -305,7 +301,7 @@ class ItemFinder {
   const FlatElement* elements_;  ///< the block's, of which the first is none
   std::vector<FillRims> fills_;
   std::vector<CappedLine> capped_;
-  std::uint16_t first_capped_ = 0;  ///< number of the first one's element in the block
+  std::size_t first_capped_ = 0;  ///< number of the first one's element in the block
   std::vector<Box> bounds_;
   bool blends_ = false;
 };
@@ -335,8 +331,6 @@ Cell MakeCell(const CellItems& items, const Block& block, CompiledLayer& layer) 
   layer.lists.push_back(list);
   return {static_cast<std::uint16_t>(number | Cell::kListed)};
 }
-
-constexpr double kCellShare = 0.5;
 
 double FinestWidth(const Group& group) {
   double finest = std::numeric_limits<double>::infinity();
@@ -370,11 +364,11 @@ struct GridWish {
   double cell = std::numeric_limits<double>::infinity();  ///< side of a cell [m]
 };
 GridWish WishOf(const Group& group, const Block& block) {
-  // cells of a third of the finest groove: most of them then hold one element or none; coarser for
-  // what is not a letter of the plain page: links are many and stand mostly alone
+  // cells of a quarter to half of the finest groove: most of them then hold one element or none;
+  // coarser for what is not a letter of the plain page: links are many and stand mostly alone
   const bool fades = std::any_of(group.elements.begin(), group.elements.end(),
                                  [](const Element& element) { return !element.fade.IsNone(); });
-  return {block.box, (fades ? 1.0 : kCellShare) * FinestWidth(group)};
+  return {block.box, (fades ? 1.0 : 0.5) * FinestWidth(group)};
 }
 void Include(GridWish& wish, const GridWish& other) {
   Include(wish.box, other.box);

@@ -30,7 +30,7 @@ struct Run {
   alignas(64) std::array<double, kMost> height, slope_x, slope_y;
 };
 
-/// As NearestOf and FromSpine of the single query, in the same order of operations.
+/// As NearestOf and DisplacementAt of the single query, in the same order of operations.
 MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& profile, double sign,
                              Run& run) noexcept {
   // whole vectors only, so that no rest is left to be worked out one by one
