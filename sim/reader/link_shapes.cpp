@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 namespace moontrace {
 
@@ -49,21 +48,25 @@ LinkShapes::Link::Table::Table(const std::vector<glm::dvec2>& points) {
   const glm::ivec2 count(glm::ceil((most + kFarthest - corner) * kPerEm));
   columns = count.x;
   rows = count.y;
-  cells.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 255);
+  const auto width = static_cast<std::size_t>(columns);
+  // squared, since the square root of each cell of each point would take most of the time
+  std::vector<double> least_squares(width * static_cast<std::size_t>(rows), kFarthest * kFarthest);
   for (const glm::dvec2& p : points) {
     const glm::ivec2 from = glm::max(glm::ivec2((p - kFarthest - corner) * kPerEm), 0);
     const glm::ivec2 to =
         glm::min(glm::ivec2((p + kFarthest - corner) * kPerEm), count - glm::ivec2(1));
     for (int row = from.y; row <= to.y; ++row) {
+      double* const of_row = least_squares.data() + static_cast<std::size_t>(row) * width;
+      const double y = corner.y + (row + 0.5) / kPerEm - p.y;
       for (int column = from.x; column <= to.x; ++column) {
-        const glm::dvec2 middle = corner + glm::dvec2(column + 0.5, row + 0.5) / kPerEm;
-        const double far = std::min(kFarthest, glm::distance(middle, p));
-        std::uint8_t& cell =
-            cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                  static_cast<std::size_t>(column)];
-        cell = std::min(cell, static_cast<std::uint8_t>(std::lround(far / kUnit)));
+        const double x = corner.x + (column + 0.5) / kPerEm - p.x;
+        of_row[column] = std::min(of_row[column], x * x + y * y);
       }
     }
+  }
+  cells.reserve(least_squares.size());
+  for (const double square : least_squares) {
+    cells.push_back(static_cast<std::uint8_t>(std::lround(std::sqrt(square) / kUnit)));
   }
 }
 
