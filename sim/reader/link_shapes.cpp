@@ -49,14 +49,14 @@ LinkShapes::Link::Table::Table(const std::vector<glm::dvec2>& points) {
   columns = count.x;
   rows = count.y;
   const auto width = static_cast<std::size_t>(columns);
-  // squared, since the square root of each cell of each point would take most of the time
-  std::vector<double> least_squares(width * static_cast<std::size_t>(rows), kFarthest * kFarthest);
+  // of the least distances, since square roots for each point would take most of the time
+  std::vector<double> squares(width * static_cast<std::size_t>(rows), kFarthest * kFarthest);
   for (const glm::dvec2& p : points) {
     const glm::ivec2 from = glm::max(glm::ivec2((p - kFarthest - corner) * kPerEm), 0);
     const glm::ivec2 to =
         glm::min(glm::ivec2((p + kFarthest - corner) * kPerEm), count - glm::ivec2(1));
     for (int row = from.y; row <= to.y; ++row) {
-      double* const of_row = least_squares.data() + static_cast<std::size_t>(row) * width;
+      double* const of_row = squares.data() + static_cast<std::size_t>(row) * width;
       const double y = corner.y + (row + 0.5) / kPerEm - p.y;
       for (int column = from.x; column <= to.x; ++column) {
         const double x = corner.x + (column + 0.5) / kPerEm - p.x;
@@ -64,8 +64,8 @@ LinkShapes::Link::Table::Table(const std::vector<glm::dvec2>& points) {
       }
     }
   }
-  cells.reserve(least_squares.size());
-  for (const double square : least_squares) {
+  cells.reserve(squares.size());
+  for (const double square : squares) {
     cells.push_back(static_cast<std::uint8_t>(std::lround(std::sqrt(square) / kUnit)));
   }
 }
