@@ -35,6 +35,18 @@ function(moontrace_room room)
     add_library(moontrace_${room} STATIC ${sources})
     target_include_directories(moontrace_${room} PUBLIC ${PROJECT_SOURCE_DIR})
     target_link_libraries(moontrace_${room} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} moontrace_flags)
+    # Of an inline function that stands in several objects the linker takes the first. In a program that
+    # is not optimised itself (the tests) that must be the room's, or rooms run at a quarter of their speed.
+    target_link_options(moontrace_${room} INTERFACE
+      $<$<BOOL:$<TARGET_PROPERTY:MOONTRACE_ROOMS_FIRST>>:LINKER:--whole-archive,$<TARGET_FILE:moontrace_${room}>,--no-whole-archive>)
+    # What most sources include is read once, where that pays: Clang compiles a source in a third less
+    # time, GCC in hardly less. A missing #include is found by the builds without.
+    list(LENGTH sources number)
+    if(MOONTRACE_SANITIZE AND number GREATER 4)
+      target_precompile_headers(moontrace_${room} PRIVATE <algorithm> <array> <atomic> <cmath> <functional> <map>
+        <memory> <optional> <set> <span> <sstream> <string> <unordered_map> <variant> <vector>
+        <glm/geometric.hpp> <glm/vec2.hpp> <glm/vec3.hpp>)
+    endif()
   else()  # headers only
     add_library(moontrace_${room} INTERFACE)
     target_include_directories(moontrace_${room} INTERFACE ${PROJECT_SOURCE_DIR})
