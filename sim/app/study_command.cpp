@@ -244,6 +244,12 @@ int Merge(const StudyOptions& options, Console& console) {
   if (options.threads) throw UsageError(say::OnlyForStudies("--threads"));
   if (!options.shard.empty()) throw UsageError(say::OnlyForStudies("--shard"));
   const std::vector<std::string> files(options.words.begin() + 1, options.words.end());
+  for (const std::string& file : files) {
+    std::error_code none;
+    if (std::filesystem::equivalent(file, options.path, none)) {
+      throw UsageError(say::MergeIntoItself(options.path));
+    }
+  }
   const std::vector<StudyRow> rows = MergeStudies(files);
   CheckPicture(options, !rows.empty() && rows.front().page);
   WriteWhole(options.path, StudyText(rows));

@@ -26,6 +26,10 @@ std::string TooManyStudies(std::string_view first) {
 
 std::string NothingToMerge() { return "no files to merge: name those that the shards wrote"; }
 
+std::string MergeIntoItself(std::string_view path) {
+  return fmt::format("--output {} is one of the files to merge: name another", Quoted(path));
+}
+
 std::string MergeNeedsOutput() { return "merge needs --output FILE for the rows of all shards"; }
 
 std::string OnlyForStudies(std::string_view option) {
@@ -52,7 +56,7 @@ std::string StudyGoesOn(std::string_view path) {
 }
 
 std::string StudyIsAShare(std::string_view shard) {
-  return fmt::format("This is share {} of the learners: compare once all shares are merged.",
+  return fmt::format("This is share {} of the study: compare once all shares are merged.",
                      OneLine(shard, 20));
 }
 

@@ -18,6 +18,7 @@ std::string NoSuchStudy(std::string_view given, const std::vector<std::string>& 
                         std::string_view nearest);
 std::string TooManyStudies(std::string_view first);
 std::string NothingToMerge();
+std::string MergeIntoItself(std::string_view path);
 std::string MergeNeedsOutput();
 std::string OnlyForStudies(std::string_view option);
 std::string WholeThreads();

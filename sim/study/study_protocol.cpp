@@ -20,9 +20,10 @@ constexpr int kMostTrials = 10000;
 constexpr int kMostLearners = 100000;  ///< of all conditions together
 constexpr std::size_t kMostNames = 1000;
 
-int Count(const TomlTable& table, const char* key, std::int64_t otherwise, int most) {
+int Count(const TomlTable& table, const char* key, std::int64_t otherwise, int most,
+          int least = 0) {
   const auto value = static_cast<double>(table.Integer(key, otherwise));
-  return static_cast<int>(InRange(table, key, value, 0, most));
+  return static_cast<int>(InRange(table, key, value, least, most));
 }
 
 std::vector<std::string> Letters(const TomlTable& table, const char* key) {
@@ -161,8 +162,7 @@ void AddTraining(std::vector<StudyTrial>& trials, const StudyProtocol& protocol,
 /// Pages in place of learners, combinations in place of conditions.
 void ReadReading(const TomlTable& root, StudyProtocol& protocol) {
   const TomlTable table = root.Table("reading");
-  protocol.learners = static_cast<int>(
-      InRange(table, "pages", Count(table, "pages", 20, kMostLearners), 1, kMostLearners));
+  protocol.learners = Count(table, "pages", 20, kMostLearners, 1);
   protocol.reading = ReadSweep(table);
   std::set<std::string> names;
   for (const ReadingCell& cell : protocol.reading->cells) {

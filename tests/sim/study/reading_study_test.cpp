@@ -55,7 +55,9 @@ TEST(ReadingSweep, RefusesWhatCannotBeRead) {
   EXPECT_NE(ErrorOf("size_mm = []").find("give 1 to"), std::string::npos);
   EXPECT_NE(ErrorOf("size_mm = [1000.0]"), "");
   EXPECT_NE(ErrorOf("size_mm = [nan]"), "");
-  EXPECT_NE(ErrorOf("pages = 0"), "");
+  for (const char* pages : {"pages = 0", "pages = -1"}) {
+    EXPECT_NE(ErrorOf(pages).find("give 1 to"), std::string::npos) << pages;
+  }
   std::string many = "[0.0";
   for (int i = 1; i < 100; ++i) many += ", " + std::to_string(0.01 * i);
   many += "]";

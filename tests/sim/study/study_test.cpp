@@ -233,8 +233,17 @@ TEST_F(Study, ComparesNothingInAShare) {
   const Outcome share =
       RunLine({"study", Path("small.toml"), "--shard", "1/2", "--output", Path("share.csv")});
   EXPECT_EQ(share.code, 0) << share.err;
-  EXPECT_NE(share.out.find("This is share 1/2 of the learners"), std::string::npos) << share.out;
+  EXPECT_NE(share.out.find("This is share 1/2 of the study"), std::string::npos) << share.out;
   EXPECT_EQ(share.out.find("least first"), std::string::npos) << share.out;
+}
+
+TEST_F(Study, MergesIntoNoneOfItsFiles) {
+  ASSERT_EQ(RunLine({"study", Path("small.toml"), "--output", Path("a.csv")}).code, 0);
+  const std::string before = ReadAll(Path("a.csv"));
+  const Outcome refused = RunLine({"study", "merge", Path("a.csv"), "--output", Path("./a.csv")});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("is one of the files to merge"), std::string::npos) << refused.err;
+  EXPECT_EQ(ReadAll(Path("a.csv")), before);
 }
 
 TEST_F(Study, RefusesWhatItCannotUse) {
