@@ -6,6 +6,7 @@
 #include "sim/picture/picture_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/writing_messages.h"
+#include "sim/trial/metrics_json.h"
 #include "textures/base/text_file.h"
 #include "textures/typeset/character_name.h"
 
@@ -53,7 +54,7 @@ std::string CannotWriteOutput() {
   return "standard output: cannot be written; check the room on its disk";
 }
 
-std::string Stopped() { return "Stopped, as you asked. Nothing is left half done."; }
+std::string Stopped() { return "Stopped, as you asked. No file is left half written."; }
 
 std::string Failed(std::string_view cause) { return fmt::format("failed: {}", cause); }
 
@@ -118,6 +119,10 @@ std::string WorstError(const TraceMetrics& total) {
   return fmt::format("Worst error: {} mm.", Short(kMillimetres * total.max_error, 2));
 }
 
+std::string FollowedNothing() {
+  return "No error to tell: no stroke was followed. Press less, or make the letters larger.";
+}
+
 std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style, bool blank) {
   const std::string left = blank ? fmt::format("where a {} would be", ReliefWord(style))
                                  : fmt::format("the {}", ReliefWord(style));
@@ -142,7 +147,7 @@ std::string ForceBound(const TrialResult& all) {
 
 /// Rounded down: what is promised holds.
 std::string CarriedPress(double carried) {
-  return fmt::format("Carried press: {} N; pressed harder, the tip goes through the paper.",
+  return fmt::format("Carried press: {} N; pressed harder, the tip may go through the paper.",
                      Short(std::floor(100 * carried) / 100, 2));
 }
 
@@ -345,6 +350,8 @@ std::string TracePictureTitle(std::string_view script, const TypeStyle& style, b
 
 std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
   if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(text));
+  if (FollowedNothing(total))
+    return fmt::format("Text: {}. No stroke was followed.", OneLine(text));
   return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(text),
                      Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
                      Times(total.excursions));

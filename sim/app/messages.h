@@ -47,6 +47,7 @@ std::string RecordIn();
 std::string TraceOutcome(const TrialResult& all, std::size_t letters, bool blank);
 std::string MeanError(const TraceMetrics& total, const TypeStyle& style, bool blank);
 std::string WorstError(const TraceMetrics& total);
+std::string FollowedNothing();
 std::string LeftGroove(const TraceMetrics& total, const TypeStyle& style, bool blank);
 std::string Force(const TraceMetrics& total);
 std::string ForceBound(const TrialResult& all);

@@ -119,9 +119,13 @@ void SayResult(const Json& result, const TrialParameters& parameters, std::size_
     console.Result(say::NeverTouched(told.duration));
   } else {
     console.Result(say::TraceOutcome(told, letters, blank));
-    console.Result(say::MeanError(total, parameters.style, blank));
-    console.Result(say::WorstError(total));
-    console.Result(say::LeftGroove(total, parameters.style, blank));
+    if (NumberOf(result, "mean_error_mm")) {
+      console.Result(say::MeanError(total, parameters.style, blank));
+      console.Result(say::WorstError(total));
+      console.Result(say::LeftGroove(total, parameters.style, blank));
+    } else {
+      console.Result(say::FollowedNothing());
+    }
   }
   console.Result(say::Force(total));
   if (parameters.guidance.on()) {

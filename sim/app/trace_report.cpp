@@ -78,10 +78,14 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
   } else {
     console.Result(say::TraceOutcome(all, CountSigns(trace.text.set), trace.blank));
     if (all.through > 0) console.Result(say::Through(all));
-    console.Result(say::MeanError(total, style, trace.blank));
-    console.Result(say::WorstError(total));
-    console.Result(say::LeftGroove(total, style, trace.blank));
-    SayWeakest(trace, console);
+    if (FollowedNothing(total)) {
+      console.Result(say::FollowedNothing());
+    } else {
+      console.Result(say::MeanError(total, style, trace.blank));
+      console.Result(say::WorstError(total));
+      console.Result(say::LeftGroove(total, style, trace.blank));
+      SayWeakest(trace, console);
+    }
   }
   if (style.links.reach != LinkReach::kNone) {
     const LinkCounts links = CountLinks(trace.text.set, trace.text.script);

@@ -36,7 +36,7 @@ void AddSmoothness(Json& json, const Smoothness& smoothness) {
   json["speed_peaks"] = smoothness.peaks;
 }
 
-/// A tip that never touched made no errors either: that must not read as a perfect trace.
+/// A tip that followed nothing made no errors either: that must not read as a perfect trace.
 void ForgetErrors(Json& json) {
   for (const char* key :
        {"mean_error_mm", "rms_error_mm", "max_error_mm", "excursions", "entry_error_mm", "bias_mm",
@@ -64,7 +64,7 @@ Json MetricsJson(const TraceMetrics& metrics) {
   json["entry_error_mm"] = 1e3 * metrics.entry_error;
   AddConduct(json, metrics);
   AddSmoothness(json, metrics.smoothness);
-  if (NeverTouched(metrics)) ForgetErrors(json);
+  if (FollowedNothing(metrics)) ForgetErrors(json);
   return json;
 }
 

@@ -73,10 +73,10 @@ moontrace_trace_facts FactsOf(const TraceValue& trace) {
   given.duration = result.duration;
   given.coverage = total.coverage;
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const bool touched = !NeverTouched(total);
-  given.mean_error = touched ? total.mean_error : none;
-  given.rms_error = touched ? total.rms_error : none;
-  given.max_error = touched ? total.max_error : none;
+  const bool followed = !FollowedNothing(total);
+  given.mean_error = followed ? total.mean_error : none;
+  given.rms_error = followed ? total.rms_error : none;
+  given.max_error = followed ? total.max_error : none;
   given.mean_force = total.mean_force;
   given.peak_force = total.peak_force;
   given.mean_speed = total.mean_speed;

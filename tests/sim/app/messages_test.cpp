@@ -35,7 +35,7 @@ TEST(Messages, TellFiguresOfTheBenchWithoutExponents) {
 }
 
 TEST(Messages, SayOfAStopAndOfAStudyWhatAnybodyUnderstands) {
-  EXPECT_EQ(say::Stopped(), "Stopped, as you asked. Nothing is left half done.");
+  EXPECT_EQ(say::Stopped(), "Stopped, as you asked. No file is left half written.");
   EXPECT_NE(say::StudyProves().find("not how people learn"), std::string::npos);
 }
 

@@ -135,6 +135,26 @@ TEST_F(TraceCommand, BlankPageTellsOfNoGroove) {
   ExpectTextFace(outcome.out);
 }
 
+// Six times the press that the paper carries: each landing goes through, and zero for an error that
+// nobody measured would read as perfect.
+TEST_F(TraceCommand, TellsNoErrorWhereItFollowedNothing) {
+  const nlohmann::json json = TraceJson({"--press-n", "20"}, "L");
+  EXPECT_GT(json["total"]["through"], 0);
+  EXPECT_EQ(json["total"]["coverage"], 0);
+  EXPECT_GT(json["total"]["contact_share"], 0);
+  for (const char* key : {"mean_error_mm", "max_error_mm", "hausdorff_mm", "excursions"}) {
+    EXPECT_TRUE(json["total"][key].is_null()) << key;
+  }
+  const Outcome outcome = RunLine(
+      {"trace", "L", "--press-n", "20", "--picture", In("l.svg"), "--record", In("record")});
+  EXPECT_NE(outcome.out.find("no stroke was followed"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Mean error"), std::string::npos) << outcome.out;
+  EXPECT_NE(ReadAll(folder_ / "l.svg").find("No stroke was followed"), std::string::npos);
+  ExpectTextFace(outcome.out);
+  const Outcome replay = RunLine({"replay", In("record")});
+  EXPECT_EQ(replay.out.find("Mean error"), std::string::npos) << replay.out;
+}
+
 TEST_F(TraceCommand, SameSeedSameNumbersOtherSeedOthers) {
   const nlohmann::json one = Exact(TraceJson({"--seed", "1"}, "L"));
   EXPECT_EQ(one, Exact(TraceJson({"--seed", "1"}, "L")));
