@@ -243,7 +243,7 @@ DeviceProfile FindProfile(const std::string& name, const std::string& profiles) 
     const std::string nearest = NearestName(name, names);
     throw InputError(fmt::format(
         "device profile '{}': there is none; {}", OneLine(name),
-        nearest.empty() ? fmt::format("name a file, or one of {}", fmt::join(names, ", "))
+        nearest.empty() ? fmt::format("name a .toml file, or one of {}", fmt::join(names, ", "))
                         : "did you mean " + nearest + "?"));
   } catch (const DeviceError& error) {
     throw InputError(error.what());

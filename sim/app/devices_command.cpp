@@ -112,7 +112,12 @@ int List(const DevicesOptions& options, Console& console) {
     for (const DeviceEntry& entry : entries) json["devices"].push_back(EntryJson(entry));
     json["profiles"] = Json::array();
     for (const DeviceProfile& profile : profiles) {
-      json["profiles"].push_back({{"name", profile.name}, {"title", profile.title}});
+      json["profiles"].push_back(
+          {{"name", profile.name},
+           {"title", profile.title},
+           {"smallest_letter_mm", OrNull(kMillimetres * SmallestLetter(profile))},
+           {"read_letter_mm",
+            profile.read_size > 0 ? Json(kMillimetres * profile.read_size) : Json()}});
     }
     console.Json(Dump(json));
     return exit_code::kGood;

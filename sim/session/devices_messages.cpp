@@ -50,7 +50,13 @@ std::string KnownProfiles(std::size_t count) {
 }
 
 std::string ProfileLine(const DeviceProfile& profile) {
-  return fmt::format("{}: {}.", profile.name, OneLine(profile.title));
+  std::string reads;
+  if (profile.read_size > 0) {
+    reads = fmt::format(", letters read from {} mm", Short(kMillimetres * profile.read_size, 1));
+  } else if (glm::any(profile.limits.pushes)) {
+    reads = ", no letters surely read";
+  }
+  return fmt::format("{}: {}{}.", profile.name, OneLine(profile.title), reads);
 }
 
 std::string NoHidapi() {

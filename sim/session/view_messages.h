@@ -49,7 +49,7 @@ inline constexpr const char* kFrames =
 inline constexpr const char* kContrast =
     "of the view: grooves black on white, strong colours for the rest.";
 inline constexpr const char* kPictureWidth =
-    "width of these pictures and of --picture in points; the height is 9/16 of it. Default 1280.";
+    "width of these pictures in points; the height is 9/16 of it. Default 1280.";
 inline constexpr const char* kCamera =
     "what of a model is looked at: a camera of its own, a label, geom or body, whole, or tip, "
     "which "

@@ -135,7 +135,7 @@ TEST(Catalogue, NamesTheNearestProfile) {
   };
   EXPECT_EQ(refusal("opnffboard"),
             "device profile 'opnffboard': there is none; did you mean openffboard?");
-  EXPECT_TRUE(Has(refusal("zzz"), "name a file, or one of generic-pid, "));
+  EXPECT_TRUE(Has(refusal("zzz"), "name a .toml file, or one of generic-pid, "));
 }
 
 TEST(Catalogue, RefusesAFolderWithoutProfiles) {

@@ -41,14 +41,18 @@ TEST(DevicesCommand, ListsTheKnownProfilesApartFromWhatIsPluggedIn) {
     const FakeHid fake(plugged);
     const Outcome outcome = RunLine({"devices"});
     EXPECT_TRUE(Has(outcome.out, "9 kinds are known, plugged in or not:\n")) << outcome.out;
-    EXPECT_TRUE(Has(outcome.out, "\nwoodenhaptics: WoodenHaptics arm.\n"));
-    EXPECT_TRUE(Has(outcome.out, "\nsidewinder-ff2: Microsoft SideWinder Force Feedback 2.\n"));
+    EXPECT_TRUE(Has(outcome.out, "\nwoodenhaptics: WoodenHaptics arm, letters read from 4 mm.\n"));
+    EXPECT_TRUE(Has(outcome.out,
+                    "\nsidewinder-ff2: Microsoft SideWinder Force Feedback 2, no letters surely "
+                    "read.\n"));
+    EXPECT_TRUE(Has(outcome.out, "\nspacemouse: 3Dconnexion puck.\n"));  // it gives no force
     ExpectTextFace(outcome.out);
     const auto json = RunLine({"devices", "--json"}).Json();
     EXPECT_EQ(json["devices"].size(), *plugged == 0 ? 0u : 1u);
     ASSERT_EQ(json["profiles"].size(), 9u);
     EXPECT_EQ(json["profiles"][2]["name"], "openffboard");
     EXPECT_EQ(json["profiles"][2]["title"], "OpenFFBoard joystick");
+    EXPECT_NEAR(json["profiles"][2]["read_letter_mm"], 12, 1e-9);
   }
 }
 
