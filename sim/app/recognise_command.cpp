@@ -118,7 +118,8 @@ void ReadPage(const RecogniseOptions& options, std::size_t page,
   setup.alive = [&console, done] { console.Alive(done); };
   ReadingResult result = RunReading(setup);
   if (result.through > 0) console.Remark(say::ReaderPressedThrough(page, result.through));
-  if (!result.ended) console.Remark(say::ReaderStopped(page));
+  const bool by_user = console.stop() != nullptr && *console.stop();
+  if (!result.ended && !by_user) console.Remark(say::ReaderStopped(page));
   reading.score += Compare(options.blank ? std::vector<int>() : MarksOf(set, text.script),
                            MarksOf(result.tokens, text.script));
   reading.duration += result.duration;
@@ -220,14 +221,14 @@ Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
 
 void SayLines(const std::string& text, Console& console) {
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) console.Result(line);
+  for (std::string line; std::getline(lines, line);) console.Result(say::Spoken(line));
 }
 
 void SayReading(const Reading& reading, Console& console) {
   const ReadingScore& score = reading.score;
   const std::string text = WholeText(reading);
   if (text.empty()) {
-    console.Result(say::NothingRead(reading.duration));
+    console.Result(say::NothingRead(reading.duration, score.signs));
   } else {
     console.Result(say::ReadingOutcome(score));
     console.Result(say::ReadingTime(score, reading.duration,
@@ -269,6 +270,25 @@ void AddOptions(CLI::App& app, RecogniseOptions& options) {
 
 namespace {
 
+/// Whether signs of a line stand so far apart that the reader takes the line for ended.
+bool HasWideGaps(const TextSetup& text) {
+  constexpr double kWide = 0.8;  // [em] beyond a space, as tried
+  const TypeStyle& style = text.set.style;
+  if (style.letter_gap + style.word_gap > kWide * style.size) return true;
+  std::istringstream lines(text.text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("  ") < line.find_last_not_of(' ') + 1) return true;
+  }
+  return false;
+}
+
+void SayWhatIsHard(const TextSetup& text, Console& console) {
+  if (HasWideGaps(text)) console.Remark(say::ReaderMissesWideGaps());
+  if (text.set.style.lines != LineDirection::kLeftToRight) {
+    console.Remark(say::ReaderGoesLeftToRight());
+  }
+}
+
 int ReadLabel(const RecogniseOptions& options, Console& console) {
   if (!options.picture.empty()) CheckPicturePath(options.picture);
   Reading reading;
@@ -278,6 +298,7 @@ int ReadLabel(const RecogniseOptions& options, Console& console) {
   reading.text =
       SetUpText({options.text, options.style, layout, options.feel, "recognise"}, console);
   SayReplacements(reading.text.set, [&console](const std::string& line) { console.Remark(line); });
+  SayWhatIsHard(reading.text, console);
   const bool followed = IsFollowed(reading.text.set.style, reading.text.script);
   if (reading.device && !CanBeReadOn(reading.device->limits, followed)) {
     throw InputError(say::ReadsWhereLettersAreFelt(options.device, followed));

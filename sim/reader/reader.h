@@ -159,6 +159,7 @@ class Reader final : public PageReader {
   int falls_ = 0;             ///< off its face, on this way
   glm::dvec2 carried_{0, 0};  ///< where that carried it last [m]
   int restarts_ = 0, skips_ = 0;
+  int rounds_ = 0;                  ///< lines in a row that began no lower than the one before
   Box first_skipped_;               ///< round the first sign that was left for later
   std::size_t unknowns_ = 0;        ///< signs in a row
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign

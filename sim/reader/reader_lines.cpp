@@ -34,6 +34,8 @@ constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them sig
 constexpr double kDown = 0.2;     ///< each sweep between them; less than a dot's height
 constexpr int kMostSkips = 5;     ///< of what is the line above again
 constexpr double kLowered = 0.1;  ///< it is looked for so much lower then
+constexpr double kLower = 0.3;    ///< below a line another begins at least so much lower
+constexpr int kMostRounds = 3;    ///< of lines that do not: it goes round in what it has read
 constexpr double kDeepest = 4.0;  ///< the next line lies no deeper
 
 double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
@@ -415,7 +417,8 @@ void Reader::LeaveGap() {
       return;
     case AfterGap::kLineEnd:
       EndLine();
-      SearchNextLine();
+      if (rounds_ < kMostRounds) return SearchNextLine();
+      phase_ = Phase::kDone;
       return;
     case AfterGap::kLineBegin:
       BeginLine();
@@ -515,6 +518,10 @@ void Reader::EndLine() {
   tokens_.insert(tokens_.end(), line.begin(), line.end());
   tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
   line_starts_.push_back(StartOfLine());
+  const std::size_t lines = line_starts_.size();
+  const bool lower =
+      lines < 2 || Across(line_starts_[lines - 2], line_starts_.back().origin) < -kLower;
+  rounds_ = lower ? 0 : rounds_ + 1;
   line_.clear();
   skips_ = 0;
   skipped_ = Skipped::kUnknown;

@@ -35,8 +35,10 @@ std::string ReadingOutcome(const ReadingScore& score) {
                      score.missed, score.extra);
 }
 
-std::string NothingRead(double seconds) {
-  return fmt::format("Nothing was read: no sign felt in {} s.", Short(seconds, 1));
+std::string NothingRead(double seconds, std::size_t signs) {
+  const std::string missed =
+      signs > 0 ? fmt::format(" {} there.", Counted(signs, "sign lies", "signs lie")) : "";
+  return fmt::format("Nothing was read: no sign felt in {} s.{}", Short(seconds, 1), missed);
 }
 
 std::string ReadingTime(const ReadingScore& score, double seconds, double real_time_factor) {
@@ -66,6 +68,19 @@ std::string Confusions(const ReadingScore& score, const Script& script) {
 
 std::string AsRead() { return "As read, line by line:"; }
 
+std::string Spoken(std::string_view read) {
+  constexpr std::string_view kUnknown = "\xEF\xBF\xBD";
+  std::string spoken;
+  for (std::size_t from = 0; from < read.size();) {
+    const std::size_t at = read.find(kUnknown, from);
+    spoken += read.substr(from, at - from);
+    if (at == std::string_view::npos) break;
+    spoken += "(unknown)";
+    from = at + kUnknown.size();
+  }
+  return spoken;
+}
+
 std::string InPrint() { return "In print, line by line:"; }
 
 std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed) {
@@ -82,6 +97,14 @@ std::string ReaderPressedThrough(std::size_t page, std::size_t count) {
 
 std::string ReaderStopped(std::size_t page) {
   return fmt::format("Page {}: the reader found no end by itself and was stopped.", page + 1);
+}
+
+std::string ReaderMissesWideGaps() {
+  return "The text has gaps of more than a space: the reader may take one for the end of its line.";
+}
+
+std::string ReaderGoesLeftToRight() {
+  return "The reader goes along each line from left to right: of other lines it reads little.";
 }
 
 std::string Belief(std::string_view sign, double probability) {
@@ -116,7 +139,7 @@ std::string ReadingPictureTitle(const Script& script, const TypeStyle& style) {
 }
 
 std::string ReadingPictureWords(std::string_view text, std::string_view read) {
-  return fmt::format("Text: {}. Read: {}.", OneLine(text), OneLine(read));
+  return fmt::format("Text: {}. Read: {}.", OneLine(text), OneLine(Spoken(read)));
 }
 
 std::string ReadingPictureLegend(const TypeStyle& style, bool followed, bool blank) {

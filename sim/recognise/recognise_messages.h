@@ -13,18 +13,24 @@
 namespace moontrace::say {
 
 std::string ReadingOutcome(const ReadingScore& score);
-std::string NothingRead(double seconds);
+/// `signs`: that lay there.
+std::string NothingRead(double seconds, std::size_t signs);
 /// `seconds`: of the whole reading.
 std::string ReadingTime(const ReadingScore& score, double seconds, double real_time_factor);
 /// What stood there and what was read instead, the most frequent first; empty where there is none.
 std::string Confusions(const ReadingScore& score, const Script& script);
 std::string AsRead();
+/// What was read, for speech: what was felt and not known (U+FFFD) is called so.
+std::string Spoken(std::string_view read);
 /// Of Braille, behind the cells.
 std::string InPrint();
 /// The profile does not measure or push along the paper, or not up and down where signs are not
 /// followed.
 std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed);
 std::string ReaderStopped(std::size_t page);
+/// Beforehand, of pages on which the reader is known to get lost.
+std::string ReaderMissesWideGaps();
+std::string ReaderGoesLeftToRight();
 /// The tip went through the paper so often.
 std::string ReaderPressedThrough(std::size_t page, std::size_t count);
 

@@ -64,6 +64,9 @@ TEST_F(RecogniseCommand, ReadsNothingOnBlankPaper) {
   EXPECT_TRUE(json["seconds_per_sign"].is_null());
   const Outcome words = RunLine({"recognise", "so", "--blank"});
   EXPECT_EQ(Lines(words.out).front().substr(0, 17), "Nothing was read:");
+  EXPECT_EQ(words.out.find("there."), std::string::npos) << words.out;
+  const Outcome beside = RunLine({"recognise", "   so"});  // the hand is put left of it
+  EXPECT_NE(beside.out.find("s. 2 signs lie there.\n"), std::string::npos) << beside.out;
 }
 
 TEST_F(RecogniseCommand, DrawsItsPath) {
@@ -116,6 +119,34 @@ TEST_F(RecogniseCommand, TakesAnUnsureHand) {
   EXPECT_EQ(json["unsure_mm"], 0.2);
   EXPECT_NE(json["duration_s"], Recognised({})["duration_s"]);
   EXPECT_EQ(RunLine({"recognise", "so", "--unsure-mm", "-1"}).code, 2);
+}
+
+TEST_F(RecogniseCommand, SaysBeforehandWhereItGetsLost) {
+  EXPECT_EQ(RunLine({"recognise", "so we"}).err, "");
+  for (const char* text : {"so  we", "  so", "so\n   we"}) {
+    const Outcome outcome = RunLine({"recognise", text, "--blank"});
+    EXPECT_NE(outcome.err.find("gaps of more than a space"), std::string::npos) << text;
+  }
+  const Outcome wide = RunLine({"recognise", "so we", "--word-gap-mm", "12", "--blank"});
+  EXPECT_NE(wide.err.find("gaps of more than a space"), std::string::npos) << wide.err;
+}
+
+// Every second line runs the other way, and signs span two lines: it took these for the beginning
+// of the line that it had read, and read it for four hours.
+TEST_F(RecogniseCommand, GoesRoundInNoLine) {
+  const Outcome outcome =
+      RunLine({"recognise", "the moon rose\nthe sea rose", "--lines", "alternate", "--json"});
+  EXPECT_NE(outcome.err.find("from left to right"), std::string::npos) << outcome.err;
+  const nlohmann::json json = outcome.Json();
+  EXPECT_TRUE(json["ended"]);
+  EXPECT_LT(json["duration_s"], 1200);
+  EXPECT_EQ(json["text"].get<std::string>().rfind("the moon r", 0), 0U) << json["text"];
+}
+
+TEST_F(RecogniseCommand, CallsWhatItDoesNotKnowUnknown) {
+  const Outcome outcome = RunLine({"recognise", "the moon rose", "--lines", "alternate"});
+  EXPECT_EQ(outcome.out.find("\xEF\xBF\xBD"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("(unknown)"), std::string::npos) << outcome.out;
 }
 
 TEST_F(RecogniseCommand, RefusesWhatItCannotDo) {
