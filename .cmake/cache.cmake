@@ -14,3 +14,7 @@ set(CMAKE_C_COMPILER_LAUNCHER ${cache_launcher})
 set(CMAKE_CXX_COMPILER_LAUNCHER ${cache_launcher})
 file(RELATIVE_PATH up ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
 add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}/= -ffile-prefix-map=${up}=)
+# Clang's precompiled headers hold the folder's path, but at least not the time at which they were made.
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  list(APPEND CMAKE_CXX_COMPILE_OPTIONS_CREATE_PCH -Xclang -fno-pch-timestamp)
+endif()

@@ -10,6 +10,10 @@ target_compile_options(moontrace_flags INTERFACE
 if(MOONTRACE_SANITIZE)
   target_compile_options(moontrace_flags INTERFACE
     -fsanitize=${MOONTRACE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  # Of the tests' own code only memory and threads are checked, and it guides no search: a third of it
+  # remains, compiled in three quarters of the time.
+  target_compile_options(moontrace_flags INTERFACE
+    $<$<BOOL:$<TARGET_PROPERTY:MOONTRACE_IS_TEST>>:-fno-sanitize=undefined>)
   target_link_options(moontrace_flags INTERFACE -fsanitize=${MOONTRACE_SANITIZE})
   # The address sanitizer's tables hold two million addresses: where the program may lie anywhere, each
   # start moves them all, a third of a second for each test.
@@ -38,7 +42,7 @@ function(moontrace_room room)
     # Of an inline function that stands in several objects the linker takes the first. In a program that
     # is not optimised itself (the tests) that must be the room's, or rooms run at a quarter of their speed.
     target_link_options(moontrace_${room} INTERFACE
-      $<$<BOOL:$<TARGET_PROPERTY:MOONTRACE_ROOMS_FIRST>>:LINKER:--whole-archive,$<TARGET_FILE:moontrace_${room}>,--no-whole-archive>)
+      $<$<BOOL:$<TARGET_PROPERTY:MOONTRACE_IS_TEST>>:LINKER:--whole-archive,$<TARGET_FILE:moontrace_${room}>,--no-whole-archive>)
     # What most sources include is read once, where that pays: Clang compiles a source in a third less
     # time, GCC in hardly less. A missing #include is found by the builds without.
     list(LENGTH sources number)
