@@ -272,7 +272,7 @@ namespace {
 
 /// Whether signs of a line stand so far apart that the reader takes the line for ended.
 bool HasWideGaps(const TextSetup& text) {
-  constexpr double kWide = 0.8;  // [em] beyond a space, as tried
+  constexpr double kWide = 0.3;  // beyond a space [em]; at 0.4 the rest of some lines was missed
   const TypeStyle& style = text.set.style;
   if (style.letter_gap + style.word_gap > kWide * style.size) return true;
   std::istringstream lines(text.text);

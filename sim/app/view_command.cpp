@@ -123,6 +123,7 @@ void AddOptions(CLI::App& app, ViewCommandOptions& options) {
   BeginGroup(app, help_group::kView);
   AddPath(app, "--picture", "F.png", options.picture, say::help::kViewPicture);
   AddLookOptions(app, options.view);
+  Redescribe(app, "--width-px", say::help::kViewPictureWidth);
   AddCamera(app, options.view);
 }
 

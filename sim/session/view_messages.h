@@ -58,6 +58,8 @@ inline constexpr const char* kLargeText = "of the view: large letters in panel a
 inline constexpr const char* kViewPicture =
     "one picture of the view as .png, without a display, and nothing more; with --seconds N of a "
     "page that the simulated stylus has traced for so long.";
+inline constexpr const char* kViewPictureWidth =
+    "width of these pictures and of --picture in points; the height is 9/16 of it. Default 1280.";
 inline constexpr const char* kViewText = "the text; - reads standard input. Default: some words.";
 inline constexpr const char* kViewDevice =
     "what moves the tip: mouse, simulated, or a name that devices lists. Default the mouse in a "

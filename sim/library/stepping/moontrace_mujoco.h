@@ -190,7 +190,7 @@ MOONTRACE_API int moontrace_trace_open(moontrace_scene* scene, struct mjModel_* 
                                        const struct moontrace_trace_options* options,
                                        moontrace_trace** trace);
 
-/* How the trace went; errors are NAN where nothing was touched. */
+/* How the trace went; errors are NAN where no stroke was followed. */
 struct moontrace_trace_facts {
   uint32_t size;        /* sizeof this struct, set by the caller */
   uint32_t reserved;    /* 0 */

@@ -127,8 +127,9 @@ TEST_F(RecogniseCommand, SaysBeforehandWhereItGetsLost) {
     const Outcome outcome = RunLine({"recognise", text, "--blank"});
     EXPECT_NE(outcome.err.find("gaps of more than a space"), std::string::npos) << text;
   }
-  const Outcome wide = RunLine({"recognise", "so we", "--word-gap-mm", "12", "--blank"});
+  const Outcome wide = RunLine({"recognise", "so we", "--word-gap-mm", "4.8", "--blank"});
   EXPECT_NE(wide.err.find("gaps of more than a space"), std::string::npos) << wide.err;
+  EXPECT_EQ(RunLine({"recognise", "so we", "--word-gap-mm", "3", "--blank"}).err, "");
 }
 
 // Every second line runs the other way, and signs span two lines: it took these for the beginning
