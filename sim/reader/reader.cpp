@@ -502,6 +502,7 @@ void Reader::Think() {
   belief_ = Believe(*knowledge_.shapes, evidence_, PriorNow());
   if (belief_.empty()) return Missed();
   const SignGuess& best = belief_.front();
+  if (best.sign == SignGuess::kUnknown && TakeGuide()) return;
   if ((signs_ == 0 || FeltASpot(kSpot)) && SkipFirst()) return;
   if (best.sign != SignGuess::kUnknown && Sureness() < kSure && crossings_ < kMostCrossings) {
     for (std::size_t i = 1; i < belief_.size() && belief_[i].probability > 0.002; ++i) {
@@ -545,10 +546,12 @@ void Reader::WeighSizes() {
   for (double& log : size_logs_) log -= most;
 }
 
-/// Where a sign was felt, from its left.
+/// Where a sign was felt, from where its line comes.
 void Reader::SweepAcross(const Box& box) {
   const double y = box.min.y + (box.max.y - box.min.y) * (0.3 + 0.4 * random_.Uniform());
-  SweepAlong({{box.min.x - 0.4 * size_, y}, {box.max.x + 0.2 * size_, y}}, errand_);
+  const double left = box.min.x - (leftwards_ ? 0.2 : 0.4) * size_;
+  const double right = box.max.x + (leftwards_ ? 0.4 : 0.2) * size_;
+  SweepAlong({{leftwards_ ? right : left, y}, {leftwards_ ? left : right, y}}, errand_);
 }
 
 /// A page's first sign tells the size of all others, and a line's first one its height. One that
@@ -649,10 +652,11 @@ bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
     for (const FeltPoint& felt : evidence_.flats) {
       room = std::min(room, 2 * glm::distance(felt.p, p) / other.place.size);
     }
-    // signs that follow lie to the right
-    const double beyond = ToEm(best.place, p).x - (knowledge_.shapes->Advance(best.sign) - kOwn);
-    const double score =
-        std::min(room, 0.3) - 0.1 * point.p.x - kBeyondCost * std::max(0.0, beyond);
+    // signs that follow lie ahead
+    const double end = leftwards_ ? GapOf(best.sign) : knowledge_.shapes->Advance(best.sign);
+    const double beyond = Ahead(best.place, p) - (end - kOwn);
+    const double score = std::min(room, 0.3) - 0.1 * (leftwards_ ? -point.p.x : point.p.x) -
+                         kBeyondCost * std::max(0.0, beyond);
     if (room < 0.17 || score <= most) continue;
     const glm::dvec2 normal(-point.tangent.y, point.tangent.x);
     const glm::dvec2 a = FromEm(other.place, point.p + reach * normal);

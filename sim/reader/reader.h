@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -35,9 +36,13 @@ class Reader final : public PageReader {
   enum class Errand { kFirstLine, kLineStart, kNextSign, kNextLine };
   /// What goes on once a gap has been looked through for dots and bars.
   enum class AfterGap { kNextSign, kLineEnd, kLineBegin };
+  /// Where the next sign is looked for, from where it is expected: it begins there and so much
+  /// further at most [em]. Ours, chosen on seeds 1 to 20.
+  static constexpr double kBefore = 0.25, kBeyond = 1.15;
   struct SignRead {
     SignGuess guess;
     double time = 0;
+    bool guide = false;  ///< no sign: the guide line that leads here from the line above
   };
 
   /// Within what it was told, some 4 percent apart [m].
@@ -66,6 +71,7 @@ class Reader final : public PageReader {
   bool MeanTheSame(const SignGuess& a, const SignGuess& b) const;
   double ShareOf(const SignGuess& guess, const std::vector<FeltPoint>& grooves) const;
   bool IsLastAgain() const;
+  bool TakeGuide();
   /// The point of a sign that is farthest from all that was felt.
   struct Unfelt {
     double room = 0;  ///< [em]
@@ -95,12 +101,13 @@ class Reader final : public PageReader {
   bool IsInLastLine(const SignPlace& place);
   SignPlace StartOfLine() const;
   double LeastPitch() const;
-  bool SkippedALine(const SignPlace& place) const;
-  bool LookForSkipped();
+  std::optional<double> SkippedLine(const SignPlace& place) const;
+  bool LookForSkipped(double pitch);
   bool IsAtMargin(const SignPlace& place) const;
   void BeginLine();
   void SearchNextLine();
   void EndLine();
+  void LeaveLine();
   PlacePrior PriorNow() const;
   void LearnFrame();
   void LearnSize(double size);
@@ -109,6 +116,16 @@ class Reader final : public PageReader {
   void LearnLineSize(double size);
   void LearnTurn(glm::dvec2 way);
   SignPlace Expected() const;
+  double GapOf(std::size_t sign) const;
+  double WidthOf(const SignGuess& guess) const;
+  double WayBehind(const SignRead& read) const;
+  /// From a place along the line as it runs, and back [em].
+  double Ahead(const SignPlace& from, glm::dvec2 p) const;
+  glm::dvec2 AtAhead(const SignPlace& from, double ahead, double y) const;
+  double Along(glm::dvec2 p) const;
+  bool MayGoOn() const;
+  void LookThroughLineEnd();
+  void LookThroughLineBegin();
   std::vector<glm::dvec2> Weave(double from, double to) const;
   std::vector<glm::dvec2> WeaveFrom(const SignPlace& place, double from, double to) const;
 
@@ -160,10 +177,17 @@ class Reader final : public PageReader {
   glm::dvec2 carried_{0, 0};  ///< where that carried it last [m]
   int restarts_ = 0, skips_ = 0;
   int rounds_ = 0;                  ///< lines in a row that began no lower than the one before
+  bool wider_ = false;              ///< looks for the first line in a wider way
   Box first_skipped_;               ///< round the first sign that was left for later
   std::size_t unknowns_ = 0;        ///< signs in a row
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign
-  std::vector<SignRead> line_;
+  std::vector<SignRead> line_;      ///< as it runs
+  bool leftwards_ = false;          ///< the line runs so
+  bool far_ = false;                ///< looks for its next sign beyond a space
+  double farthest_ = -HUGE_VAL;     ///< to the right, where a line has ended [m]
+  bool guided_ = false;             ///< lines end in guides
+  bool wide_gaps_ = false;          ///< some signs stand two spaces apart
+  double guide_gap_ = 0;            ///< between guides and signs [em]
   double size_ = 0;
   std::vector<double> sizes_;       ///< that are tried [m]
   std::vector<double> size_logs_;   ///< PlacePrior::size_logs, before the first sign is read

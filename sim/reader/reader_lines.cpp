@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <utility>
 
 #include "sim/reader/reader.h"
 
@@ -10,19 +11,9 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20; in em unless said.
-constexpr double kBandLow = 0.14, kBandHigh = 0.62;  ///< of the weave over a line
-constexpr double kWeave = 0.145;                     ///< half its period
-constexpr double kBefore = 0.25;                     ///< it begins so far left of what is expected
-constexpr double kBeyond = 1.15;     ///< a sign begins at its left edge plus this at most
-constexpr double kLookBack = 3.2;    ///< left of a line's first sign another may lie so far off
-constexpr double kDotWithin = 0.35;  ///< dots at a sign's left edge are met by then
-constexpr double kGapFrom = -0.15;   ///< a dot may stick out at a sign's left edge
-constexpr double kGapStep = 0.12;
-constexpr double kLowEdge = 0.05, kHighEdge = 0.91;  ///< where marks and bars are
-constexpr double kEdge = 0.12;                       ///< swept to either side of an edge
-constexpr double kRoomForASign = 0.75;               ///< without a groove
-constexpr double kTellsSize = 0.6;                   ///< a smaller sign says little of the size
-constexpr double kSameSign = 0.4;                    ///< nearer signs are one
+constexpr double kWide = 0.6;       ///< beyond a space, where one more may be
+constexpr double kTellsSize = 0.6;  ///< a smaller sign says little of the size
+constexpr double kSameSign = 0.4;   ///< nearer signs are one
 constexpr int kMostRestarts = 3;
 constexpr int kNoMoreSkips = 1000;
 constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
@@ -42,29 +33,6 @@ double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
 
 }  // namespace
 
-/// Where the next sign of the line begins if no space comes before it.
-SignPlace Reader::Expected() const {
-  const SignGuess& last = line_.back().guess;
-  SignPlace place = last.place;
-  place.size = size_;
-  place.turn = turn_;
-  // the line's height by its newest signs, so that their errors do not add up
-  double mean = 0, weight = 0;
-  for (std::size_t i = 0; i < line_.size() && i < 6; ++i) {
-    const SignGuess& read = line_[line_.size() - 1 - i].guess;
-    if (read.sign == SignGuess::kUnknown) continue;
-    const double share = std::pow(0.7, i);
-    mean += share * Across(place, read.place.origin);
-    weight += share;
-  }
-  if (weight > 0) mean /= weight;
-  const double advance = last.sign == SignGuess::kUnknown
-                             ? kBeyond
-                             : knowledge_.shapes->Advance(last.sign) + gap_bias_;
-  place.origin = FromEm(place, {advance, mean});
-  return place;
-}
-
 PlacePrior Reader::PriorNow() const {
   PlacePrior prior;
   prior.sizes = sizes_;
@@ -77,13 +45,19 @@ PlacePrior Reader::PriorNow() const {
   }
   if (!line_.empty() && errand_ == Errand::kNextSign) {
     const SignPlace next = Expected();
-    prior.origins = {next.origin, FromEm(next, {knowledge_.space, 0})};
+    prior.leftwards = leftwards_;
+    prior.origins = {next.origin, AtAhead(next, knowledge_.space, 0)};
     prior.along = signs_ < 4 ? 0.15 : 0.08;
     prior.across = signs_ < 4 ? 0.10 : 0.04;
+    const bool far = Ahead(next, entry_) > knowledge_.space + kWide;
+    if (far) prior.origins = {prior.origins.back(), AtAhead(next, 2 * knowledge_.space, 0)};
+    if (line_.back().guide) prior.along = 0.3;
+    if (far) prior.along = 0.5;
     if (unknowns_ > 0) {  // it may have lost its place
       prior.along = 0.5;
       prior.across = 0.15;
     }
+    if (line_.back().guide) prior.across = 0.15;
     prior.along = std::hypot(prior.along, knowledge_.unsure / size_);
     prior.across = std::hypot(prior.across, knowledge_.unsure / size_);
   } else if (!line_.empty()) {
@@ -167,34 +141,22 @@ void Reader::LearnFrame() {
   const SignGuess& read = line_.back().guess;
   if (read.sign == SignGuess::kUnknown) return;
   ++signs_;
+  wide_gaps_ = wide_gaps_ || far_;
   LearnLineSize(read.place.size);
   const glm::dvec2 extent = (FeltBox().max - FeltBox().min) / read.place.size;
   if (std::max(extent.x, extent.y) > kTellsSize) LearnSize(read.place.size);
-  if (line_.size() < 2) return;
+  if (line_.size() < 2 || line_[line_.size() - 2].guide) return;
   const SignGuess& before = line_[line_.size() - 2].guess;
   LearnTurn(read.place.origin - before.place.origin);
   if (before.sign == SignGuess::kUnknown) return;
-  const double gap =
-      ToEm(before.place, read.place.origin).x - knowledge_.shapes->Advance(before.sign);
+  const SignGuess& left = leftwards_ ? read : before;
+  const SignGuess& right = leftwards_ ? before : read;
+  double gap = ToEm(left.place, right.place.origin).x - knowledge_.shapes->Advance(left.sign);
+  if (leftwards_) gap += GapOf(left.sign) - GapOf(right.sign);
   const double bias = gap > 0.7 * knowledge_.space ? gap - knowledge_.space : gap;
   if (std::abs(bias) > 0.3) return;
   ++gaps_;
   gap_bias_ += (bias - gap_bias_) / std::min(gaps_ + 2, 12);
-}
-
-/// A way that crosses every sign of a line, between two distances from where the next one is
-/// expected [em].
-std::vector<glm::dvec2> Reader::Weave(double from, double to) const {
-  return WeaveFrom(Expected(), from, to);
-}
-
-std::vector<glm::dvec2> Reader::WeaveFrom(const SignPlace& place, double from, double to) const {
-  std::vector<glm::dvec2> way;
-  bool high = random_phase_;
-  for (double x = from; x < to + kWeave; x += kWeave, high = !high) {
-    way.push_back(FromEm(place, {x, high ? kBandHigh : kBandLow}));
-  }
-  return way;
 }
 
 void Reader::Accept() {
@@ -208,11 +170,15 @@ void Reader::Accept() {
       read.guess.place.origin = FromEm(first, {ToEm(first, FeltBox().min).x, 0});
     } else if (!line_.empty()) {
       read.guess.place = Expected();
+      if (leftwards_) read.guess.place.origin = AtAhead(read.guess.place, kBeyond, 0);
     }
   }
   read.time = news_ = now_;
   if (errand_ == Errand::kNextLine && IsInLastLine(read.guess.place)) return SearchNextLine();
-  if (errand_ == Errand::kNextLine && SkippedALine(read.guess.place) && LookForSkipped()) return;
+  if (errand_ == Errand::kNextLine) {
+    const std::optional<double> skipped = SkippedLine(read.guess.place);
+    if (skipped && LookForSkipped(*skipped)) return;
+  }
   bool again = false;
   if (errand_ == Errand::kLineStart) {
     const SignPlace& first = line_.front().guess.place;
@@ -265,29 +231,38 @@ bool Reader::IsInLastLine(const SignPlace& place) {
 double Reader::LeastPitch() const {
   double pitch = INFINITY;
   for (std::size_t i = 1; i < line_starts_.size(); ++i) {
-    pitch = std::min(pitch, glm::distance(line_starts_[i].origin, line_starts_[i - 1].origin));
+    const SignPlace& start = line_starts_[i];
+    pitch = std::min(pitch, start.size * Across(start, line_starts_[i - 1].origin));
   }
   return pitch;
 }
 
-/// Whether a line has room between the last one and this.
-bool Reader::SkippedALine(const SignPlace& place) const {
-  constexpr double kRoom = 1.5;  // pitches
-  return Across(place, line_starts_.back().origin) * place.size > kRoom * LeastPitch();
+/// How far below the last line one is expected that was skipped before this; none if none has room.
+/// Where there was only one line, the next may be the second or the third.
+std::optional<double> Reader::SkippedLine(const SignPlace& place) const {
+  constexpr double kRoom = 1.5;      // pitches
+  constexpr double kTwoLines = 2.4;  // of a single pitch few pages have so much [em]
+  const double down = Across(place, line_starts_.back().origin) * place.size;
+  const double pitch = LeastPitch();
+  if (std::isfinite(pitch)) return down > kRoom * pitch ? std::optional(pitch) : std::nullopt;
+  return down > kTwoLines * size_ ? std::optional(0.5 * down) : std::nullopt;
 }
 
 /// The search for the next line goes over its first signs only, and may slip through between them:
-/// where a line is expected it looks once more, farther along.
-bool Reader::LookForSkipped() {
-  constexpr double kFar = 4;
-  const double pitch = LeastPitch();
+/// where a line is expected it looks once more, from where lines begin and farther along.
+bool Reader::LookForSkipped(double pitch) {
+  constexpr double kFar = 6;
   if (skipped_ != Skipped::kUnknown || !std::isfinite(pitch)) return false;
   skipped_ = Skipped::kLooking;
   evidence_.grooves.clear();
   evidence_.flats.clear();
   crossings_ = tries_ = circles_ = 0;
   SignPlace expected = line_starts_.back();
-  expected.origin = FromEm(expected, {0, -pitch / expected.size});
+  double margin = 0;
+  for (const SignPlace& start : line_starts_) {
+    margin = std::min(margin, ToEm(expected, start.origin).x);
+  }
+  expected.origin = FromEm(expected, {margin, -pitch / expected.size});
   SweepAlong(WeaveFrom(expected, -kBefore, kFar), Errand::kNextLine);
   return true;
 }
@@ -312,14 +287,17 @@ void Reader::BeginLine() {
   SearchNext();
 }
 
-/// From where the hand was put to and fro, a line's width and downwards.
+/// From where the hand was put to and fro, some signs' width and downwards; where nothing was met
+/// so, a wider way, since the line may be set in.
 void Reader::SearchFirstLine() {
+  constexpr double kFar = 4, kFarther = 12;
   const double a = knowledge_.least_size;
   std::vector<glm::dvec2> way;
   constexpr int kTurns = 60;
   way.reserve(kTurns);
   for (int i = 0; i < kTurns; ++i) {
-    way.push_back(start_ + a * glm::dvec2(i % 2 == 0 ? -0.5 : 4.0, -0.2 * i));
+    way.push_back(start_ +
+                  a * glm::dvec2(i % 2 == 0 ? -0.5 : (wider_ ? kFarther : kFar), -0.2 * i));
   }
   SweepAlong(std::move(way), Errand::kFirstLine);
 }
@@ -342,94 +320,6 @@ bool Reader::StartAnew() {
   size_ = std::sqrt(knowledge_.least_size * knowledge_.greatest_size);
   SearchFirstLine();
   return true;
-}
-
-/// The next sign; after something unknown, right of all that was felt of it.
-void Reader::SearchNext() {
-  gap_to_ = kGapFrom;
-  if (unknowns_ > 0) return SearchBeyond(unknown_);
-  SweepAlong(Weave(-kBefore, knowledge_.space + kBeyond), Errand::kNextSign);
-}
-
-void Reader::SearchBeyond(const std::vector<FeltPoint>& grooves) {
-  double right = -kBefore;
-  const SignPlace next = Expected();
-  for (const FeltPoint& groove : grooves) right = std::max(right, ToEm(next, groove.p).x + 0.15);
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = 0;
-  SweepAlong(Weave(right, right + knowledge_.space + kBeyond + kBefore), Errand::kNextSign);
-}
-
-/// The weave passes above bars on the base line and beside dots: where it met nothing for so long
-/// that a sign has room, it looks along both edges of the line, between two distances from where
-/// the next sign is expected, or from the first one, where it looks for what stands before it [em].
-void Reader::LookThroughGap(double from, double to, AfterGap after) {
-  SignPlace place = Expected();
-  if (after == AfterGap::kLineBegin) place.origin = line_.front().guess.place.origin;
-  std::vector<glm::dvec2> way;
-  bool high = false;
-  for (double x = from; x < to; x += kGapStep, high = !high) {
-    way.push_back(FromEm(place, {x, high ? kLowEdge + kEdge : kLowEdge - kEdge}));
-  }
-  const std::size_t turn = way.size();
-  for (double x = to; x > from - kGapStep; x -= kGapStep, high = !high) {
-    way.push_back(FromEm(place, {x, high ? kHighEdge + kEdge : kHighEdge - kEdge}));
-  }
-  SweepAlong(std::move(way), errand_);
-  in_gap_ = true;
-  after_gap_ = after;
-  gap_to_ = to;
-  gap_turn_ = turn;
-}
-
-/// Whether this is the sign at which the gap ends, which may lean over it: the rest is looked
-/// through then, left of what it met.
-bool Reader::MetGapsEnd(glm::dvec2 entry) {
-  const SignPlace place = Expected();
-  const double x = ToEm(place, entry).x;
-  if (after_gap_ != AfterGap::kNextSign || x < gap_to_ - kBefore) return false;
-  std::size_t rest = std::max(next_, gap_turn_);
-  while (rest < way_.size() && ToEm(place, way_[rest]).x > x - kBefore) ++rest;
-  if (rest + 1 >= way_.size()) {
-    LeaveGap();
-    return true;
-  }
-  const auto left = static_cast<std::ptrdiff_t>(rest);
-  SweepAlong({way_.begin() + left, way_.end()}, errand_);
-  in_gap_ = true;
-  gap_turn_ = 0;
-  return true;
-}
-
-/// Whether the weave went by room for a sign before it met this; then that is looked through first.
-bool Reader::LeftAGap(glm::dvec2 entry) {
-  const double x = ToEm(Expected(), entry).x;
-  if (x - std::max(gap_to_, 0.0) < kRoomForASign) return false;
-  LookThroughGap(gap_to_, x - kBefore, AfterGap::kNextSign);
-  return true;
-}
-
-void Reader::LeaveGap() {
-  switch (after_gap_) {
-    case AfterGap::kNextSign:
-      SweepAlong(Weave(gap_to_ - 0.05, gap_to_ + knowledge_.space + kBeyond), Errand::kNextSign);
-      return;
-    case AfterGap::kLineEnd:
-      EndLine();
-      if (rounds_ < kMostRounds) return SearchNextLine();
-      phase_ = Phase::kDone;
-      return;
-    case AfterGap::kLineBegin:
-      BeginLine();
-      return;
-  }
-}
-
-/// Whether signs stand left of the line's first.
-void Reader::SearchLineStart() {
-  const SignPlace first{line_.front().guess.place.origin, size_, turn_};
-  SweepAlong(WeaveFrom(first, -kLookBack, -kBefore - kWeave), Errand::kLineStart);
 }
 
 void Reader::SearchNextLine() {
@@ -462,24 +352,24 @@ void Reader::Missed() {
         errand_ == Errand::kFirstLine ? SearchFirstLine() : SearchNextLine();
         return;
       }
-      if (errand_ == Errand::kNextLine && LookForSkipped()) return;
+      if (errand_ == Errand::kFirstLine && !std::exchange(wider_, true)) return SearchFirstLine();
+      if (errand_ == Errand::kNextLine && LookForSkipped(LeastPitch())) return;
       phase_ = Phase::kDone;
       return;
-    case Errand::kLineStart: {
-      LookThroughGap(-kLookBack, -kBefore, AfterGap::kLineBegin);
+    case Errand::kLineStart:
+      LookThroughLineBegin();
       return;
-    }
     case Errand::kNextSign:
-      LookThroughGap(gap_to_, gap_to_ + knowledge_.space + kDotWithin - kGapFrom,
-                     AfterGap::kLineEnd);
+      LookThroughLineEnd();
       return;
   }
 }
 
 /// Where the line's first sign stands, at the middle height of all its signs: one of dots may be
-/// taken to stand too high.
+/// taken to stand too high. Of one that runs to the left, below the start of the line above.
 SignPlace Reader::StartOfLine() const {
-  SignPlace start = line_.front().guess.place;
+  const bool led = line_.front().guide && line_.size() > 1;
+  SignPlace start = line_[led ? 1 : 0].guess.place;
   start.size = size_;
   start.turn = turn_;
   std::vector<double> heights;
@@ -487,42 +377,35 @@ SignPlace Reader::StartOfLine() const {
     if (read.guess.sign == SignGuess::kUnknown) continue;
     heights.push_back(Across(start, read.guess.place.origin));
   }
-  if (heights.empty()) return start;
+  if (heights.empty()) heights.push_back(0);
   const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
   std::nth_element(heights.begin(), middle, heights.end());
-  start.origin = FromEm(start, {0, *middle});
+  const double x = leftwards_ ? ToEm(start, line_starts_.back().origin).x : 0;
+  start.origin = FromEm(start, {x, *middle});
   return start;
 }
 
-std::vector<ReadToken> Reader::Pending() const {
-  std::vector<ReadToken> tokens;
-  std::optional<double> expected;
-  for (const SignRead& read : line_) {
-    const SignPlace here{line_.front().guess.place.origin, size_, turn_};
-    const double x = ToEm(here, read.guess.place.origin).x;
-    if (expected && x - *expected > 0.6 * knowledge_.space) {
-      tokens.push_back({ReadToken::Kind::kSpace, 0, 1, read.time, read.guess.place});
-    }
-    const bool known = read.guess.sign != SignGuess::kUnknown;
-    tokens.push_back({known ? ReadToken::Kind::kSign : ReadToken::Kind::kUnknown,
-                      known ? knowledge_.shapes->GlyphOf(read.guess.sign) : 0,
-                      read.guess.probability, read.time, read.guess.place});
-    expected = x + (known ? knowledge_.shapes->Advance(read.guess.sign) + gap_bias_ : kBeyond);
-  }
-  return tokens;
+void Reader::LeaveLine() {
+  EndLine();
+  if (rounds_ < kMostRounds) return SearchNextLine();
+  phase_ = Phase::kDone;
 }
 
 void Reader::EndLine() {
   news_ = now_;
   const std::vector<ReadToken> line = Pending();
-  tokens_.insert(tokens_.end(), line.begin(), line.end());
-  tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
-  line_starts_.push_back(StartOfLine());
-  const std::size_t lines = line_starts_.size();
-  const bool lower =
-      lines < 2 || Across(line_starts_[lines - 2], line_starts_.back().origin) < -kLower;
-  rounds_ = lower ? 0 : rounds_ + 1;
+  if (!line.empty()) {
+    tokens_.insert(tokens_.end(), line.begin(), line.end());
+    tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
+    line_starts_.push_back(StartOfLine());
+    const std::size_t lines = line_starts_.size();
+    const bool lower =
+        lines < 2 || Across(line_starts_[lines - 2], line_starts_.back().origin) < -kLower;
+    rounds_ = lower ? 0 : rounds_ + 1;
+  }
+  farthest_ = std::max(farthest_, Along(Expected().origin));
   line_.clear();
+  leftwards_ = far_ = false;
   skips_ = 0;
   skipped_ = Skipped::kUnknown;
   evidence_.flats.clear();

@@ -38,6 +38,7 @@ struct ScaledEvidence {
   double spread = kSpread;  ///< of felt points
   double crossed_spread = kSpread;
   double next_within = kBefore;  ///< before a sign's end what is crossed may be the next one's
+  bool leftwards = false;        ///< the next one stands on the left
   double flat_cost = kMostAFlat, wall_cost = kMostAFlat;
 };
 
@@ -52,8 +53,9 @@ std::vector<FeltPoint> InLeaps(const std::vector<FeltPoint>& points) {
   return leapt;
 }
 
-ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place) {
+ScaledEvidence Scaled(const SignEvidence& evidence, const SignPlace& place, bool leftwards) {
   ScaledEvidence scaled;
+  scaled.leftwards = leftwards;
   const EmFrame frame(place);
   for (const FeltPoint& felt : evidence.grooves) {
     scaled.grooves.push_back({frame.To(felt.p), felt.weight, felt.crossed});
@@ -82,13 +84,16 @@ double CostOf(const SignShapes& shapes, std::size_t sign, const ScaledEvidence& 
               glm::dvec2 shift, double most) {
   const double followed = 0.5 / (felt.spread * felt.spread);
   const double crossed = 0.5 / (felt.crossed_spread * felt.crossed_spread);
-  const double end = shapes.Advance(sign) - felt.next_within;
+  // where the sign on its right begins, or the one on its left ends, as the line runs
+  const double gap = shapes.Advance(sign) - shapes.Bounds(sign).max.x;
+  const double end = felt.leftwards ? HUGE_VAL : shapes.Advance(sign) - felt.next_within;
+  const double begin = felt.leftwards ? felt.next_within - gap : -HUGE_VAL;
   double cost = 0;
   for (const FeltPoint& groove : felt.grooves) {
     const glm::dvec2 p = groove.p - shift;
     // a tip within a fill may be anywhere in it, which says less than one on a line
     const double d = std::max(shapes.Distance(sign, p), -kWithinFill);
-    const bool beyond = groove.crossed && p.x > end;
+    const bool beyond = groove.crossed && (p.x > end || p.x < begin);
     cost += groove.weight * std::min((groove.crossed ? crossed : followed) * d * d,
                                      beyond ? kNextSign : kMostAGroove);
     if (cost > most) return cost;
@@ -183,13 +188,13 @@ void TryAll(const SignShapes& shapes, const SignEvidence& evidence, const PlaceP
     std::size_t size = 0;
     double cost = 0;
     ScaledEvidence felt;
-    std::vector<glm::dvec2> origins;
+    std::vector<glm::dvec2> origins;  // or right edges, if the line runs to the left
   };
   std::vector<Frame> frames;
   const auto add = [&](double size, std::size_t index, double cost) {
     for (const double turn : prior.turns) {
       Frame frame{{evidence.grooves.front().p, size, turn}, index, cost, {}, {}};
-      frame.felt = Scaled(evidence, frame.place);
+      frame.felt = Scaled(evidence, frame.place, prior.leftwards);
       for (const glm::dvec2 origin : prior.origins) {
         frame.origins.push_back(ToEm(frame.place, origin));
       }
@@ -203,10 +208,14 @@ void TryAll(const SignShapes& shapes, const SignEvidence& evidence, const PlaceP
     add(prior.other_sizes[i], prior.sizes.size() + i, kOtherSize);
   }
   double least = std::numeric_limits<double>::infinity();
+  std::vector<glm::dvec2> origins;
   for (std::size_t sign = 0; sign < shapes.size(); ++sign) {
+    const glm::dvec2 edge(prior.leftwards ? shapes.Bounds(sign).max.x : 0, 0);
     for (const Frame& frame : frames) {
+      origins = frame.origins;
+      for (glm::dvec2& origin : origins) origin -= edge;
       const std::optional<Fit> fit =
-          BestFit(shapes, sign, frame.felt, frame.origins, prior, least + kNegligible - frame.cost);
+          BestFit(shapes, sign, frame.felt, origins, prior, least + kNegligible - frame.cost);
       if (!fit) continue;
       const double cost = fit->cost + frame.cost;
       least = std::min(least, cost);

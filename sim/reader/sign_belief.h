@@ -51,6 +51,7 @@ struct SignEvidence {
 struct PlacePrior {
   /// Expected left edges on the base line [m]; none: anywhere.
   std::vector<glm::dvec2> origins;
+  bool leftwards = false;         ///< the line runs so: right edges in place of left ones
   double along = 0, across = 0;   ///< standard deviations from those [em]
   std::vector<double> sizes;      ///< of an em [m]
   std::vector<double> size_logs;  ///< log of how likely each of them is; empty: equally

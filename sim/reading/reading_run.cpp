@@ -9,6 +9,7 @@
 #include "sim/console/console.h"
 #include "sim/reader/hatch_reader.h"
 #include "sim/reader/reader.h"
+#include "textures/typeset/layout.h"
 
 namespace moontrace {
 namespace {
@@ -110,16 +111,18 @@ std::vector<int> PlainForms(const Script& script) {
 std::vector<int> MarksOf(const TextPage& page, const Script& script) {
   const std::vector<int> plain = PlainForms(script);
   std::vector<int> marks;
-  for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
-    const PlacedGlyph& glyph = page.glyphs[i];
-    if (i > 0) {
-      if (glyph.line != page.glyphs[i - 1].line) {
+  const PlacedGlyph* before = nullptr;
+  for (const PlacedGlyph& glyph : page.glyphs) {
+    if (IsGuide(script.glyphs[glyph.glyph])) continue;
+    if (before != nullptr) {
+      if (glyph.line != before->line) {
         marks.push_back(kLineEndMark);
-      } else if (glyph.word != page.glyphs[i - 1].word) {
+      } else if (glyph.word != before->word) {
         marks.push_back(kSpaceMark);
       }
     }
     marks.push_back(plain[glyph.glyph]);
+    before = &glyph;
   }
   if (!marks.empty()) marks.push_back(kLineEndMark);
   return marks;

@@ -49,7 +49,7 @@ struct ReadingResult {
 ReadingResult RunReading(const ReadingSetup& setup);
 
 /// What the page holds, as it should be read: signs by their number among the script's glyphs, a
-/// form of a sign as that sign itself.
+/// form of a sign as that sign itself; guide lines are none.
 std::vector<int> MarksOf(const TextPage& page, const Script& script);
 /// The same of what was read.
 std::vector<int> MarksOf(const std::vector<ReadToken>& tokens, const Script& script);

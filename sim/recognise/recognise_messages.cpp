@@ -100,7 +100,7 @@ std::string ReaderStopped(std::size_t page) {
 }
 
 std::string ReaderMissesWideGaps() {
-  return "The text has gaps of more than a space: the reader may take one for the end of its line.";
+  return "The text has wide gaps: the reader may take one for the end of its line.";
 }
 
 std::string ReaderGoesLeftToRight() {

@@ -60,6 +60,10 @@ RowMetrics MeasureRows(const Script& script, const TypeStyle& style, double scal
   return row;
 }
 
+bool IsGuide(const Glyph& glyph) {
+  return glyph.name == "guide-right" || glyph.name == "guide-left";
+}
+
 void AddGuides(Script& script, const TypeStyle& style) {
   const double pitch = style.line_pitch / style.size;  // [em]
   const double bulge = kGuideBulge * pitch;

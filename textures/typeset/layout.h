@@ -31,6 +31,7 @@ RowMetrics MeasureRows(const Script& script, const TypeStyle& style, double scal
 /// pitch. That they were flat parentheses is known, the proportion is ours. A second call replaces
 /// those of the first.
 void AddGuides(Script& script, const TypeStyle& style);
+bool IsGuide(const Glyph& glyph);
 
 /// Sets signs in lines, and lines on pages, which it gives away one after the other: a page is
 /// finished once the next but one begins, since a heading at its foot may still move on. Lengths

@@ -11,6 +11,7 @@
 
 #include "textures/base/error.h"
 #include "textures/base/units.h"
+#include "textures/typeset/layout.h"
 #include "textures/typeset/text_page.h"
 
 namespace moontrace {
@@ -68,10 +69,6 @@ Box SpinesOf(const Glyph& glyph) {
     for (const Piece& piece : stroke.pieces) Include(box, BoundsOf(piece));
   }
   return box;
-}
-
-bool IsGuide(const Glyph& glyph) {
-  return glyph.name == "guide-right" || glyph.name == "guide-left";
 }
 
 /// A line of text: its base line, or its middle where it runs down the page, and what its strokes

@@ -19,6 +19,7 @@
 #include "textures/base/units.h"
 #include "textures/fonts/script_library.h"
 #include "textures/relief/glyph_group.h"
+#include "textures/typeset/layout.h"
 #include "textures/typeset/typeset.h"
 
 namespace moontrace {
@@ -27,9 +28,12 @@ namespace {
 /// A page and a reader at it.
 struct Desk {
   explicit Desk(const std::string& text, double size = 0.012, std::uint64_t seed = 1,
-                Script with = FindScript("moon"), bool blank = false, double grade = 0.5)
+                Script with = FindScript("moon"), bool blank = false, double grade = 0.5,
+                LineDirection lines = LineDirection::kLeftToRight)
       : script(std::move(with)), style(DefaultStyle(size, Relief::kEngraved, script)) {
     style.grade = grade;
+    style.lines = lines;
+    if (lines == LineDirection::kAlternate) AddGuides(script, style);
     set = SetText(text, script, style, FindPage("a4"));
     field = std::make_unique<TextureField>(PageField(set.pages.front(), script, style, blank));
     shapes = std::make_shared<SignShapes>(script, WrittenGlyphs(script));
@@ -170,6 +174,56 @@ TEST(Reading, LeavesOutNoLine) {
     const Desk desk("at go\nus in\ntt mi\nsu gt", 0.006, seed);
     EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "at go\nus in\ntt mi\nsu gt\n")
         << seed;
+  }
+}
+
+/// What stands on a page, line by line, each in the order in which it is read.
+std::string TextOn(const Desk& desk) {
+  std::string text;
+  const PlacedGlyph* before = nullptr;
+  for (const PlacedGlyph& glyph : desk.set.pages.front().glyphs) {
+    if (IsGuide(desk.script.glyphs[glyph.glyph])) continue;
+    if (before != nullptr && glyph.line != before->line) text += '\n';
+    if (before != nullptr && glyph.line == before->line && glyph.word != before->word) text += ' ';
+    text += TextOfSign(glyph.glyph, desk.script);
+    before = &glyph;
+  }
+  return text + '\n';
+}
+
+// Of old Moon every second line runs from right to left, words are broken without a mark, and a
+// paragraph ends in two spaces: guide lines alone tell the way.
+TEST(Reading, FollowsGuideLinesFromLineToLine) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Desk desk("the moon rose over the sea\nand it was still", 0.012, seed, FindScript("moon"),
+                    false, 0.5, LineDirection::kAlternate);
+    ASSERT_GE(desk.set.pages.front().lines, 4U);
+    const ReadingResult result = RunReading(desk.setup);
+    EXPECT_TRUE(result.ended);
+    EXPECT_EQ(TextRead(result.tokens, desk.script), TextOn(desk)) << seed;
+  }
+}
+
+TEST(Reading, FollowsGuideLinesThoughUnsureOfItsPlace) {
+  const Desk desk("some rain fell on our sea", 0.012, 1, FindScript("moon"), false, 0.5,
+                  LineDirection::kAlternate);
+  ASSERT_GE(desk.set.pages.front().lines, 2U);
+  ReadingSetup setup = desk.setup;
+  setup.senses.unsure = setup.knowledge.unsure = 0.3e-3;
+  EXPECT_EQ(TextRead(RunReading(setup).tokens, desk.script), TextOn(desk));
+}
+
+// Typists put two spaces behind a sentence.
+TEST(Reading, GoesOnBehindTwoSpaces) {
+  const Desk desk("so.  The sea\nis.  Go", 0.006);
+  EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "so. the sea\nis. go\n");
+}
+
+// What stands in the middle of a page's width, or farther in than the lines around it.
+TEST(Reading, FindsLinesThatAreSetIn) {
+  for (const char* text : {"   so we go", "we go\n   to sea\nand so\n    on\nit is"}) {
+    const Desk desk(text, 0.006, 2);
+    EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), TextOn(desk)) << text;
   }
 }
 
