@@ -110,6 +110,7 @@ class Reader final : public PageReader {
   void LeaveLine();
   PlacePrior PriorNow() const;
   void LearnFrame();
+  std::optional<double> FeltSize(const SignGuess& read) const;
   void LearnSize(double size);
   std::vector<double> OtherSizes() const;
   bool BelowASpace() const;

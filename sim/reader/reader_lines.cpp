@@ -74,15 +74,36 @@ PlacePrior Reader::PriorNow() const {
   return prior;
 }
 
-/// The middle of what the first signs say; the more of them, the less it looks aside.
+/// A sign's size by how far apart its grooves were felt, which a fit takes for too large: ends that
+/// were not felt cost it nothing. None of a small sign.
+std::optional<double> Reader::FeltSize(const SignGuess& read) const {
+  constexpr double kWander = 0.6;  // of an unsure place, over a sign
+  Box felt;
+  const EmFrame frame(read.place);
+  for (const FeltPoint& groove : evidence_.grooves) {
+    if (!groove.crossed) Include(felt, frame.To(groove.p));
+  }
+  const Box& box = knowledge_.shapes->Bounds(read.sign);
+  const glm::dvec2 extent = felt.max - felt.min, true_extent = box.max - box.min;
+  double share = 0;
+  for (int i = 0; i < 2; ++i) {
+    if (true_extent[i] > kTellsSize) share = std::max(share, extent[i] / true_extent[i]);
+  }
+  if (share <= 0) return std::nullopt;
+  return share * read.place.size - kWander * knowledge_.unsure;
+}
+
+/// A little above the middle of what the first signs say, some of which were not felt to their
+/// ends; the more of them, the less it looks aside.
 void Reader::LearnSize(double size) {
-  constexpr std::size_t kCounted = 15;
+  constexpr std::size_t kCounted = 30;
+  constexpr double kRank = 0.6;
   size_logs_.clear();
   if (knowledge_.least_size == knowledge_.greatest_size) return;
   if (felt_sizes_.size() < kCounted) felt_sizes_.push_back(size);
   std::vector<double> sorted = felt_sizes_;
   std::sort(sorted.begin(), sorted.end());
-  size_ = 0.5 * (sorted[sorted.size() / 2] + sorted[(sorted.size() - 1) / 2]);
+  size_ = sorted[static_cast<std::size_t>(kRank * static_cast<double>(sorted.size()))];
   constexpr double kSpreads[] = {0.15, 0.09, 0.06};
   const double spread = felt_sizes_.size() <= 3 ? kSpreads[felt_sizes_.size() - 1] : 0.025;
   sizes_.clear();
@@ -143,8 +164,7 @@ void Reader::LearnFrame() {
   ++signs_;
   wide_gaps_ = wide_gaps_ || far_;
   LearnLineSize(read.place.size);
-  const glm::dvec2 extent = (FeltBox().max - FeltBox().min) / read.place.size;
-  if (std::max(extent.x, extent.y) > kTellsSize) LearnSize(read.place.size);
+  if (const std::optional<double> size = FeltSize(read)) LearnSize(*size);
   if (line_.size() < 2 || line_[line_.size() - 2].guide) return;
   const SignGuess& before = line_[line_.size() - 2].guess;
   LearnTurn(read.place.origin - before.place.origin);
