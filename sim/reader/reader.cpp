@@ -302,10 +302,15 @@ ReaderAction Reader::Sweep(const Felt& felt) {
   return {{aim.x, aim.y, sense_.level()}, knowledge_.press};
 }
 
+/// Before it falls into a groove a tip flies on over it: that was no flat paper.
 void Reader::Caught(const Felt& felt) {
+  constexpr double kFlight = 0.5;  // of a groove's width
   phase_ = Phase::kSettle;
   since_ = now_;
   entry_ = felt.place;
+  std::erase_if(evidence_.flats, [this](const FeltPoint& flat) {
+    return flat.crossed && glm::distance(flat.p, entry_) < kFlight * knowledge_.width;
+  });
   if (in_gap_ && MetGapsEnd(felt.place)) return;
   if (!crossing_ && !in_gap_ && errand_ == Errand::kNextSign && LeftAGap(felt.place)) return;
 }
