@@ -572,7 +572,11 @@ bool Reader::SkipFirst() {
   clear = clear && (first ? Sureness() >= kVerySure && best.log_likelihood > -kPoorFit * weight
                           : Sureness() >= kDoubtful);
   if (clear) return false;
-  const Box box = FeltBox();
+  Box box;  // what was only crossed may be of another line
+  for (const FeltPoint& groove : evidence_.grooves) {
+    if (!groove.crossed) Include(box, groove.p);
+  }
+  if (box.min.x > box.max.x) box = FeltBox();
   if (skips_++ == 0) first_skipped_ = box;
   if (first) WeighSizes();
   const double a = first ? knowledge_.least_size : size_;
