@@ -311,13 +311,14 @@ void Reader::BeginLine() {
 /// so, a wider way, since the line may be set in.
 void Reader::SearchFirstLine() {
   constexpr double kFar = 4, kFarther = 12;
+  constexpr double kAbove = 0.8;  // of where the hand was put: it may be too low
   const double a = knowledge_.least_size;
   std::vector<glm::dvec2> way;
-  constexpr int kTurns = 60;
+  constexpr int kTurns = 64;
   way.reserve(kTurns);
   for (int i = 0; i < kTurns; ++i) {
     way.push_back(start_ +
-                  a * glm::dvec2(i % 2 == 0 ? -0.5 : (wider_ ? kFarther : kFar), -0.2 * i));
+                  a * glm::dvec2(i % 2 == 0 ? -0.5 : (wider_ ? kFarther : kFar), kAbove - 0.2 * i));
   }
   SweepAlong(std::move(way), Errand::kFirstLine);
 }
