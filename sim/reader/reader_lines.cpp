@@ -75,7 +75,8 @@ PlacePrior Reader::PriorNow() const {
 }
 
 /// A sign's size by how far apart its grooves were felt, which a fit takes for too large: ends that
-/// were not felt cost it nothing. None of a small sign.
+/// were not felt cost it nothing. Where walls alone tell of grooves, what was felt reaches too far
+/// or not far enough, and the fit is better. None of a small sign.
 std::optional<double> Reader::FeltSize(const SignGuess& read) const {
   constexpr double kWander = 0.6;  // of an unsure place, over a sign
   Box felt;
@@ -90,6 +91,7 @@ std::optional<double> Reader::FeltSize(const SignGuess& read) const {
     if (true_extent[i] > kTellsSize) share = std::max(share, extent[i] / true_extent[i]);
   }
   if (share <= 0) return std::nullopt;
+  if (!knowledge_.feels_height) return read.place.size;
   return share * read.place.size - kWander * knowledge_.unsure;
 }
 
