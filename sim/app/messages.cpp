@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "sim/console/wording.h"
 #include "sim/picture/picture_messages.h"
 #include "sim/setup/setup_messages.h"
@@ -349,10 +351,12 @@ std::string TracePictureTitle(std::string_view script, const TypeStyle& style, b
 }
 
 std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
-  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(text));
+  std::string line(text);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(line));
   if (FollowedNothing(total))
-    return fmt::format("Text: {}. No stroke was followed.", OneLine(text));
-  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(text),
+    return fmt::format("Text: {}. No stroke was followed.", OneLine(line));
+  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(line),
                      Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
                      Times(total.excursions));
 }

@@ -139,7 +139,9 @@ std::string ReadingPictureTitle(const Script& script, const TypeStyle& style) {
 }
 
 std::string ReadingPictureWords(std::string_view text, std::string_view read) {
-  return fmt::format("Text: {}. Read: {}.", OneLine(text), OneLine(Spoken(read)));
+  std::string line(text);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  return fmt::format("Text: {}. Read: {}.", OneLine(line), OneLine(Spoken(read)));
 }
 
 std::string ReadingPictureLegend(const TypeStyle& style, bool followed, bool blank) {
