@@ -39,6 +39,7 @@ PlacePrior Reader::PriorNow() const {
   prior.size_logs = size_logs_;
   prior.other_sizes = OtherSizes();
   prior.turns = {turn_};
+  prior.whole = signs_ == 0 && legs_ > 1;
   if (signs_ < 4) {
     const double spread = signs_ == 0 ? 1.3 * kTurnSpread : 0.7 * kTurnSpread;
     prior.turns = {turn_ - spread, turn_, turn_ + spread};

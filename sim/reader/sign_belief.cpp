@@ -121,6 +121,20 @@ double PriorCost(const std::vector<glm::dvec2>& origins, const PlacePrior& prior
   return least;
 }
 
+/// Cost of how much farther a sign reaches than what was felt, along or across the line, whichever
+/// it falls less short of: a mark may have been left out.
+double ShortfallCost(const Box& sign, const Box& felt) {
+  constexpr double kTells = 0.6, kAllowed = 0.08, kSpreads = 0.1;  // [em]
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 2; ++i) {
+    const double extent = sign.max[i] - sign.min[i];
+    if (extent > kTells) least = std::min(least, extent - (felt.max[i] - felt.min[i]));
+  }
+  if (!std::isfinite(least)) return 0;
+  const double off = std::max(0.0, least - kAllowed) / kSpreads;
+  return 0.5 * off * off;
+}
+
 struct Fit {
   double cost = std::numeric_limits<double>::infinity();
   glm::dvec2 shift{0, 0};
@@ -214,10 +228,12 @@ void TryAll(const SignShapes& shapes, const SignEvidence& evidence, const PlaceP
     for (const Frame& frame : frames) {
       origins = frame.origins;
       for (glm::dvec2& origin : origins) origin -= edge;
+      const double before =
+          frame.cost + (prior.whole ? ShortfallCost(shapes.Bounds(sign), frame.felt.box) : 0);
       const std::optional<Fit> fit =
-          BestFit(shapes, sign, frame.felt, origins, prior, least + kNegligible - frame.cost);
+          BestFit(shapes, sign, frame.felt, origins, prior, least + kNegligible - before);
       if (!fit) continue;
-      const double cost = fit->cost + frame.cost;
+      const double cost = fit->cost + before;
       least = std::min(least, cost);
       each(sign, frame.place, frame.size, Fit{cost, fit->shift});
     }

@@ -52,6 +52,7 @@ struct PlacePrior {
   /// Expected left edges on the base line [m]; none: anywhere.
   std::vector<glm::dvec2> origins;
   bool leftwards = false;         ///< the line runs so: right edges in place of left ones
+  bool whole = false;             ///< grooves were felt to their ends: larger signs reach farther
   double along = 0, across = 0;   ///< standard deviations from those [em]
   std::vector<double> sizes;      ///< of an em [m]
   std::vector<double> size_logs;  ///< log of how likely each of them is; empty: equally

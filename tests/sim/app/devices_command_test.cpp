@@ -43,8 +43,8 @@ TEST(DevicesCommand, ListsTheKnownProfilesApartFromWhatIsPluggedIn) {
     EXPECT_TRUE(Has(outcome.out, "9 kinds are known, plugged in or not:\n")) << outcome.out;
     EXPECT_TRUE(Has(outcome.out, "\nwoodenhaptics: WoodenHaptics arm, letters read from 4 mm.\n"));
     EXPECT_TRUE(Has(outcome.out,
-                    "\nsidewinder-ff2: Microsoft SideWinder Force Feedback 2, no letters surely "
-                    "read.\n"));
+                    "\nsidewinder-ff2: Microsoft SideWinder Force Feedback 2, letters read from "
+                    "14 mm.\n"));
     EXPECT_TRUE(Has(outcome.out, "\nspacemouse: 3Dconnexion puck.\n"));  // it gives no force
     ExpectTextFace(outcome.out);
     const auto json = RunLine({"devices", "--json"}).Json();

@@ -116,6 +116,25 @@ PlacePrior OfAnySize() {
   return prior;
 }
 
+// An upright felt to its ends is part of a longer one, but there it would have gone on.
+TEST_F(SignBelief, WhatWasFeltToItsEndsIsNoPartOfALargerSign) {
+  const SignPlace place{{0, 0}, kSize, 0};
+  const auto log = [&](const char* name, double size, bool whole) {
+    PlacePrior prior = Anywhere();
+    prior.sizes = {size};
+    prior.whole = whole;
+    for (const SignGuess& guess : Believe(shapes_, AlongGlyph(name, place), prior)) {
+      if (NameOf(guess) == name) return guess.log_likelihood;
+    }
+    return -HUGE_VAL;
+  };
+  EXPECT_LT(log("i", 1.3 * kSize, true), log("i", 1.3 * kSize, false) - 1);
+  EXPECT_LT(log("i", 1.6 * kSize, true), log("i", 1.3 * kSize, true) - 1);
+  for (const char* name : {"i", "l", "o", "z"}) {
+    EXPECT_EQ(log(name, kSize, true), log(name, kSize, false)) << name;
+  }
+}
+
 // A ring is one at any size, to O or H it belongs; a zigzag has its bars as far apart as the letter
 // is high. What is no sign speaks for no size.
 TEST_F(SignBelief, SignsTellOfTheSizeTogether) {
