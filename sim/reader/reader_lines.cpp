@@ -314,14 +314,15 @@ void Reader::BeginLine() {
 /// so, a wider way, since the line may be set in.
 void Reader::SearchFirstLine() {
   constexpr double kFar = 4, kFarther = 12;
-  constexpr double kAbove = 0.8;  // of where the hand was put: it may be too low
+  // from above where the hand was put, which may be too low; there an object's face ends
+  const double above = knowledge_.face ? 0 : 0.8;
   const double a = knowledge_.least_size;
   std::vector<glm::dvec2> way;
   constexpr int kTurns = 64;
   way.reserve(kTurns);
   for (int i = 0; i < kTurns; ++i) {
     way.push_back(start_ +
-                  a * glm::dvec2(i % 2 == 0 ? -0.5 : (wider_ ? kFarther : kFar), kAbove - 0.2 * i));
+                  a * glm::dvec2(i % 2 == 0 ? -0.5 : (wider_ ? kFarther : kFar), above - 0.2 * i));
   }
   SweepAlong(std::move(way), Errand::kFirstLine);
 }
