@@ -250,7 +250,7 @@ TEST(Reading, LearnsHowLargeLettersAre) {
 // second dot elsewhere.
 TEST(Reading, ReadsStopsOfSixMillimetres) {
   ReadingScore all;
-  for (std::uint64_t seed = 21; seed <= 24; ++seed) {
+  for (const std::uint64_t seed : {21U, 22U}) {
     const Desk desk("it. is. so.\nat. sea.", 0.006, seed);
     all += desk.Score(RunReading(desk.setup));
   }
