@@ -273,6 +273,7 @@ namespace {
 /// Whether signs of a line stand so far apart that the reader may take the line for ended. Of gaps
 /// beyond a space and of spaces that it finds its way over: tried on seeds 1 to 4.
 bool HasWideGaps(const TextSetup& text, bool followed) {
+  constexpr std::size_t kSetIn = 4;          // spaces before a line
   const double most = followed ? 0.6 : 0.3;  // [em]
   const std::string wide(followed ? 3 : 2, ' ');
   const TypeStyle& style = text.set.style;
@@ -280,6 +281,7 @@ bool HasWideGaps(const TextSetup& text, bool followed) {
   std::istringstream lines(text.text);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t from = followed ? std::min(line.find_first_not_of(' '), line.size()) : 0;
+    if (from > kSetIn && from < line.size()) return true;
     if (line.find(wide, from) < line.find_last_not_of(' ') + 1) return true;
   }
   return false;

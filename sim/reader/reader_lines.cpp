@@ -93,7 +93,10 @@ std::optional<double> Reader::FeltSize(const SignGuess& read) const {
   }
   if (share <= 0) return std::nullopt;
   if (!knowledge_.feels_height) return read.place.size;
-  return share * read.place.size - kWander * knowledge_.unsure;
+  const double size = share * read.place.size - kWander * knowledge_.unsure;
+  // within what it was told: a very unsure hand feels signs of no size at all
+  return std::clamp(size, knowledge_.least_size,
+                    std::max(1.0, knowledge_.heading_scale) * knowledge_.greatest_size);
 }
 
 /// A little above the middle of what the first signs say, some of which were not felt to their
@@ -255,7 +258,8 @@ double Reader::LeastPitch() const {
   double pitch = INFINITY;
   for (std::size_t i = 1; i < line_starts_.size(); ++i) {
     const SignPlace& start = line_starts_[i];
-    pitch = std::min(pitch, start.size * Across(start, line_starts_[i - 1].origin));
+    const double down = Across(start, line_starts_[i - 1].origin);
+    if (down > kLower) pitch = std::min(pitch, down * start.size);
   }
   return pitch;
 }

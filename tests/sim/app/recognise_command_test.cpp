@@ -125,7 +125,10 @@ TEST_F(RecogniseCommand, SaysBeforehandWhereItGetsLost) {
   for (const char* text : {"so we", "so  we", "   so", "so\n  we"}) {
     EXPECT_EQ(RunLine({"recognise", text, "--blank"}).err, "") << text;
   }
-  EXPECT_NE(RunLine({"recognise", "so   we", "--blank"}).err.find("wide gaps"), std::string::npos);
+  for (const char* text : {"so   we", "so\n     we"}) {
+    const Outcome outcome = RunLine({"recognise", text, "--blank"});
+    EXPECT_NE(outcome.err.find("wide gaps"), std::string::npos) << text;
+  }
   const Outcome wide = RunLine({"recognise", "so we", "--word-gap-mm", "8", "--blank"});
   EXPECT_NE(wide.err.find("wide gaps"), std::string::npos) << wide.err;
   EXPECT_EQ(RunLine({"recognise", "so we", "--word-gap-mm", "6", "--blank"}).err, "");

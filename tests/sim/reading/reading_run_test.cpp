@@ -298,6 +298,18 @@ TEST(Reading, ReadsThoughUnsureOfItsPlace) {
   EXPECT_EQ(TextRead(RunReading(setup).tokens, desk.script), "so it\n");
 }
 
+// An error as large as a letter leaves nothing to learn its size from.
+TEST(Reading, EndsWithAHandThatIsLost) {
+  const Desk desk("so it", 0.006);
+  ReadingSetup setup = desk.setup;
+  setup.senses.unsure = setup.knowledge.unsure = 8e-3;
+  const ReadingResult result = RunReading(setup);
+  EXPECT_TRUE(result.ended);
+  for (const ReadToken& token : result.tokens) {
+    EXPECT_GE(token.place.size, 0.9 * setup.knowledge.least_size);
+  }
+}
+
 // A zigzag's corners turn by 153 degrees, more than the pull is swung.
 TEST(Reading, FollowsSharpCornersOfSignsThatItKnows) {
   Script script = FindScript("moon");
