@@ -102,7 +102,8 @@ void AddGrowth(const BenchPage& page, const TextureField& field, BenchRows& rows
   rows.push_back(AtMost("book of a million letters, page by page, against one page", paged.ratio,
                         "times", 1.05));
 
-  const std::vector<glm::dvec2> book_path = SlidingPoints(book, kPoints);
+  // as many points as the page has: the two are compared point by point
+  const std::vector<glm::dvec2> book_path = SlidingPoints(book, path.size());
   const Turns slid = ByTurns(
       kTurns, [&] { Keep(Chain(whole, book_path)); }, [&] { Keep(Chain(field, path)); });
   rows.push_back(AtMost("book as one field, read along its lines, against one page", slid.ratio,
