@@ -200,7 +200,7 @@ void SpreadInPairs(const RasterLine& line, const CodeBook& book, Rows& rows) {
 /// page's, or blocks that these cannot tell.
 bool SpreadAllInPairs(const std::vector<RasterLine>& lines, const CodeBook& book, double width,
                       const LargeArray<Block>& blocks, Rows& rows) {
-  constexpr double kMostSlots = 6000;
+  constexpr double kMostSlots = 20000;  // 160 kB, well within a second cache
   if (blocks.size() > LetterPair::kMostBlocks) return false;
   for (const Block& block : blocks) {
     if (block.box.max.x - block.box.min.x > 0.5 * LetterPair::kMostSteps * rows.step) return false;
