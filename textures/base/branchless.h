@@ -33,6 +33,14 @@ inline double IfLess(double a, double b, double then, double otherwise) noexcept
   return _mm_cvtsd_f64(
       _mm_or_pd(_mm_and_pd(mask, _mm_set_sd(then)), _mm_andnot_pd(mask, _mm_set_sd(otherwise))));
 }
+/// Whether two numbers that stand side by side lie between two others each, ends included; false if
+/// one is none.
+inline bool BothBetween(const double* low, double x, double y, const double* high) noexcept {
+  const __m128d both = _mm_set_pd(y, x);
+  const __m128d in =
+      _mm_and_pd(_mm_cmple_pd(_mm_loadu_pd(low), both), _mm_cmple_pd(both, _mm_loadu_pd(high)));
+  return _mm_movemask_pd(in) == 3;
+}
 
 #else
 
@@ -41,6 +49,9 @@ inline double Smaller(double a, double b) noexcept { return a < b ? a : b; }
 inline double IfNotBelowZero(double gate, double value) noexcept { return gate >= 0 ? value : 0; }
 inline double IfLess(double a, double b, double then, double otherwise) noexcept {
   return a < b ? then : otherwise;
+}
+inline bool BothBetween(const double* low, double x, double y, const double* high) noexcept {
+  return (x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1]);
 }
 
 #endif

@@ -12,7 +12,7 @@ namespace moontrace {
 /// Whether a point relative to a placed block's origin lies in its box.
 inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
   // one branch instead of four: they are all taken or the point lies between letters
-  return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
+  return BothBetween(&box.min.x, p.x, p.y, &box.max.x);
 }
 
 /// Where a point lies beside a block's origin, in whole steps.

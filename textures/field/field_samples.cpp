@@ -189,12 +189,21 @@ class RowLayer {
     if (band >= layer_.band_count) return Skip(i, {{-kFar, p.y}, {kFar, p.y}});
     const std::vector<std::uint32_t>& of_band = layer_.rows.of_band;
     const FoundLetter letter = FindLetter(layer_, of_band.empty() ? band : of_band[band], p);
-    if (letter.block == FoundLetter::kNone) return Skip(i, {p, p});
+    if (letter.block == FoundLetter::kNone) return Skip(i, GapBesideRows(p));
     const double below = layer_.origin.y + band * band_height_;
     const Box in_band{{-kFar, below + kHair}, {kFar, below + band_height_ - kHair}};
     if (IsIn(layer_.blocks[letter.block].box, p - letter.origin))
       return SetLetter(letter, in_band, i);
     return Skip(i, GapBeside(letter, in_band, p));
+  }
+
+  /// Where there is nothing around a point to the left or to the right of all rows.
+  Box GapBesideRows(glm::dvec2 p) const noexcept {
+    const Rows& rows = layer_.rows;
+    const double end = rows.begin + rows.slot_count / rows.slots_per_m;
+    if (p.x < rows.begin) return {{-kFar, -kFar}, {rows.begin - kHair, kFar}};
+    if (p.x > end) return {{end + kHair, -kFar}, {kFar, kFar}};
+    return {p, p};
   }
 
   /// Where there is nothing around a point of the letter's stretch that is not in its box: beyond
@@ -240,21 +249,26 @@ class RowLayer {
     return i;
   }
 
-  /// What a cell and its neighbours in a row hold, and the part of the letter's box where a point
-  /// surely lies in one of them.
+  /// What a cell and its neighbours on one side in a row hold, and the part of the letter's box
+  /// where a point surely lies in one of them.
   struct SureCells {
     Cell cell;
     Box sure;
   };
-  SureCells CellsAt(const FoundLetter& letter, const Box& of_letter, glm::dvec2 p) const noexcept {
+  /// Of those around the i-th point, to the side where the next one lies.
+  SureCells CellsAt(const FoundLetter& letter, const Box& of_letter, std::size_t i) const noexcept {
+    const glm::dvec2 p = arrays_.PointAt(i);
     const CellGrid& grid = layer_.rows.grid;
     const CellPlace place = PlaceOf(layer_, letter, p);
     const Cell* row =
         &layer_.cells[letter.block * layer_.rows.cells_per_block + place.row * grid.columns];
     const Cell cell = row[place.column];
     std::uint32_t first = place.column, end = first + 1;
-    while (end < grid.columns && row[end].code == cell.code) ++end;
-    while (first > 0 && row[first - 1].code == cell.code) --first;
+    if (i + 1 < arrays_.count() && arrays_.PointAt(i + 1).x < p.x) {
+      while (first > 0 && row[first - 1].code == cell.code) --first;
+    } else {
+      while (end < grid.columns && row[end].code == cell.code) ++end;
+    }
     // where counting in steps decides nothing
     const glm::dvec2 from = grid_begin_ + cell_size_ * glm::dvec2(first, place.row) + wrong_;
     const glm::dvec2 to = grid_begin_ + cell_size_ * glm::dvec2(end, place.row + 1) - wrong_;
@@ -266,12 +280,12 @@ class RowLayer {
   std::size_t SetCells(const FoundLetter& letter, const Box& of_letter, std::size_t i) noexcept {
     const Block& block = layer_.blocks[letter.block];
     const std::size_t first = i, end = std::min(arrays_.count(), first + kMost);
-    SureCells at = CellsAt(letter, of_letter, arrays_.PointAt(i));
+    SureCells at = CellsAt(letter, of_letter, i);
     const Cell cell = at.cell;
     do {
       i = Take(letter.origin, at.sure, first, i, end);
       if (i == end || !IsIn(of_letter, arrays_.PointAt(i) - letter.origin)) break;
-      at = CellsAt(letter, of_letter, arrays_.PointAt(i));
+      at = CellsAt(letter, of_letter, i);
     } while (at.cell.code == cell.code);
     if (cell.empty()) {
       arrays_.Clear(first, i - first);

@@ -62,6 +62,25 @@ TEST(FieldSamples, AreThoseOfSinglePointsAlongRowsAndAnywhere) {
   }
 }
 
+/// There and back along each line, from beyond its one end to beyond its other.
+std::vector<glm::dvec2> ThereAndBack(const SamplePage& page, double step) {
+  std::vector<glm::dvec2> points;
+  for (const PlacedGlyph& glyph : page.typeset.pages.front().glyphs) {
+    if (!points.empty() && points.back().y == glyph.origin_P.y + 0.002) continue;
+    const double y = glyph.origin_P.y + 0.002;
+    for (double x = -0.05; x < 0.3; x += step) points.emplace_back(x, y);
+    for (double x = 0.3; x > -0.05; x -= step) points.emplace_back(x, y);
+  }
+  return points;
+}
+
+TEST(FieldSamples, AreThoseOfSinglePointsThereAndBackAlongLines) {
+  for (const double size : {0.006, 0.02}) {
+    const SamplePage page = MakePage(kPangram, size, Relief::kEngraved);
+    ExpectSame(TextureField(page.texture), ThereAndBack(page, 70e-6));
+  }
+}
+
 TEST(FieldSamples, AreThoseOfSinglePointsOnRoughPaper) {
   SamplePage page = MakePage("rough", 0.012, Relief::kEngraved);
   page.typeset.style.texture.paper = PaperTexture{};
