@@ -61,6 +61,7 @@ void HatchingHand::Go(std::vector<glm::dvec2> way) {
   waited_ = 0;
   ended_ = false;
   since_ = now_;
+  calm_.touching = false;  // what it felt there says nothing of where it lands
   sense_.Lift();
   drift_.Begin();
 }
