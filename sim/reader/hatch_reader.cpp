@@ -13,10 +13,13 @@ namespace moontrace {
 namespace {
 
 // Ours, chosen on seeds 1 to 20. In em unless said.
-constexpr double kGivesUp = 300;     ///< after so long without a sign or a line [s]
-constexpr double kPerSecond = 14;    ///< widths of a ridge, over which it goes
-constexpr double kColumn = 0.11;     ///< from one way across a line to the next
-constexpr double kDotColumn = 0.08;  ///< the same where all signs are of dots
+constexpr double kGivesUp = 300;       ///< after so long without a sign or a line [s]
+constexpr double kGivesUpFirst = 600;  ///< the same of the first line, gone over twice as high [s]
+constexpr double kPerSecond = 14;      ///< widths of a ridge, over which it goes
+constexpr double kColumn = 0.11;       ///< from one way across a line to the next
+constexpr double kDotColumn = 0.08;    ///< the same where all signs are of dots
+constexpr double kLean = 3;            ///< how far aside a way ends from where it begins [columns]
+constexpr double kLinkedLean = 1;      ///< the same of linked letters
 // Over how long it finds how far it strays aside [s]. A tip that dots turn away seems to stray.
 constexpr double kLearn = 0.05, kDotLearn = 0.25;
 constexpr double kSample = 0.25;     ///< from one felt place to the next, in widths
@@ -29,6 +32,7 @@ constexpr double kEdge = 0.2;        ///< beyond a line's ink it is hatched
 constexpr double kEdgeUnsure = 0.3;  ///< the same of a line that is only expected
 constexpr double kBefore = 0.5;      ///< left of where lines began
 constexpr double kRow = 0.13;        ///< between ways that look for a line; less than a dot
+constexpr double kAbove = 0.8;       ///< where its hand was put the search begins; not on a face
 constexpr double kAcrossRows = 3;    ///< their length
 constexpr double kDeepest = 4;       ///< the next line lies no deeper
 constexpr double kToFrame = 10;      ///< so much of a line tells size and turn
@@ -40,6 +44,8 @@ constexpr double kBeginsRight = 0.2;
 constexpr double kUnknownSlack = 0.45;  ///< behind what is no sign
 constexpr double kUnknownClaims = 0.6;  ///< share of ink that it accounts for
 constexpr double kMetBeyond = 0.1;      ///< a line's ink, where it was met
+constexpr double kSure = 0.98;          ///< of a sign that it does not go back to
+constexpr double kAround = 0.2;         ///< a sign it goes over again
 constexpr int kMostRestarts = 2;        ///< of the search for the first line
 constexpr double kInside = 0.002;       ///< of a face's edges the hand stays [m]
 constexpr double kLeastFit = 20;        ///< nats, else what was felt is no line
@@ -64,21 +70,22 @@ HatchReader::HatchReader(const ReaderKnowledge& knowledge, double tick)
 ReaderActivity HatchReader::activity() const {
   if (done()) return ReaderActivity::kDone;
   if (!hand_.sweeps()) return ReaderActivity::kFlying;
-  return errand_ == Errand::kLine ? ReaderActivity::kHatching : ReaderActivity::kSearching;
+  return OnLine() ? ReaderActivity::kHatching : ReaderActivity::kSearching;
 }
 
 ReaderAction HatchReader::Step(const ReaderInput& input) {
   tick_ = input.time - now_;
   now_ = input.time;
   hand_.Add(input);
-  if (now_ - news_ > kGivesUp && !done()) {
+  if (errand_ == Errand::kDoubts) news_ = now_;  // that way has an end
+  if (now_ - news_ > (line_starts_.empty() ? kGivesUpFirst : kGivesUp) && !done()) {
     if (!line_.empty()) LineDone();
     phase_ = Phase::kDone;
   }
   switch (phase_) {
     case Phase::kStart:
       start_ = glm::dvec2(hand_.felt().tip);
-      SearchFirstLine(start_.y);
+      SearchFirstLine(start_.y + (knowledge_.face ? 0 : kAbove * knowledge_.least_size));
       phase_ = Phase::kReads;
       action_ = hand_.Move({});
       break;
@@ -106,7 +113,7 @@ void HatchReader::SweepFrom(std::vector<glm::dvec2> way, Errand errand) {
 ReaderAction HatchReader::Sweep() {
   const Felt& felt = hand_.calm();
   inked_for_ = felt.touching && felt.depth > kInk ? inked_for_ + tick_ : 0;
-  if (errand_ == Errand::kLine) {
+  if (OnLine()) {
     Feel(felt);
   } else if (inked_for_ > kInkTime) {
     BeginLine(felt.place);
@@ -117,7 +124,10 @@ ReaderAction HatchReader::Sweep() {
     for (const glm::dvec2 point : NextColumn()) hand_.GoOnTo(point);
   });
   if (!hand_.ended()) return moved;
-  if (line_starts_.empty() && ++restarts_ <= kMostRestarts) {
+  if (errand_ == Errand::kDoubts) {
+    ReadAgain();
+    LineDone();
+  } else if (line_starts_.empty() && ++restarts_ <= kMostRestarts) {
     SearchFirstLine(start_.y - restarts_ * kRow * knowledge_.least_size / (kMostRestarts + 1));
   } else {
     phase_ = Phase::kDone;
@@ -130,11 +140,15 @@ double HatchReader::ColumnWidth() const {
          (line_starts_.empty() && !framed_ ? knowledge_.least_size : size_);
 }
 
-double HatchReader::Lean() const { return dots_ ? 0 : ColumnWidth(); }
+double HatchReader::Lean() const {
+  if (dots_) return 0;
+  return (knowledge_.link_depth > 0 ? kLinkedLean : kLean) * ColumnWidth();
+}
 
 /// To the end of this column, upwards or downwards in turn, and aside to where the next one begins.
-/// They lean to the right by their distance, all alike: an upright stroke, which could lie between
-/// two upright ones, is met by one of them. Dots are met by upright ones as well.
+/// They lean to the right by more than their distance, all alike: an upright stroke, which could
+/// lie between two upright ones, is crossed by several of them. Dots are met by upright ones as
+/// well.
 std::vector<glm::dvec2> HatchReader::NextColumn() {
   const double lean = upwards_ ? Lean() : 0, end = upwards_ ? high_ : low_;
   const double from = column_ + lean;
@@ -192,6 +206,8 @@ void HatchReader::HatchLine(const SignPlace& frame, double low, double high) {
   hatch_ = frame;
   low_ = low;
   high_ = high;
+  first_token_ = tokens_.size();
+  lie_at_begin_ = lie_;
   column_ = 0;
   upwards_ = false;
   points_.clear();
@@ -225,6 +241,7 @@ double HatchReader::Margin() const {
 
 /// How far along the line everything was felt [m].
 double HatchReader::FeltTo() const {
+  if (errand_ == Errand::kDoubts) return ToEm(hatch_, felt_to_).x;
   return ToEm(hatch_, hand_.felt().place).x - ColumnWidth() - Lean();
 }
 
@@ -245,6 +262,7 @@ void HatchReader::Feel(const Felt& felt) {
     point.p += (knowledge_.raised ? -off : off) * felt.wall;
   }
   if (point.ink || felt.depth < kFlat) points_.push_back(point);
+  if (errand_ == Errand::kDoubts) return;
   const double x = ToEm(hatch_, felt.place).x;
   if (felt.depth > kInk && inked_for_ > kInkTime) {
     if (!inked_) ink_from_ = ink_to_ = x;
@@ -275,13 +293,47 @@ void HatchReader::Think() {
   if (ended && line_starts_.empty()) LookAgain();
   while (ReadOn(ended)) {
   }
-  if (ended) LineDone();
+  if (ended && !GoBackToDoubts()) LineDone();
+}
+
+/// Over the signs of the line that are not sure, from side to side: ways up and down meet an
+/// upright ridge but here and there, where it may be a dot, and pass beside dots. False if all are
+/// sure. Linked letters were not read better by it, and a hand unsure of its place reads worse.
+bool HatchReader::GoBackToDoubts() {
+  if (knowledge_.link_depth > 0 || knowledge_.unsure > 0) return false;
+  const Box& ink = belief_.bounds();
+  const double row = dots_ ? kDotColumn : kRow;
+  std::vector<glm::dvec2> way;
+  for (const SignGuess& read : line_) {
+    if (read.probability > kSure) continue;
+    const bool known = read.sign != SignGuess::kUnknown;
+    const double right = (known ? knowledge_.shapes->Advance(read.sign) : 1) + kAround;
+    bool to_right = true;
+    for (double y = ink.max.y; y > ink.min.y - row; y -= row, to_right = !to_right) {
+      way.push_back(FromEm(read.place, {to_right ? -kAround : right, y}));
+      way.push_back(FromEm(read.place, {to_right ? right : -kAround, y}));
+    }
+  }
+  if (way.empty()) return false;
+  felt_to_ = FromEm(hatch_, {FeltTo(), 0});
+  SweepFrom(std::move(way), Errand::kDoubts);
+  return true;
+}
+
+/// The line, with what was felt on going back.
+void HatchReader::ReadAgain() {
+  SetFrame(line_frame_);
+  lie_ = lie_at_begin_;
+  line_.clear();
+  tokens_.resize(first_token_);
+  while (ReadOn(true)) {
+  }
 }
 
 LinePrior HatchReader::PriorNow() const {
   LinePrior prior;
   prior.next = frame_;
-  prior.gap = gap_bias_;
+  prior.gap = lie_.gap_bias;
   prior.unsure = knowledge_.unsure;
   prior.anywhere = line_.empty();
   if (prior.anywhere) {
@@ -363,8 +415,7 @@ void HatchReader::LookAgain() {
   const FrameFit found = RefineFrame(belief_, points_, RangeNow(), line_frame_);
   if (found.log_likelihood < kLeastFit) return;
   SetFrame(found.frame);
-  gap_bias_ = across_ = along_ = 0;
-  gaps_ = 0;
+  lie_ = lie_at_begin_ = {};
   line_.clear();
   tokens_.clear();
 }
@@ -413,23 +464,23 @@ void HatchReader::LearnFrame(const SignGuess& read) {
     const double gap = way.x - knowledge_.shapes->Advance(before.sign);
     const double bias = gap > 0.7 * knowledge_.space ? gap - knowledge_.space : gap;
     if (std::abs(bias) < 0.3) {
-      ++gaps_;
-      gap_bias_ += (bias - gap_bias_) / std::min(gaps_ + 3, 20);
+      ++lie_.gaps;
+      lie_.gap_bias += (bias - lie_.gap_bias) / std::min(lie_.gaps + 3, 20);
     }
   }
   line_.push_back(read);
   if (line_.size() > 3 && known) {
     const glm::dvec2 way = read.place.origin - line_.front().place.origin;
-    across_ += way.x * (way.y - turn_ * way.x);
-    along_ += way.x * way.x;
+    lie_.across += way.x * (way.y - turn_ * way.x);
+    lie_.along += way.x * way.x;
     const double few = 0.05 * size_ / kTurnSpread;
-    const double turned = across_ / (along_ + few * few);
+    const double turned = lie_.across / (lie_.along + few * few);
     turn_ += 0.2 * turned;
   }
   frame_ = read.place;
   frame_.size = size_;
   frame_.turn = turn_;
-  const double advance = known ? knowledge_.shapes->Advance(read.sign) + gap_bias_ : 0.6;
+  const double advance = known ? knowledge_.shapes->Advance(read.sign) + lie_.gap_bias : 0.6;
   frame_.origin = FromEm(frame_, {advance, known ? (kHeightShare - 1) * off : 0});
   // the columns follow
   SignPlace hatch = frame_;

@@ -12,9 +12,9 @@ namespace moontrace {
 
 /// Reads what cannot be followed, ridges, dots and linked letters: it goes up and down over each
 /// line, a little further to the right each time, and makes out the signs from where it felt the
-/// paper high or low. Looks for the first line from where its hand is put, tells size, turn and
-/// height from that line's beginning, goes on line by line, and ends where no further line comes.
-/// Its hand must feel its height.
+/// paper high or low; over signs that are not sure it goes again, from side to side. Looks for the
+/// first line from where its hand is put, tells size, turn and height from that line's beginning,
+/// goes on line by line, and ends where no further line comes. Its hand must feel its height.
 class HatchReader final : public PageReader {
  public:
   /// `tick` [s]. The shapes have dots by their middles.
@@ -29,8 +29,16 @@ class HatchReader final : public PageReader {
 
  private:
   enum class Phase { kStart, kReads, kDone };
-  enum class Errand { kFirstLine, kNextLine, kLine };
+  enum class Errand { kFirstLine, kNextLine, kLine, kDoubts };
 
+  /// How the signs of lines lie to each other.
+  struct Lie {
+    double gap_bias = 0;           ///< between signs, beyond the script's own [em]
+    int gaps = 0;                  ///< seen
+    double across = 0, along = 0;  ///< tangent sums for the turn [m^2]
+  };
+  /// It feels a line's signs.
+  bool OnLine() const { return errand_ == Errand::kLine || errand_ == Errand::kDoubts; }
   ReaderAction Sweep();
   void SweepFrom(std::vector<glm::dvec2> way, Errand errand);
   std::vector<glm::dvec2> NextColumn();
@@ -52,6 +60,8 @@ class HatchReader final : public PageReader {
   void LookAgain();
   LinePrior PriorNow() const;
   bool ReadOn(bool line_ended);
+  bool GoBackToDoubts();
+  void ReadAgain();
   void Take(const NextOnLine& next);
   void LearnFrame(const SignGuess& read);
   void LineDone();
@@ -85,14 +95,16 @@ class HatchReader final : public PageReader {
   glm::dvec2 met_{0, 0};              ///< a place of the line, between its edges [m]
   double ink_from_ = 0, ink_to_ = 0;  ///< of the line, from `hatch_` [m]
   bool inked_ = false;
-  double thought_at_ = 0;  ///< how far was felt then [m]
-  double waits_ = 0;       ///< for so much more of the line, behind a space [em]
+  double thought_at_ = 0;        ///< how far was felt then [m]
+  std::size_t first_token_ = 0;  ///< of the line
+  glm::dvec2 felt_to_{0, 0};     ///< so far all was felt when it went back to signs [m]
+  double waits_ = 0;             ///< for so much more of the line, behind a space [em]
   std::vector<SignGuess> line_;
   std::vector<SignGuess> newest_;  ///< the sign read last
   // the page
-  double size_ = 0, turn_ = 0, gap_bias_ = 0;
-  int gaps_ = 0;
-  double across_ = 0, along_ = 0;  ///< tangent sums for the turn [m^2]
+  double size_ = 0, turn_ = 0;
+  Lie lie_;           ///< so far
+  Lie lie_at_begin_;  ///< where the line began
   std::vector<SignPlace> line_starts_;
   std::vector<ReadToken> tokens_;
 };
