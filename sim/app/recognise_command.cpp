@@ -312,8 +312,7 @@ int ReadLabel(const RecogniseOptions& options, Console& console) {
   std::optional<TrialView> view;
   if (feed) view.emplace(*feed, console, ReadingPanel());
   if (view && !options.feel.model.empty()) view->ShowModel(reading.text.others);
-  const auto shapes =
-      KnownShapes(reading.text.script, reading.text.set.style, reading.text.set.pages);
+  const auto shapes = KnownShapes(reading.text.script, reading.text.set.pages);
   const std::size_t pages = reading.text.set.pages.size();
   std::optional<PagePictures> pictures;
   if (!options.picture.empty()) pictures.emplace(options.picture, pages);

@@ -17,7 +17,7 @@ namespace moontrace {
 /// goes on line by line, and ends where no further line comes. Its hand must feel its height.
 class HatchReader final : public PageReader {
  public:
-  /// `tick` [s]. The shapes have dots by their middles.
+  /// `tick` [s]. The shapes have dots of Braille by their middles.
   HatchReader(const ReaderKnowledge& knowledge, double tick);
 
   ReaderAction Step(const ReaderInput& input) override;

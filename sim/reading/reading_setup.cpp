@@ -23,7 +23,7 @@ bool IsFollowed(const TypeStyle& style, const Script& script) {
          style.links.reach == LinkReach::kNone;
 }
 
-std::shared_ptr<const SignShapes> KnownShapes(const Script& script, const TypeStyle& style,
+std::shared_ptr<const SignShapes> KnownShapes(const Script& script,
                                               const std::vector<TextPage>& pages) {
   constexpr double kSixDots = -0.25;  // lowest ink is above this [em]
   const bool dots = !script.braille_tables.empty();
@@ -42,8 +42,7 @@ std::shared_ptr<const SignShapes> KnownShapes(const Script& script, const TypeSt
   std::vector<std::size_t> which = WrittenGlyphs(script);
   if (!eight) std::erase_if(which, has_more);
   return std::make_shared<const SignShapes>(
-      script, which,
-      IsFollowed(style, script) ? SignShapes::Dots::kFloors : SignShapes::Dots::kMiddles);
+      script, which, dots ? SignShapes::Dots::kMiddles : SignShapes::Dots::kFloors);
 }
 
 double ReadingPress(const HandModel& hand, const TypeStyle& style, const Script& script) {

@@ -17,8 +17,10 @@ namespace moontrace {
 bool IsFollowed(const TypeStyle& style, const Script& script);
 
 /// The signs of a script as a reader knows them. Of Braille the cells of six dots, and those of
-/// eight where some page has one: that a text is in eight dots is said before.
-std::shared_ptr<const SignShapes> KnownShapes(const Script& script, const TypeStyle& style,
+/// eight where some page has one: that a text is in eight dots is said before. Its dots are known
+/// by their middles, to which slopes lead; wider ones, which stand among strokes, by their floors
+/// or tops, where flat paper speaks against them.
+std::shared_ptr<const SignShapes> KnownShapes(const Script& script,
                                               const std::vector<TextPage>& pages);
 
 /// The press of a hand that reads, unless another is asked for [N]: light over ridges, from which a

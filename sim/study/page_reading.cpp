@@ -70,7 +70,7 @@ PageReading ReadPage(const ReadingCell& cell, const std::string& text, std::uint
   const Script script = FindScript(cell.script);
   const TypeStyle style = StyleOf(cell, script);
   const Typeset set = SetText(text, script, style, PaperOf(cell));
-  const auto shapes = KnownShapes(script, style, set.pages);
+  const auto shapes = KnownShapes(script, set.pages);
   PageReading read;
   read.ended = true;
   std::uint64_t sheet_seed = seed;

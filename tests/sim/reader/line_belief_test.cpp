@@ -23,9 +23,7 @@ constexpr double kSize = 0.005, kWidth = 0.0015;
 
 /// A line of Braille cells as a hand without any error would feel it, a place each tenth of an em.
 struct BrailleLine {
-  BrailleLine() : script(FindScript("braille")) {
-    shapes = KnownShapes(script, DefaultStyle(kSize, Relief::kEmbossed, script), {});
-  }
+  BrailleLine() : script(FindScript("braille")) { shapes = KnownShapes(script, {}); }
   std::size_t Sign(const std::string& name) const {
     for (std::size_t sign = 0; sign < shapes->size(); ++sign) {
       if (script.glyphs[shapes->GlyphOf(sign)].name == name) return sign;
@@ -153,7 +151,7 @@ struct LinkedLine {
     style = DefaultStyle(kSize, Relief::kEngraved, script);
     style.links.reach = LinkReach::kLetters;
     set = SetText(text, script, style, FindPage("a4"));
-    shapes = KnownShapes(script, style, set.pages);
+    shapes = KnownShapes(script, set.pages);
     links = KnownLinks(shapes, script, style)(kSize);
     at = {set.pages.front().glyphs.front().origin_P, kSize, 0};
   }

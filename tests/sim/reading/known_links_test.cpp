@@ -18,7 +18,7 @@ struct Known {
   explicit Known(LinkReach reach) : script(FindScript("moon")) {
     style = DefaultStyle(kSize, Relief::kEngraved, script);
     style.links.reach = reach;
-    shapes = KnownShapes(script, style, {});
+    shapes = KnownShapes(script, {});
     links = KnownLinks(shapes, script, style)(kSize);
   }
   std::size_t SignOf(std::size_t glyph) const {
