@@ -39,15 +39,6 @@ std::string Doing(const Step& step) {
   return step.kind == StepKind::kTest ? fmt::format("test, {}", asked) : asked;
 }
 
-/// Line ends as blanks: a text of several lines within a sentence.
-std::string InOneLine(std::string_view text) {
-  std::string line(text);
-  for (char& c : line) {
-    if (c == '\n') c = ' ';
-  }
-  return line;
-}
-
 }  // namespace
 
 std::string NoCourseNamed() {
@@ -116,11 +107,11 @@ std::string LessonNeeds(const Lesson& lesson) {
 
 std::string HintLine(const Course& course, const std::string& item, std::string_view hint) {
   return fmt::format("Hint for {}: {}", OneLine(std::string(NameOf(course, item)), 60),
-                     InOneLine(hint));
+                     Unbroken(hint));
 }
 
 std::string StepLine(const Course& course, const Step& step, std::size_t number) {
-  std::string what = step.text.empty() ? Named(course, step.items) : InOneLine(step.text);
+  std::string what = step.text.empty() ? Named(course, step.items) : Unbroken(step.text);
   if (what.empty()) what = "what is new";
   if (step.own_name) what += ", and one's own name";
   std::string size;
@@ -137,8 +128,8 @@ std::string CourseEndsAt(double size) {
       Short(kMillimetres * size, 1));
 }
 std::string StepSaysHeld(std::string_view text) {
-  return fmt::format("Says where the tip cannot be lifted: {}", InOneLine(text));
+  return fmt::format("Says where the tip cannot be lifted: {}", Unbroken(text));
 }
-std::string StepSays(std::string_view text) { return fmt::format("Says: {}", InOneLine(text)); }
+std::string StepSays(std::string_view text) { return fmt::format("Says: {}", Unbroken(text)); }
 
 }  // namespace moontrace::say

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "sim/console/wording.h"
 #include "sim/picture/picture_messages.h"
 #include "sim/setup/setup_messages.h"
@@ -288,6 +286,11 @@ std::string BenchOutcome(std::size_t bars, std::size_t missed) {
   return fmt::format("{} of {} bars missed.", missed, bars);
 }
 
+std::string Guided(GuidanceMode mode, double help, double mean_force, double work) {
+  return fmt::format("Push: {}, help {:g}; {:.2f} N on average, {:.1f} mJ done.", NameOf(mode),
+                     help, mean_force, 1e3 * work);
+}
+
 std::string DemoWelcome(std::string_view word) {
   return fmt::format("Welcome to Moontrace. A simulated stylus will trace the word {}.", word);
 }
@@ -351,12 +354,10 @@ std::string TracePictureTitle(std::string_view script, const TypeStyle& style, b
 }
 
 std::string TracePictureWords(std::string_view text, const TraceMetrics& total) {
-  std::string line(text);
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", OneLine(line));
-  if (FollowedNothing(total))
-    return fmt::format("Text: {}. No stroke was followed.", OneLine(line));
-  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", OneLine(line),
+  const std::string line = OneLine(Unbroken(text));
+  if (!(total.contact_share > 0)) return fmt::format("Text: {}. Never touched.", line);
+  if (FollowedNothing(total)) return fmt::format("Text: {}. No stroke was followed.", line);
+  return fmt::format("Text: {}. Covered: {}. Mean error: {} mm. Left: {}.", line,
                      Percent(total.coverage), Short(kMillimetres * total.mean_error, 3),
                      Times(total.excursions));
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "lessons/course/guidance_mode.h"
 #include "lessons/measure/scoring.h"
 #include "sim/bench/row.h"
 #include "sim/setup/typeset_report.h"
@@ -80,6 +81,9 @@ std::string ReplayDiffers(std::size_t tick, std::size_t ticks, std::string_view 
 std::string RecordedTime(double duration, double letters_per_second);
 std::string Altered(std::string_view altered, const ReplayResult& replay);
 std::string OtherField(std::string_view folder);
+
+/// How strong the guiding push of a trace was on average and what it did to the hand.
+std::string Guided(GuidanceMode mode, double help, double mean_force, double work);
 
 // The demo.
 std::string DemoWelcome(std::string_view word);

@@ -48,6 +48,12 @@ std::string Percent(double share) {
   return Short(std::floor(1000 * share + 1e-9) / 10, 1) + " percent";
 }
 
+std::string Unbroken(std::string_view text) {
+  std::string line(text);
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  return line;
+}
+
 std::string Quoted(std::string_view text) { return fmt::format("\"{}\"", OneLine(text)); }
 
 std::string DidYouMean(std::string_view nearest) {

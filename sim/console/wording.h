@@ -22,6 +22,8 @@ std::string Plain(double value);
 /// Never rounded up to a whole: 99.96 percent is not "100".
 std::string Percent(double share);
 
+/// A text of several lines within a sentence: line ends as blanks.
+std::string Unbroken(std::string_view text);
 /// On one line, in double quotes.
 std::string Quoted(std::string_view text);
 /// "did you mean NEAREST? ", or nothing if there is none.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/console/wording.h"
 #include "sim/picture/moon_marks.h"
 #include "sim/reading/read_text.h"
 #include "sim/reading/reading_setup.h"
@@ -82,8 +83,7 @@ Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeSty
   drawing.title = say::ReadingPictureTitle(script, style);
   std::string read = TextRead(result.tokens, script);
   while (!read.empty() && read.back() == '\n') read.pop_back();
-  std::replace(read.begin(), read.end(), '\n', ' ');
-  drawing.description = say::ReadingPictureWords(text, read);
+  drawing.description = say::ReadingPictureWords(text, say::Unbroken(read));
   const std::string words =
       fmt::format("{}. {} {}", drawing.title, drawing.description,
                   say::ReadingPictureLegend(style, IsFollowed(style, script), blank));

@@ -63,7 +63,7 @@ TrialTexts::Reading ReadingTexts(const PageReader& reader, const SignShapes& sha
                                  const Script& script) {
   std::vector<ReadToken> tokens = reader.tokens();
   for (const ReadToken& token : reader.Pending()) tokens.push_back(token);
-  return {EndOf(TextRead(tokens, script)), Likeliest(reader.belief(), shapes, script),
+  return {EndOf(say::Spoken(TextRead(tokens, script))), Likeliest(reader.belief(), shapes, script),
           say::Doing(reader.activity())};
 }
 

@@ -139,9 +139,7 @@ std::string ReadingPictureTitle(const Script& script, const TypeStyle& style) {
 }
 
 std::string ReadingPictureWords(std::string_view text, std::string_view read) {
-  std::string line(text);
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  return fmt::format("Text: {}. Read: {}.", OneLine(line), OneLine(Spoken(read)));
+  return fmt::format("Text: {}. Read: {}.", OneLine(Unbroken(text)), OneLine(Spoken(read)));
 }
 
 std::string ReadingPictureLegend(const TypeStyle& style, bool followed, bool blank) {

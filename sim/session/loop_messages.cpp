@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "sim/console/wording.h"
@@ -13,9 +12,7 @@ namespace moontrace::say {
 
 std::string OnThePage(std::string_view text, bool chosen) {
   text = text.substr(0, text.find_last_not_of("\r\n") + 1);  // the end of a piped line
-  std::string line(text);
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  return fmt::format("On the page: {}{}", OneLine(line),
+  return fmt::format("On the page: {}{}", OneLine(Unbroken(text)),
                      chosen ? "" : ". No text was given; write one after the command.");
 }
 
