@@ -23,6 +23,7 @@ namespace moontrace {
 
 class Records;
 class ViewFeed;
+struct DeviceEntry;
 struct LearnerEntry;
 
 /// `demo`: a newcomer's first minute. Traces a word at four sizes and on blank paper, and leaves
@@ -271,6 +272,8 @@ struct DevicesOptions {
 };
 void AddOptions(CLI::App& app, DevicesOptions& options);
 int Run(const DevicesOptions& options, Console& console);
+/// How to give the permission to open a device, where that is what it lacks.
+void SayMending(const DeviceEntry& entry, Console& console);
 
 /// `study FILE | merge A B ...`: simulated learners by a protocol.
 struct StudyOptions {

@@ -1,5 +1,4 @@
 #include "sim/app/commands.h"
-#include "sim/app/device_mending.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,10 @@
 #include "devices/hid/hid_port.h"
 #include "devices/hid/udev_rule.h"
 #include "sim/app/messages.h"
+#include "sim/device_check/device_check.h"
+#include "sim/device_check/devices_messages.h"
 #include "sim/loop/clock.h"
-#include "sim/session/device_check.h"
 #include "sim/session/device_choice.h"
-#include "sim/session/devices_messages.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/trial/metrics_json.h"

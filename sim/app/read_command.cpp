@@ -13,7 +13,6 @@
 #include "lessons/documents/open_document.h"
 #include "lessons/documents/transcribe.h"
 #include "sim/app/commands.h"
-#include "sim/app/device_mending.h"
 #include "sim/book/document_messages.h"
 #include "sim/book/known_signs.h"
 #include "sim/book/read_book.h"

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "sim/app/guide_messages.h"
 #include "sim/app/messages.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/view_messages.h"

@@ -12,14 +12,14 @@
 #include <utility>
 
 #include "sim/app/messages.h"
-#include "sim/app/reading_plot.h"
-#include "sim/app/study_messages.h"
 #include "sim/picture/picture_file.h"
 #include "sim/setup/help.h"
 #include "sim/setup/typeset_report.h"
 #include "sim/study/page_reading.h"
+#include "sim/study/reading_plot.h"
 #include "sim/study/reading_summary.h"
 #include "sim/study/study_files.h"
+#include "sim/study/study_messages.h"
 #include "sim/study/study_protocol.h"
 #include "sim/study/study_summary.h"
 #include "sim/trial/metrics_json.h"

@@ -8,7 +8,6 @@
 #include "devices/catalogue/catalogue.h"
 #include "devices/hand/simulated_stylus.h"
 #include "lessons/guide/guidance.h"
-#include "sim/app/guide_messages.h"
 #include "sim/app/messages.h"
 #include "sim/app/trace_picture.h"
 #include "sim/app/trace_report.h"

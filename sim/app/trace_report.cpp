@@ -5,7 +5,6 @@
 #include <optional>
 #include <string_view>
 
-#include "sim/app/guide_messages.h"
 #include "sim/app/messages.h"
 #include "sim/picture/link_messages.h"
 #include "sim/session/loop_messages.h"

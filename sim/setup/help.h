@@ -138,6 +138,9 @@ inline constexpr const char* kHeat =
 inline constexpr const char* kGalleryFolder =
     "where the page and its pictures go. Default moontrace-gallery.";
 inline constexpr const char* kDemoFolder = "where the pictures go. Default moontrace-demo.";
+inline constexpr const char* kGuide =
+    "a push on the hand: off, attract, rail, bead, amplify or corridor. Default off.";
+inline constexpr const char* kHelpLevel = "how much, 0 (none) to 10. Default 6.";
 }  // namespace say::help
 
 }  // namespace moontrace

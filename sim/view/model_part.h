@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "sim/model_view/model_scene.h"
-#include "sim/view/canvas.h"
+#include "sim/page_view/canvas.h"
+#include "sim/page_view/view_look.h"
+#include "sim/page_view/view_page.h"
 #include "sim/view/view_history.h"
-#include "sim/view/view_look.h"
 #include "sim/view/view_marks.h"
-#include "sim/view/view_page.h"
 
 namespace moontrace {
 

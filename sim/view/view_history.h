@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "sim/view/page_renderer.h"
-#include "sim/view/view_page.h"
+#include "sim/page_view/page_renderer.h"
+#include "sim/page_view/view_page.h"
 
 namespace moontrace {
 

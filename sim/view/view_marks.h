@@ -1,9 +1,9 @@
 #pragma once
 
-#include "sim/view/page_camera.h"
-#include "sim/view/page_renderer.h"
+#include "sim/page_view/page_camera.h"
+#include "sim/page_view/page_renderer.h"
+#include "sim/page_view/view_page.h"
 #include "sim/view/view_history.h"
-#include "sim/view/view_page.h"
 
 namespace moontrace {
 

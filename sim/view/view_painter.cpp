@@ -6,14 +6,14 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/view/canvas.h"
+#include "sim/page_view/canvas.h"
+#include "sim/page_view/page_overlay.h"
+#include "sim/page_view/page_renderer.h"
+#include "sim/page_view/surface_worker.h"
+#include "sim/page_view/view_text.h"
 #include "sim/view/model_part.h"
-#include "sim/view/page_overlay.h"
-#include "sim/view/page_renderer.h"
-#include "sim/view/surface_worker.h"
 #include "sim/view/view_marks.h"
 #include "sim/view/view_plots.h"
-#include "sim/view/view_text.h"
 
 namespace moontrace {
 

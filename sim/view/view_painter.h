@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "sim/model_view/view_model.h"
+#include "sim/page_view/page_camera.h"
+#include "sim/page_view/view_look.h"
 #include "sim/picture/raster.h"
-#include "sim/view/page_camera.h"
 #include "sim/view/view_history.h"
-#include "sim/view/view_look.h"
 #include "sim/view/view_panel.h"
 
 namespace moontrace {

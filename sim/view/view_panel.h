@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/view/canvas.h"
+#include "sim/page_view/canvas.h"
+#include "sim/page_view/view_look.h"
 #include "sim/view/panel.h"
-#include "sim/view/view_look.h"
 #include "sim/view/window_event.h"
 
 namespace moontrace {

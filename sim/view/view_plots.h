@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/view/canvas.h"
+#include "sim/page_view/canvas.h"
 #include "sim/view/view_history.h"
 
 namespace moontrace {

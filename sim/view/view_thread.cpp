@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "sim/page_view/gl_headless.h"
+#include "sim/page_view/surface_worker.h"
 #include "sim/picture/picture_file.h"
-#include "sim/view/gl_headless.h"
-#include "sim/view/surface_worker.h"
 #include "sim/view/view_input.h"
 #include "sim/view/view_messages.h"
 #include "sim/view/view_window.h"

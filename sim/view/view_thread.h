@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/page_view/view_page.h"
 #include "sim/view/panel.h"
-#include "sim/view/view_page.h"
 #include "sim/view/view_painter.h"
 #include "sim/view/view_words.h"
 #include "sim/view/viewer_options.h"

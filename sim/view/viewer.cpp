@@ -6,8 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "sim/page_view/gl_headless.h"
 #include "sim/picture/picture_file.h"
-#include "sim/view/gl_headless.h"
 #include "sim/view/view_messages.h"
 #include "sim/view/view_painter.h"
 #include "sim/view/view_thread.h"

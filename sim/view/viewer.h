@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sim/model_view/view_model.h"
+#include "sim/page_view/view_page.h"
 #include "sim/view/panel.h"
-#include "sim/view/view_page.h"
 #include "sim/view/viewer_options.h"
 
 namespace moontrace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "sim/model_view/view_model.h"
+#include "sim/page_view/view_page.h"
 #include "sim/physics/page_field.h"
 #include "sim/physics/scene.h"
 #include "sim/setup/text_setup.h"
-#include "sim/view/view_page.h"
 #include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 

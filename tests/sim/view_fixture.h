@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/page_view/view_page.h"
 #include "sim/physics/page_field.h"
 #include "sim/view/panel.h"
-#include "sim/view/view_page.h"
 #include "textures/fonts/script_library.h"
 #include "textures/typeset/typeset.h"
 

@@ -1,6 +1,6 @@
 #include "sim/app/messages.h"
-#include "sim/app/study_messages.h"
 #include "sim/setup/setup_messages.h"
+#include "sim/study/study_messages.h"
 
 #include <gtest/gtest.h>
 

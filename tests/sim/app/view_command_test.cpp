@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sim/page_view/gl_headless.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/view_messages.h"
-#include "sim/view/gl_headless.h"
 #include "sim/view/view_words.h"
 #include "sim/view/viewer.h"
 #include "tests/sim/cli_fixture.h"

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "sim/page_view/gl_headless.h"
 #include "sim/physics/felt_object.h"
-#include "sim/view/gl_headless.h"
 #include "tests/sim/model_view_fixture.h"
 #include "tests/sim/scene_fixture.h"
 #include "textures/base/error.h"

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/app/study_messages.h"
 #include "sim/study/study_files.h"
+#include "sim/study/study_messages.h"
 #include "sim/study/study_summary.h"
 #include "tests/sim/cli_fixture.h"
 #include "tests/source_path.h"

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "sim/view/gl_headless.h"
+#include "sim/page_view/gl_headless.h"
 #include "tests/sim/view_fixture.h"
 #include "textures/base/error.h"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/page_view/view_text.h"
 #include "sim/view/view_messages.h"
-#include "sim/view/view_text.h"
 
 namespace moontrace {
 namespace {

@@ -12,8 +12,8 @@
 #include <iterator>
 #include <thread>
 
-#include "sim/view/canvas.h"
-#include "sim/view/gl_headless.h"
+#include "sim/page_view/canvas.h"
+#include "sim/page_view/gl_headless.h"
 #include "sim/view/view_painter.h"
 #include "sim/view/view_thread.h"
 #include "tests/sim/display_fixture.h"

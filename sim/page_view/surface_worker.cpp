@@ -1,4 +1,4 @@
-#include "sim/view/surface_worker.h"
+#include "sim/page_view/surface_worker.h"
 
 #include <pthread.h>
 #include <sys/resource.h>

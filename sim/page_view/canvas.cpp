@@ -1,4 +1,4 @@
-#include "sim/view/canvas.h"
+#include "sim/page_view/canvas.h"
 
 #include "textures/base/error.h"
 

@@ -1,4 +1,4 @@
-#include "sim/view/page_renderer.h"
+#include "sim/page_view/page_renderer.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "sim/app/reading_plot.h"
+#include "sim/study/reading_plot.h"
 
 #include <gtest/gtest.h>
 

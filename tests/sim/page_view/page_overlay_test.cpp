@@ -1,4 +1,4 @@
-#include "sim/view/page_overlay.h"
+#include "sim/page_view/page_overlay.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/view/gl_headless.h"
+#include "sim/page_view/gl_headless.h"
 #include "textures/base/error.h"
 
 namespace moontrace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/page_view/view_look.h"
 #include "sim/picture/drawing.h"
-#include "sim/view/view_look.h"
 
 namespace moontrace {
 

@@ -1,4 +1,4 @@
-#include "sim/view/page_overlay.h"
+#include "sim/page_view/page_overlay.h"
 
 #include <algorithm>
 #include <cmath>

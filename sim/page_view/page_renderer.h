@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/page_view/page_camera.h"
 #include "sim/picture/drawing.h"
 #include "sim/picture/raster.h"
-#include "sim/view/page_camera.h"
 #include "textures/field/element.h"
 
 namespace moontrace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
+#include "sim/page_view/view_page.h"
 #include "sim/picture/field_shading.h"
-#include "sim/view/view_page.h"
 
 namespace moontrace {
 

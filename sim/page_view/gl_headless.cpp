@@ -1,4 +1,4 @@
-#include "sim/view/gl_headless.h"
+#include "sim/page_view/gl_headless.h"
 
 #include "textures/base/error.h"
 

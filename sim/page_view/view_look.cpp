@@ -1,4 +1,4 @@
-#include "sim/view/view_look.h"
+#include "sim/page_view/view_look.h"
 
 #include <algorithm>
 

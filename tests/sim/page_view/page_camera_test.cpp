@@ -1,4 +1,4 @@
-#include "sim/view/page_camera.h"
+#include "sim/page_view/page_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/view/view_text.h"
+#include "sim/page_view/view_text.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sim/view/canvas.h"
-#include "sim/view/page_renderer.h"
+#include "sim/page_view/canvas.h"
+#include "sim/page_view/page_renderer.h"
 
 namespace moontrace {
 

@@ -1,4 +1,4 @@
-#include "sim/session/devices_messages.h"
+#include "sim/device_check/devices_messages.h"
 
 #include <fmt/core.h>
 

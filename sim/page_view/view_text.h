@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/view/canvas.h"
+#include "sim/page_view/canvas.h"
 
 namespace moontrace {
 

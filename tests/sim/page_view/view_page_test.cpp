@@ -1,4 +1,4 @@
-#include "sim/view/view_page.h"
+#include "sim/page_view/view_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/view/page_renderer.h"
+#include "sim/page_view/page_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
+#include "sim/page_view/gl_headless.h"
 #include "sim/picture/field_shading.h"
-#include "sim/view/gl_headless.h"
 #include "tests/sim/contrast.h"
 #include "textures/base/error.h"
 #include "textures/fonts/script_library.h"

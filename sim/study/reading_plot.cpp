@@ -1,12 +1,12 @@
-#include "sim/app/reading_plot.h"
+#include "sim/study/reading_plot.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "sim/app/study_messages.h"
 #include "sim/picture/moon_marks.h"
+#include "sim/study/study_messages.h"
 
 namespace moontrace {
 namespace {

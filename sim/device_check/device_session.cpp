@@ -1,4 +1,4 @@
-#include "sim/session/device_session.h"
+#include "sim/device_check/device_session.h"
 
 #include <algorithm>
 #include <glm/glm.hpp>

@@ -1,4 +1,4 @@
-#include "sim/app/study_messages.h"
+#include "sim/study/study_messages.h"
 
 #include <fmt/core.h>
 

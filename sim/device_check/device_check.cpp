@@ -1,4 +1,4 @@
-#include "sim/session/device_check.h"
+#include "sim/device_check/device_check.h"
 
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -18,8 +18,8 @@
 #include <ostream>
 
 #include "devices/hid/homing.h"
-#include "sim/session/device_session.h"
-#include "sim/session/devices_messages.h"
+#include "sim/device_check/device_session.h"
+#include "sim/device_check/devices_messages.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {

@@ -1,4 +1,4 @@
-#include "sim/session/device_check.h"
+#include "sim/device_check/device_check.h"
 
 #include <gtest/gtest.h>
 
