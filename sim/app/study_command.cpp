@@ -167,8 +167,10 @@ void Report(const StudyOptions& options, const StudySummary& summary, const std:
   console.Path(path);
 }
 
-Json EstimateJson(const Estimate& estimate) {
-  return Json{{"value", estimate.value}, {"ci95", {estimate.low, estimate.high}}};
+/// One page has no spread.
+Json EstimateJson(const Estimate& estimate, std::size_t pages) {
+  const Json interval = pages < 2 ? Json() : Json{estimate.low, estimate.high};
+  return Json{{"value", estimate.value}, {"ci95", interval}};
 }
 
 Json ReadingCellJson(const ReadingStudyCell& cell) {
@@ -188,8 +190,8 @@ Json ReadingCellJson(const ReadingStudyCell& cell) {
               {"paper", given.paper.empty() ? Json() : Json(given.paper)},
               {"pages", cell.pages},
               {"signs", cell.signs},
-              {"right_share", EstimateJson(cell.right)},
-              {"seconds_per_sign", EstimateJson(cell.seconds)},
+              {"right_share", EstimateJson(cell.right, cell.pages)},
+              {"seconds_per_sign", EstimateJson(cell.seconds, cell.pages)},
               {"wrong", cell.wrong},
               {"missed", cell.missed},
               {"extra", cell.extra},

@@ -47,10 +47,13 @@ void DrawScale(std::vector<Mark>& marks, const Axis& axis, double bottom, double
   marks.emplace_back(TextMark{{axis.left, top + kSmall}, kSmall, name, palette::kInk});
 }
 
+/// `pages`: one has no spread.
 void DrawEstimate(std::vector<Mark>& marks, const Axis& axis, const Estimate& estimate,
-                  double scale, double y) {
-  const double low = axis.At(scale * estimate.low), high = axis.At(scale * estimate.high);
-  marks.emplace_back(TrackMark{{{low, y}, {high, y}}, palette::kTip, 0.8});
+                  double scale, double y, std::size_t pages) {
+  if (pages > 1) {
+    const double low = axis.At(scale * estimate.low), high = axis.At(scale * estimate.high);
+    marks.emplace_back(TrackMark{{{low, y}, {high, y}}, palette::kTip, 0.8});
+  }
   CircleMark dot;
   dot.center = {axis.At(scale * estimate.value), y};
   dot.radius = 1;
@@ -96,8 +99,8 @@ Drawing ReadingPlot(const std::string& title, const ReadingSummary& summary) {
     const double y = top - kRow * (static_cast<double>(i) + 0.5);
     drawing.marks.emplace_back(
         TextMark{{kBorder, y - 0.5 * kLetters}, kLetters, cell.condition, palette::kInk});
-    DrawEstimate(drawing.marks, right, cell.right, 100, y);
-    DrawEstimate(drawing.marks, seconds, cell.seconds, 1, y);
+    DrawEstimate(drawing.marks, right, cell.right, 100, y, cell.pages);
+    DrawEstimate(drawing.marks, seconds, cell.seconds, 1, y, cell.pages);
   }
   for (TextMark& line : words) {
     line.at.y += words_height;

@@ -112,6 +112,10 @@ std::string ReadingDone(std::size_t pages, std::size_t combinations) {
 }
 
 std::string ReadingCellLine(const ReadingStudyCell& cell) {
+  if (cell.pages < 2) {  // one page has no spread
+    return fmt::format("{}: {} right; {:.2f} s a sign", cell.condition, Percent(cell.right.value),
+                       cell.seconds.value);
+  }
   return fmt::format("{}: {} right, CI {:.2f} to {:.2f}; {:.2f} s a sign, CI {:.2f} to {:.2f}",
                      cell.condition, Percent(cell.right.value), 100 * cell.right.low,
                      100 * cell.right.high, cell.seconds.value, cell.seconds.low,

@@ -7,12 +7,15 @@
 #include <variant>
 #include <vector>
 
+#include "sim/study/study_messages.h"
+
 namespace moontrace {
 namespace {
 
 ReadingStudyCell Cell(const std::string& name, Estimate right, Estimate seconds) {
   ReadingStudyCell cell;
   cell.condition = name;
+  cell.pages = 20;
   cell.right = right;
   cell.seconds = seconds;
   return cell;
@@ -55,6 +58,16 @@ TEST(ReadingPlot, BarsReachFromEndToEndOfTheIntervals) {
   const double per_percent = (dots[0].center.x - dots[2].center.x) / 8;
   EXPECT_NEAR(bars[2].points[0].x, dots[2].center.x - 5 * per_percent, 1e-9);
   EXPECT_NEAR(bars[2].points[1].x, dots[2].center.x + 5 * per_percent, 1e-9);
+}
+
+// One page has no spread, whatever its letters tell.
+TEST(ReadingPlot, OnePageHasNoInterval) {
+  ReadingSummary one = Two();
+  for (ReadingStudyCell& cell : one.cells) cell.pages = 1;
+  const Drawing drawing = ReadingPlot("T", one), two = ReadingPlot("T", Two());
+  EXPECT_EQ(Dots(drawing).size(), Dots(two).size());
+  EXPECT_EQ(drawing.marks.size() + 4, two.marks.size());
+  EXPECT_EQ(say::ReadingCellLine(one.cells[0]), "sure: 98 percent right; 5.00 s a sign");
 }
 
 TEST(ReadingPlot, TellsInWordsWhatIsToBeSeen) {
