@@ -289,9 +289,13 @@ bool HasWideGaps(const TextSetup& text, bool followed) {
 
 void SayWhatIsHard(const TextSetup& text, bool followed, Console& console) {
   if (HasWideGaps(text, followed)) console.Remark(say::ReaderMissesWideGaps());
-  const LineDirection lines = text.set.style.lines;
-  const bool led = followed && lines == LineDirection::kAlternate;  // by guide lines
-  if (lines != LineDirection::kLeftToRight && !led) console.Remark(say::ReaderGoesLeftToRight());
+  const TypeStyle& style = text.set.style;
+  if (followed || style.lines == LineDirection::kLeftToRight) return;
+  if (style.lines == LineDirection::kAlternate) {
+    console.Remark(say::ReaderFollowsNoGuides());
+  } else if (style.links.reach != LinkReach::kNone) {
+    console.Remark(say::ReaderKnowsLinksToTheRight());
+  }
 }
 
 int ReadLabel(const RecogniseOptions& options, Console& console) {

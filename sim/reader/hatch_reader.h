@@ -22,9 +22,9 @@ class HatchReader final : public PageReader {
 
   ReaderAction Step(const ReaderInput& input) override;
   bool done() const override { return phase_ == Phase::kDone; }
-  const std::vector<ReadToken>& tokens() const override { return tokens_; }
+  std::vector<ReadToken> tokens() const override { return tokens_; }
   std::vector<ReadToken> Pending() const override { return {}; }
-  const std::vector<SignGuess>& belief() const override { return newest_; }
+  std::vector<SignGuess> belief() const override { return newest_; }
   ReaderActivity activity() const override;
 
  private:

@@ -42,11 +42,11 @@ class PageReader {
 
   virtual bool done() const = 0;
   /// What has been read.
-  virtual const std::vector<ReadToken>& tokens() const = 0;
+  virtual std::vector<ReadToken> tokens() const = 0;
   /// What comes next among `tokens`: of a line that is decided as a whole, its signs so far.
   virtual std::vector<ReadToken> Pending() const = 0;
   /// What it thinks of the sign that it felt last, best first; empty before the first.
-  virtual const std::vector<SignGuess>& belief() const = 0;
+  virtual std::vector<SignGuess> belief() const = 0;
   virtual ReaderActivity activity() const = 0;
 };
 

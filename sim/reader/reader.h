@@ -26,9 +26,9 @@ class Reader final : public PageReader {
 
   ReaderAction Step(const ReaderInput& input) override;
   bool done() const override { return phase_ == Phase::kDone; }
-  const std::vector<ReadToken>& tokens() const override { return tokens_; }
+  std::vector<ReadToken> tokens() const override { return tokens_; }
   std::vector<ReadToken> Pending() const override;
-  const std::vector<SignGuess>& belief() const override { return belief_; }
+  std::vector<SignGuess> belief() const override { return belief_; }
   ReaderActivity activity() const override;
 
  private:

@@ -58,6 +58,7 @@ struct ReaderKnowledge {
   double link_depth = 0;     ///< of links between letters, share of theirs; 0: there are none
   /// The links of letters of a size [m], if there are any.
   std::function<std::shared_ptr<const LinkShapes>(double size)> links;
+  LinesRun lines = LinesRun::kRight;
   double heading_scale = 1;  ///< of headings, so many times as large as other lines; 1: as large
 
   std::optional<ReaderFace> face;  ///< none: paper, without an edge in reach

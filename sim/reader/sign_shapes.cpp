@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <set>
@@ -92,6 +93,59 @@ void SignShapes::FillTable(const Glyph& glyph, Dots dots, Sign& sign) {
       table.cells.push_back(static_cast<float>(nearest));
     }
   }
+}
+
+glm::dvec2 SignShapes::AlongLines(const Sign& sign, LinesRun lines, glm::dvec2 p) {
+  const double right = sign.bounds.max.x;
+  switch (lines) {
+    case LinesRun::kLeft:
+      return {right - p.x, p.y};
+    case LinesRun::kDown:
+      return {1 - p.y, p.x + (1 - right) / 2};
+    case LinesRun::kRight:
+      break;
+  }
+  return p;
+}
+
+/// Cell by cell: they are square, and lie on each other.
+SignShapes::Table SignShapes::AlongLines(const Sign& sign, LinesRun lines) {
+  const Table& table = sign.table;
+  const bool down = lines == LinesRun::kDown;
+  const glm::dvec2 upper = table.corner + glm::dvec2(table.columns, table.rows) / kPerEm;
+  const glm::dvec2 a = AlongLines(sign, lines, table.corner), b = AlongLines(sign, lines, upper);
+  Table along;
+  along.corner = glm::min(a, b);
+  along.columns = down ? table.rows : table.columns;
+  along.rows = down ? table.columns : table.rows;
+  along.cells.reserve(table.cells.size());
+  for (int row = 0; row < along.rows; ++row) {
+    for (int column = 0; column < along.columns; ++column) {
+      const int back = along.columns - 1 - column;
+      along.cells.push_back(down ? table.At(row, back) : table.At(back, row));
+    }
+  }
+  return along;
+}
+
+SignShapes SignShapes::AlongLines(LinesRun lines) const {
+  SignShapes along = *this;
+  if (lines == LinesRun::kRight) return along;
+  for (Sign& sign : along.signs_) {
+    const Sign was = sign;
+    const double right = was.bounds.max.x;
+    sign.bounds = {};
+    Include(sign.bounds, AlongLines(was, lines, was.bounds.min));
+    Include(sign.bounds, AlongLines(was, lines, was.bounds.max));
+    if (lines == LinesRun::kDown) sign.advance = 1 + std::max(was.advance - right, 0.0);
+    for (SignPoint& point : sign.points) {
+      const glm::dvec2 on = AlongLines(was, lines, point.p + point.tangent);
+      point.p = AlongLines(was, lines, point.p);
+      point.tangent = on - point.p;
+    }
+    sign.table = AlongLines(was, lines);
+  }
+  return along;
 }
 
 std::vector<std::size_t> WrittenGlyphs(const Script& script) {

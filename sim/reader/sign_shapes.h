@@ -16,6 +16,9 @@ struct SignPoint {
   glm::dvec2 tangent{1, 0};  ///< unit
 };
 
+/// How lines run over the paper.
+enum class LinesRun { kRight, kLeft, kDown };
+
 /// The signs that a reader knows, made ready for asking how far a felt point lies from each.
 class SignShapes {
  public:
@@ -65,6 +68,16 @@ class SignShapes {
   }
   const Table& TableOf(std::size_t sign) const { return signs_[sign].table; }
 
+  /// The signs as they follow each other in such lines, which themselves are mirrored or turned so
+  /// that they run to the right. Leftwards a sign begins at the right edge of its strokes;
+  /// downwards it stands in the middle of an em, begins at that em's upper edge, and has the same
+  /// gap behind it as in a line to the right (layout.h).
+  SignShapes AlongLines(LinesRun lines) const;
+  /// Where the origin of a sign lies then [em].
+  glm::dvec2 OriginAlongLines(std::size_t sign, LinesRun lines) const {
+    return AlongLines(signs_[sign], lines, {0, 0});
+  }
+
  private:
   struct Sign {
     std::size_t glyph = 0, meaning = 0;
@@ -75,6 +88,8 @@ class SignShapes {
     Table table;
   };
   static Sign Make(const Glyph& glyph, std::size_t index, Dots dots);
+  static glm::dvec2 AlongLines(const Sign& sign, LinesRun lines, glm::dvec2 p);
+  static Table AlongLines(const Sign& sign, LinesRun lines);
   static void FillTable(const Glyph& glyph, Dots dots, Sign& sign);
 
   std::vector<Sign> signs_;

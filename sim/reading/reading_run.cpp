@@ -9,6 +9,7 @@
 #include "sim/console/console.h"
 #include "sim/reader/hatch_reader.h"
 #include "sim/reader/reader.h"
+#include "sim/reader/turned_reader.h"
 #include "textures/typeset/layout.h"
 
 namespace moontrace {
@@ -45,6 +46,10 @@ void Keep(std::vector<PathPoint>& path, const TickResult& felt, ReaderActivity a
 
 std::unique_ptr<PageReader> ReaderFor(const ReaderKnowledge& knowledge, double tick,
                                       std::uint64_t seed) {
+  if (knowledge.lines != LinesRun::kRight) {
+    return std::make_unique<TurnedReader>(
+        knowledge, [&](const ReaderKnowledge& told) { return ReaderFor(told, tick, seed); });
+  }
   if (knowledge.followed) return std::make_unique<Reader>(knowledge, tick, seed);
   return std::make_unique<HatchReader>(knowledge, tick);
 }

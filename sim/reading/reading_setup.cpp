@@ -16,6 +16,20 @@ namespace {
 constexpr double kGreatestTurn = 3 * kDegree;
 constexpr double kPutWithin = 0.5;  ///< sizes
 
+/// Alternating lines begin to the right, and guide lines tell of the others.
+LinesRun RunOf(LineDirection lines) {
+  switch (lines) {
+    case LineDirection::kRightToLeft:
+      return LinesRun::kLeft;
+    case LineDirection::kVertical:
+      return LinesRun::kDown;
+    case LineDirection::kLeftToRight:
+    case LineDirection::kAlternate:
+      break;
+  }
+  return LinesRun::kRight;
+}
+
 }  // namespace
 
 bool IsFollowed(const TypeStyle& style, const Script& script) {
@@ -82,6 +96,7 @@ void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes
     knowledge.link_depth = style.links.depth;
     knowledge.links = KnownLinks(knowledge.shapes, script, style);
   }
+  knowledge.lines = RunOf(style.lines);
   if (style.structure.read) knowledge.heading_scale = style.structure.heading_scale;
   // one draw a statement: compilers differ in the order of arguments
   Random random(seed);
@@ -93,8 +108,8 @@ void CompleteSetup(ReadingSetup& setup, std::shared_ptr<const SignShapes> shapes
   const double up = 2 * random.Uniform() - 1;
   const double right = 2 * random.Uniform() - 1;
   const Box& area = setup.page->text_area_P;
-  setup.start_P =
-      glm::dvec2(area.min.x, area.max.y) + kPutWithin * style.size * glm::dvec2(right, up);
+  const double side = knowledge.lines == LinesRun::kRight ? area.min.x : area.max.x;
+  setup.start_P = glm::dvec2(side, area.max.y) + kPutWithin * style.size * glm::dvec2(right, up);
 }
 
 bool CanBeReadOn(const DeviceLimits& limits, bool followed) {

@@ -103,8 +103,12 @@ std::string ReaderMissesWideGaps() {
   return "The text has wide gaps: the reader may take one for the end of its line.";
 }
 
-std::string ReaderGoesLeftToRight() {
-  return "The reader goes along each line from left to right: of other lines it reads little.";
+std::string ReaderFollowsNoGuides() {
+  return "The reader follows guide lines in grooves without links only: here it reads little.";
+}
+
+std::string ReaderKnowsLinksToTheRight() {
+  return "The reader knows links of lines from left to right only: here it reads little.";
 }
 
 std::string Belief(std::string_view sign, double probability) {

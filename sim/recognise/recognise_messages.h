@@ -30,7 +30,8 @@ std::string ReadsWhereLettersAreFelt(std::string_view profile, bool followed);
 std::string ReaderStopped(std::size_t page);
 /// Beforehand, of pages on which the reader is known to get lost.
 std::string ReaderMissesWideGaps();
-std::string ReaderGoesLeftToRight();
+std::string ReaderFollowsNoGuides();
+std::string ReaderKnowsLinksToTheRight();
 /// The tip went through the paper so often.
 std::string ReaderPressedThrough(std::size_t page, std::size_t count);
 

@@ -22,9 +22,10 @@ namespace {
 struct Sheet {
   Sheet(const std::string& text, const std::string& name, Relief relief, double size,
         std::uint64_t seed, bool blank = false, bool grained = false,
-        LinkReach links = LinkReach::kNone)
+        LinkReach links = LinkReach::kNone, LineDirection lines = LineDirection::kLeftToRight)
       : script(FindScript(name)), style(DefaultStyle(size, relief, script)) {
     style.links.reach = links;
+    style.lines = lines;
     if (script.braille_tables.empty()) style.grade = 0.5;
     if (grained) style.texture.paper = PaperTexture{};
     set = SetText(text, script, style, FindPage("a4"));
@@ -74,6 +75,18 @@ TEST(SlowHatchReading, ReadsEngravedDots) {
 // made letters of 15 mm out of two lines of 10 mm.
 TEST(SlowHatchReading, KeepsTheSizeOfWideDots) {
   ExpectRead({"zeblp tjrxl uynfu wzcbz", "braille", Relief::kEngraved, 0.010, 19}, 2);
+}
+
+TEST(SlowHatchReading, ReadsLinesThatRunLeftwardsOrDown) {
+  for (const LineDirection lines : {LineDirection::kRightToLeft, LineDirection::kVertical}) {
+    for (const char* script : {"moon", "braille"}) {
+      const Sheet sheet("read the\nsea", script, Relief::kEmbossed, 0.006, 1, false, false,
+                        LinkReach::kNone, lines);
+      const ReadingScore score = sheet.Score(RunReading(sheet.setup));
+      EXPECT_EQ(score.signs, 10U);
+      EXPECT_GE(score.signs_right, 9U) << script;
+    }
+  }
 }
 
 TEST(SlowHatchReading, ReadsRaisedDots) {

@@ -213,6 +213,28 @@ TEST(Reading, FollowsGuideLinesThoughUnsureOfItsPlace) {
   EXPECT_EQ(TextRead(RunReading(setup).tokens, desk.script), TextOn(desk));
 }
 
+// To the left or down, with the letters as they are; it is told which. Places are the page's.
+TEST(Reading, ReadsLinesThatRunLeftwardsOrDown) {
+  for (const LineDirection lines : {LineDirection::kRightToLeft, LineDirection::kVertical}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      const Desk desk("read the sea\nand moon", 0.012, seed, FindScript("moon"), false, 0.5, lines);
+      const ReadingResult result = RunReading(desk.setup);
+      EXPECT_TRUE(result.ended);
+      EXPECT_EQ(TextRead(result.tokens, desk.script), TextOn(desk)) << seed;
+      const std::vector<PlacedGlyph>& glyphs = desk.set.pages.front().glyphs;
+      const auto is_sign = [](const ReadToken& token) {
+        return token.kind == ReadToken::Kind::kSign;
+      };
+      auto token = std::find_if(result.tokens.begin(), result.tokens.end(), is_sign);
+      for (std::size_t i = 0; i < glyphs.size() && token != result.tokens.end(); ++i) {
+        EXPECT_LT(glm::distance(token->place.origin, glyphs[i].origin_P), 0.1 * 0.012) << i;
+        EXPECT_NEAR(token->place.turn, 0, 2 * kDegree);
+        token = std::find_if(token + 1, result.tokens.end(), is_sign);
+      }
+    }
+  }
+}
+
 // Typists put two spaces behind a sentence.
 TEST(Reading, GoesOnBehindTwoSpaces) {
   const Desk desk("so.  The sea\nis.  Go", 0.006);

@@ -12,9 +12,9 @@ class ReaderInTheMidst final : public PageReader {
  public:
   ReaderAction Step(const ReaderInput&) override { return {}; }
   bool done() const override { return false; }
-  const std::vector<ReadToken>& tokens() const override { return tokens_; }
+  std::vector<ReadToken> tokens() const override { return tokens_; }
   std::vector<ReadToken> Pending() const override { return pending_; }
-  const std::vector<SignGuess>& belief() const override { return belief_; }
+  std::vector<SignGuess> belief() const override { return belief_; }
   ReaderActivity activity() const override { return ReaderActivity::kTurning; }
 
   std::vector<ReadToken> tokens_, pending_;
