@@ -56,6 +56,7 @@ void Check(const moontrace_description& d, const std::string& path) {
   if (d.pushes != 0 && (d.peak_force <= 0 || (d.stiffness <= 0 && d.damping <= 0))) {
     Refuse(path, "it pushes without peak_force, or without stiffness and damping");
   }
+  if (d.continuous_force > d.peak_force) Refuse(path, "continuous_force is above peak_force");
   if (d.continuous_force > 0 && d.heat_time <= 0) Refuse(path, "heat_time is missing");
 }
 

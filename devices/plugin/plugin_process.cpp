@@ -112,6 +112,11 @@ void PluginProcess::AwaitOpening(const std::string& path) {
     if (phase == Phase::kFailed) {
       throw DeviceError(fmt::format("plug-in {}: {}", path, Cleaned(helper_->text)));
     }
+    if (phase == Phase::kLost) {
+      HasEnded(static_cast<int>(kLongestClosing.count()));  // it closes its device
+      throw DeviceError(fmt::format("plug-in {}: {} as soon as it was opened: mend it", path,
+                                    Cleaned(helper_->text)));
+    }
     if (ended) {
       throw DeviceError(fmt::format("plug-in {}: {} while its device was opened: mend it", path,
                                     InWords(Reap())));

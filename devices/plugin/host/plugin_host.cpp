@@ -78,11 +78,16 @@ const moontrace_device& LoadPlugin() {
   }
   const auto entry = reinterpret_cast<const moontrace_device* (*)()>(symbol);
   const moontrace_device* device = entry();
-  if (device == nullptr || device->version != MOONTRACE_DEVICE_VERSION ||
-      device->size < sizeof(moontrace_device)) {
+  if (device == nullptr || device->version != MOONTRACE_DEVICE_VERSION) {
     throw std::runtime_error(fmt::format(
         "is made for version {} of moontrace_device.h, this program takes {}: build it anew",
         device == nullptr ? 0 : device->version, MOONTRACE_DEVICE_VERSION));
+  }
+  if (device->size < sizeof(moontrace_device)) {
+    throw std::runtime_error(
+        fmt::format("gives {} as the size of its struct moontrace_device, of {} bytes or more: set "
+                    "it to sizeof(struct moontrace_device)",
+                    device->size, sizeof(moontrace_device)));
   }
   if (device->describe == nullptr || device->open == nullptr || device->read == nullptr ||
       device->write == nullptr || device->close == nullptr) {

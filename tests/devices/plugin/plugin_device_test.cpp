@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "devices/core/device_error.h"
 #include "devices/plugin/plugin_process.h"
@@ -219,9 +220,28 @@ TEST_F(PluginDeviceTest, GetsZeroAndAnEndWhenTheProgramIsKilled) {
 
 TEST_F(PluginDeviceTest, IsRefusedInOneLineWhenItCannotBeOpened) {
   EXPECT_TRUE(Has(Refusal("wrong_version"), "version 2")) << Refusal("wrong_version");
+  EXPECT_TRUE(Has(Refusal("wrong_size"), "gives 8 as the size")) << Refusal("wrong_size");
   EXPECT_TRUE(Has(Refusal("crash_at_open"), "signal 6")) << Refusal("crash_at_open");
   EXPECT_TRUE(Has(Refusal("refuse"), "no arm found: plug it in")) << Refusal("refuse");
   EXPECT_TRUE(Has(Refusal("bad_description"), "workspace")) << Refusal("bad_description");
+}
+
+// One that fails in its first rounds may do so before its opening was noticed or after.
+TEST_F(PluginDeviceTest, SaysWhatItDidWrongAtOnce) {
+  const std::pair<const char*, const char*> reasons[] = {{"nan_at_once", "that is no number"},
+                                                         {"code_at_once", "lost its device"}};
+  for (const auto& [fault, why] : reasons) {
+    std::string said;
+    try {
+      const auto device = MakePluginDevice(Plugin(fault), 0.001);
+      EXPECT_TRUE(TickUntilLost(*device, {}));
+      said = device->WhyLost();
+    } catch (const DeviceError& error) {
+      said = error.what();
+    }
+    EXPECT_TRUE(Has(said, why)) << said;
+    EXPECT_TRUE(EndsWithZero(Forces())) << fault;
+  }
 }
 
 TEST_F(PluginDeviceTest, RefusesWhatIsNoPlugin) {
@@ -259,6 +279,10 @@ TEST(PluginDescription, IsRefusedForFieldsThatCannotBe) {
   refuses([](moontrace_description& d) { d.buttons = 33; });
   refuses([](moontrace_description& d) { d.stiffness = 0; });
   refuses([](moontrace_description& d) { d.continuous_force = 1; });
+  refuses([](moontrace_description& d) {
+    d.continuous_force = 4;
+    d.heat_time = 20;
+  });
 }
 
 }  // namespace

@@ -27,6 +27,9 @@
 #define NOT_READY 11
 #define SLOW 12 /* from the first read on */
 #define FORKS 13
+#define NAN_AT_ONCE 14  /* from the first read on */
+#define CODE_AT_ONCE 15 /* likewise */
+#define WRONG_SIZE 16
 
 static int reads = 0;
 static int forces = -1;
@@ -62,6 +65,8 @@ static int faulty_read(void* self, struct moontrace_reading* reading) {
   const int result = read_device(self, reading);
   const struct timespec slow = {0, 50000000};
   if (FAULT == SLOW) nanosleep(&slow, NULL);
+  if (FAULT == NAN_AT_ONCE) reading->position[1] = 0.0 / reads;
+  if (FAULT == CODE_AT_ONCE) return 77;
   if (++reads < 200) return result;
   switch (FAULT) {
     case NAN_POSITION:
@@ -115,5 +120,6 @@ const struct moontrace_device* moontrace_device_entry(void) {
                                            faulty_write,
                                            faulty_close};
   if (FAULT == WRONG_VERSION) device.version = 2;
+  if (FAULT == WRONG_SIZE) device.size = 8;
   return &device;
 }
