@@ -292,6 +292,11 @@ glm::bvec3 ReadAxes(const Reader& reader, const toml::table& table, const char* 
   if (text.find_first_not_of("xyz") != std::string::npos) {
     reader.Fail(node.source(), fmt::format("{} is not made of x, y, z: write \"xyz\"", key));
   }
+  for (const char axis : {'x', 'y', 'z'}) {
+    if (std::count(text.begin(), text.end(), axis) > 1) {
+      reader.Fail(node.source(), fmt::format("{} has {} twice: write it once", key, axis));
+    }
+  }
   return {text.find('x') != std::string::npos, text.find('y') != std::string::npos,
           text.find('z') != std::string::npos};
 }
@@ -352,6 +357,10 @@ void ReadProfile(const Reader& reader, const toml::table& table, DeviceProfile& 
   ReadIds(reader, table, profile.ids);
   reader.ReadNumbers(table, numbers);
   profile.limits.measures = ReadAxes(reader, table, "measures");
+  if (!profile.limits.measures.x || !profile.limits.measures.y) {
+    reader.Fail(reader.Require(table, "measures").source(),
+                "measures lacks x or y: a page is felt on devices that measure both");
+  }
   profile.limits.pushes = ReadAxes(reader, table, "pushes");
   profile.limits.buttons =
       static_cast<int>(reader.WholeAt(reader.Require(table, "buttons"), "buttons", 32));

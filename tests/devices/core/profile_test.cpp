@@ -106,6 +106,19 @@ TEST(ParseProfile, TellsWhereAValueIsWrong) {
             std::string::npos);
 }
 
+TEST(ParseProfile, TakesEachAxisOnceAndBothAlongThePage) {
+  const auto message = [](const std::string& axes) {
+    return MessageFor(Replaced(kGood, "\"xy\"", "\"" + axes + "\""));
+  };
+  EXPECT_EQ(message("zyx"), "no error");
+  EXPECT_EQ(message("xx"), "folder/some.toml:3:12: measures has x twice: write it once");
+  for (const char* axes : {"", "z", "x", "yz"}) {
+    EXPECT_EQ(message(axes).find("folder/some.toml:3:12: measures lacks x or y: "), 0U) << axes;
+  }
+  EXPECT_EQ(MessageFor(Replaced(kGood, "pushes = \"x\"", "pushes = \"xzz\"")),
+            "folder/some.toml:4:10: pushes has z twice: write it once");
+}
+
 TEST(ParseProfile, RefusesForcesThatContradict) {
   EXPECT_NE(MessageFor(Replaced(kGood, "continuous_force_n = 1.5", "continuous_force_n = 5"))
                 .find("above peak_force_n"),
