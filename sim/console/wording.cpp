@@ -44,8 +44,9 @@ std::string Plain(double value) {
   return Short(value, std::clamp(4 - whole_digits, 0, 15));
 }
 
-std::string Percent(double share) {
-  return Short(std::floor(1000 * share + 1e-9) / 10, 1) + " percent";
+std::string Percent(double share, int decimals) {
+  const double parts = std::pow(10, decimals);
+  return Short(std::floor(100 * parts * share + 1e-9) / parts, decimals) + " percent";
 }
 
 std::string Unbroken(std::string_view text) {

@@ -19,8 +19,8 @@ std::string Joined(const std::vector<std::string>& words, std::string_view last)
 std::string Short(double value, int decimals);
 /// Four significant digits, or all of a whole part, without an exponent: "0.01234", "15000000".
 std::string Plain(double value);
-/// Never rounded up to a whole: 99.96 percent is not "100".
-std::string Percent(double share);
+/// Rounded down to so many decimals, never up to a whole: 99.96 percent is not "100".
+std::string Percent(double share, int decimals = 1);
 
 /// A text of several lines within a sentence: line ends as blanks.
 std::string Unbroken(std::string_view text);

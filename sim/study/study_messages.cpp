@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/console/wording.h"
 #include "textures/base/text_file.h"
@@ -113,13 +114,14 @@ std::string ReadingDone(std::size_t pages, std::size_t combinations) {
 
 std::string ReadingCellLine(const ReadingStudyCell& cell) {
   if (cell.pages < 2) {  // one page has no spread
-    return fmt::format("{}: {} right; {:.2f} s a sign", cell.condition, Percent(cell.right.value),
-                       cell.seconds.value);
+    return fmt::format("{}: {} right; {:.2f} s a sign", cell.condition,
+                       Percent(cell.right.value, 2), cell.seconds.value);
   }
+  // Its low end is rounded down as the share is, so that this never lies outside.
   return fmt::format("{}: {} right, CI {:.2f} to {:.2f}; {:.2f} s a sign, CI {:.2f} to {:.2f}",
-                     cell.condition, Percent(cell.right.value), 100 * cell.right.low,
-                     100 * cell.right.high, cell.seconds.value, cell.seconds.low,
-                     cell.seconds.high);
+                     cell.condition, Percent(cell.right.value, 2),
+                     std::floor(1e4 * cell.right.low + 1e-9) / 100, 100 * cell.right.high,
+                     cell.seconds.value, cell.seconds.low, cell.seconds.high);
 }
 
 std::string ReadingErrorsLine(const ReadingStudyCell& cell) {
@@ -150,10 +152,10 @@ std::string ReadingPlotWords(const ReadingSummary& summary, std::size_t shown) {
                         });
   std::string words = fmt::format(
       "Dots: values; bars: their 95 percent intervals. Surest: {}, {} right, {:.2f} s a sign.",
-      best.condition, Percent(best.right.value), best.seconds.value);
+      best.condition, Percent(best.right.value, 2), best.seconds.value);
   if (&best != &worst) {
     words += fmt::format(" Least right: {}, {}, {:.2f} s a sign.", worst.condition,
-                         Percent(worst.right.value), worst.seconds.value);
+                         Percent(worst.right.value, 2), worst.seconds.value);
   }
   if (shown < summary.cells.size()) {
     words +=

@@ -70,6 +70,18 @@ TEST(ReadingPlot, OnePageHasNoInterval) {
   EXPECT_EQ(say::ReadingCellLine(one.cells[0]), "sure: 98 percent right; 5.00 s a sign");
 }
 
+// The share never lies outside its interval, and is 100 only where all is right.
+TEST(ReadingPlot, WordsRoundAShareAsItsInterval) {
+  const ReadingStudyCell good = Cell("good", {0.99966, 0.99939, 1}, {5, 4, 6});
+  EXPECT_EQ(say::ReadingCellLine(good),
+            "good: 99.96 percent right, CI 99.93 to 100.00; 5.00 s a sign, CI 4.00 to 6.00");
+  const ReadingStudyCell close = Cell("close", {0.999996, 0.999995, 1}, {5, 4, 6});
+  EXPECT_NE(say::ReadingCellLine(close).find(": 99.99 percent right, CI 99.99 to 100.00"),
+            std::string::npos);
+  const ReadingStudyCell all = Cell("all", {1, 0.99, 1}, {5, 4, 6});
+  EXPECT_NE(say::ReadingCellLine(all).find(": 100 percent right, CI 99.00"), std::string::npos);
+}
+
 TEST(ReadingPlot, TellsInWordsWhatIsToBeSeen) {
   const Drawing drawing = ReadingPlot("Title", Two());
   EXPECT_EQ(drawing.title, "Title");
