@@ -102,15 +102,35 @@ int ThreadsOf(const StudyOptions& options) {
   return static_cast<int>(std::clamp(cores, 1U, static_cast<unsigned>(kMostThreads)));
 }
 
-Json CellJson(const StudyCell& cell) {
-  return Json{{"phase", cell.phase},           {"condition", cell.condition},
-              {"learners", cell.learners},     {"mean_mm", 1e3 * cell.mean},
-              {"sd_mm", 1e3 * cell.deviation}, {"ci95_mm", {1e3 * cell.low, 1e3 * cell.high}}};
+bool IsShare(const StudyOptions& options) { return ShardOf(options.shard).of > 1; }
+
+/// "2/4", or null of a whole study.
+Json ShardJson(const StudyOptions& options) {
+  const Shard shard = ShardOf(options.shard);
+  return shard.of > 1 ? Json(fmt::format("{}/{}", shard.number, shard.of)) : Json();
 }
 
-Json SummaryJson(const StudySummary& summary, const std::string& path) {
+/// In mm; null unless it is `known`.
+Json Millimetres(bool known, double value) { return known ? Json(kMillimetres * value) : Json(); }
+Json Millimetres(bool known, double low, double high) {
+  return known ? Json{kMillimetres * low, kMillimetres * high} : Json();
+}
+
+/// `share`: its means compare nothing. One value has no spread.
+Json CellJson(const StudyCell& cell, bool share) {
+  const bool spread = !share && cell.learners > 1;
+  return Json{{"phase", cell.phase},
+              {"condition", cell.condition},
+              {"learners", cell.learners},
+              {"mean_mm", Millimetres(!share, cell.mean)},
+              {"sd_mm", Millimetres(spread, cell.deviation)},
+              {"ci95_mm", Millimetres(spread, cell.low, cell.high)}};
+}
+
+Json SummaryJson(const StudyOptions& options, const StudySummary& summary,
+                 const std::string& path) {
   Json cells = Json::array(), exclusions = Json::array();
-  for (const StudyCell& cell : summary.cells) cells.push_back(CellJson(cell));
+  for (const StudyCell& cell : summary.cells) cells.push_back(CellJson(cell, IsShare(options)));
   for (const StudyExclusion& excluded : summary.exclusions) {
     exclusions.push_back({{"condition", excluded.condition},
                           {"seed", excluded.seed},
@@ -118,9 +138,13 @@ Json SummaryJson(const StudySummary& summary, const std::string& path) {
                           {"phase", excluded.phase},
                           {"why", excluded.why}});
   }
-  return Json{
-      {"rows", path},      {"trials", summary.trials},  {"learners", summary.learners},
-      {"simulated", true}, {"cells", std::move(cells)}, {"excluded", std::move(exclusions)}};
+  return Json{{"rows", path},
+              {"shard", ShardJson(options)},
+              {"trials", summary.trials},
+              {"learners", summary.learners},
+              {"simulated", true},
+              {"cells", std::move(cells)},
+              {"excluded", std::move(exclusions)}};
 }
 
 /// Phase by phase: the cells, then their order.
@@ -149,14 +173,14 @@ void SayCells(const StudySummary& summary, Console& console) {
 void Report(const StudyOptions& options, const StudySummary& summary, const std::string& outcome,
             const std::string& path, Console& console) {
   if (options.output.json) {
-    console.Json(Dump(SummaryJson(summary, path)));
+    console.Json(Dump(SummaryJson(options, summary, path)));
     return;
   }
   console.Result(outcome);
-  if (ShardOf(options.shard).of == 1) {
-    SayCells(summary, console);
-  } else {  // other learners in each condition: means of a share compare nothing
+  if (IsShare(options)) {  // other learners in each condition: means of a share compare nothing
     console.Result(say::StudyIsAShare(options.shard));
+  } else {
+    SayCells(summary, console);
   }
   console.Result(say::StudyExclusions(summary.exclusions.size()));
   for (const StudyExclusion& excluded : summary.exclusions) {
@@ -202,13 +226,15 @@ Json ReadingCellJson(const ReadingStudyCell& cell) {
 /// Of a study of reading.
 void ReportReading(const StudyOptions& options, const std::string& title,
                    const std::vector<StudyRow>& rows, const std::string& path, Console& console) {
-  const ReadingSummary summary = SummariseReading(rows);
+  ReadingSummary summary = SummariseReading(rows);
+  if (IsShare(options)) summary.best.reset();
   if (!options.picture.empty()) WritePicture(options.picture, ReadingPlot(title, summary));
   if (options.output.json) {
-    const Json best = summary.cells.empty() ? Json() : Json(summary.cells[summary.best].condition);
+    const Json best = summary.best ? Json(summary.cells[*summary.best].condition) : Json();
     Json cells = Json::array();
     for (const ReadingStudyCell& cell : summary.cells) cells.push_back(ReadingCellJson(cell));
     console.Json(Dump(Json{{"rows", path},
+                           {"shard", ShardJson(options)},
                            {"pages", rows.size()},
                            {"simulated", true},
                            {"cells", std::move(cells)},
@@ -217,13 +243,13 @@ void ReportReading(const StudyOptions& options, const std::string& title,
     return;
   }
   console.Result(say::ReadingDone(rows.size(), summary.cells.size()));
-  if (ShardOf(options.shard).of > 1) console.Result(say::StudyIsAShare(options.shard));
+  if (IsShare(options)) console.Result(say::StudyIsAShare(options.shard));
   for (const ReadingStudyCell& cell : summary.cells) {
     console.Result(say::ReadingCellLine(cell));
     console.Result(say::ReadingErrorsLine(cell));
   }
-  if (summary.cells.size() > 1) {
-    console.Result(say::ReadingBest(summary.cells[summary.best].condition));
+  if (summary.best && summary.cells.size() > 1) {
+    console.Result(say::ReadingBest(summary.cells[*summary.best].condition));
   }
   console.Result(say::ReadingProves());
   if (!options.picture.empty()) {

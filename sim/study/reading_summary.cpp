@@ -89,13 +89,13 @@ ReadingSummary SummariseReading(const std::vector<StudyRow>& rows) {
               [](const StudyRow* a, const StudyRow* b) { return a->seed < b->seed; });
     summary.cells.push_back(CellOf(cell));
   }
-  for (std::size_t i = 1; i < summary.cells.size(); ++i) {
-    const ReadingStudyCell& best = summary.cells[summary.best];
+  for (std::size_t i = 0; i < summary.cells.size(); ++i) {
     const ReadingStudyCell& cell = summary.cells[i];
+    const ReadingStudyCell& best = summary.cells[summary.best.value_or(i)];
     const bool surer = cell.right.low > best.right.low;
     const bool quicker =
         cell.right.low == best.right.low && cell.seconds.value < best.seconds.value;
-    if (surer || quicker) summary.best = i;
+    if (!summary.best || surer || quicker) summary.best = i;
   }
   return summary;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct ReadingStudyCell {
 
 struct ReadingSummary {
   std::vector<ReadingStudyCell> cells;  ///< in the order of their rows
-  /// Of the cell with the highest lower end of `right`, of equals the quickest.
-  std::size_t best = 0;
+  /// Of the cell with the highest lower end of `right`, of equals the quickest; none without cells,
+  /// or where they are not to be compared.
+  std::optional<std::size_t> best;
 };
 
 /// Of rows with pages. The same for the same rows, whatever their order within a cell.

@@ -142,21 +142,29 @@ std::string ReadingProves() {
          "devices, not people.";
 }
 
+namespace {
+
+std::string SurestAndLeast(const std::vector<ReadingStudyCell>& cells,
+                           const ReadingStudyCell& best) {
+  std::string words = fmt::format(" Surest: {}, {} right, {:.2f} s a sign.", best.condition,
+                                  Percent(best.right.value, 2), best.seconds.value);
+  const auto worst = std::min_element(cells.begin(), cells.end(),
+                                      [](const ReadingStudyCell& a, const ReadingStudyCell& b) {
+                                        return a.right.value < b.right.value;
+                                      });
+  if (&*worst != &best) {
+    words += fmt::format(" Least right: {}, {}, {:.2f} s a sign.", worst->condition,
+                         Percent(worst->right.value, 2), worst->seconds.value);
+  }
+  return words;
+}
+
+}  // namespace
+
 std::string ReadingPlotWords(const ReadingSummary& summary, std::size_t shown) {
   if (summary.cells.empty()) return "No page was read.";
-  const ReadingStudyCell& best = summary.cells[summary.best];
-  const ReadingStudyCell& worst =
-      *std::min_element(summary.cells.begin(), summary.cells.end(),
-                        [](const ReadingStudyCell& a, const ReadingStudyCell& b) {
-                          return a.right.value < b.right.value;
-                        });
-  std::string words = fmt::format(
-      "Dots: values; bars: their 95 percent intervals. Surest: {}, {} right, {:.2f} s a sign.",
-      best.condition, Percent(best.right.value, 2), best.seconds.value);
-  if (&best != &worst) {
-    words += fmt::format(" Least right: {}, {}, {:.2f} s a sign.", worst.condition,
-                         Percent(worst.right.value, 2), worst.seconds.value);
-  }
+  std::string words = "Dots: values; bars: their 95 percent intervals.";
+  if (summary.best) words += SurestAndLeast(summary.cells, summary.cells[*summary.best]);
   if (shown < summary.cells.size()) {
     words +=
         fmt::format(" Of {} combinations the first {} are shown.", summary.cells.size(), shown);

@@ -46,7 +46,8 @@ std::string ReadingCellLine(const ReadingStudyCell& cell);
 std::string ReadingErrorsLine(const ReadingStudyCell& cell);
 std::string ReadingBest(std::string_view condition);
 std::string ReadingProves();
-/// The picture in words: its surest and its least sure combination; `shown`: of all, in its rows.
+/// The picture in words: its surest combination and that with least right, where these are to be
+/// compared and differ; `shown`: of all, in its rows.
 std::string ReadingPlotWords(const ReadingSummary& summary, std::size_t shown);
 std::string MergedReading();
 std::string ReadingPlotRight();

@@ -33,6 +33,7 @@ ReadingSummary Two() {
   ReadingSummary summary;
   summary.cells = {Cell("sure", {0.98, 0.96, 1}, {5, 4, 6}),
                    Cell("poor", {0.90, 0.85, 0.95}, {10, 9, 11})};
+  summary.best = 0;
   return summary;
 }
 

@@ -163,7 +163,7 @@ TEST(ReadingSummary, TheBestIsTheSurestThenTheQuickest) {
     rows.push_back(Page("quick", seed, 20, 20, 100));
   }
   const ReadingSummary summary = SummariseReading(rows);
-  EXPECT_EQ(summary.cells.at(summary.best).condition, "quick");
+  EXPECT_EQ(summary.cells.at(summary.best.value()).condition, "quick");
 }
 
 const std::string kSmall = R"(title = "Small"
@@ -238,7 +238,13 @@ TEST_F(ReadingStudy, SharesMergeToTheWhole) {
                                    In(std::string("share") + shard[0] + ".csv")});
     EXPECT_EQ(share.code, 0) << share.err;
     EXPECT_NE(share.out.find("This is share "), std::string::npos);
+    EXPECT_EQ(share.out.find("Surest"), std::string::npos) << share.out;
   }
+  const Outcome json = RunLine({"study", In("small.toml"), "--shard", "2/2", "--json", "--output",
+                                In("share2.csv"), "--picture", In("share.svg")});
+  EXPECT_TRUE(json.Json()["best"].is_null());
+  EXPECT_EQ(json.Json()["shard"], "2/2");
+  EXPECT_EQ(ReadAll(In("share.svg")).find("Surest"), std::string::npos);
   const Outcome merged =
       RunLine({"study", "merge", In("share1.csv"), In("share2.csv"), "--output", In("merged.csv")});
   EXPECT_EQ(merged.code, 0) << merged.err;
@@ -258,6 +264,8 @@ TEST_F(ReadingStudy, SaysWhatCameOfIt) {
   EXPECT_EQ(json["pages"], 4);
   EXPECT_EQ(json["cells"][1]["size_mm"], 12);
   EXPECT_EQ(json["cells"][1]["signs"], 10);
+  EXPECT_TRUE(json["best"].is_string());
+  EXPECT_TRUE(json["shard"].is_null());
 }
 
 }  // namespace

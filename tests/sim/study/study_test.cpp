@@ -219,6 +219,8 @@ TEST_F(Study, SaysWhatCameOfIt) {
   const auto json = RunLine(With(line, {"--json"})).Json();
   EXPECT_EQ(json["cells"].size(), 2u * 4);
   EXPECT_EQ(json["trials"], 24);
+  EXPECT_TRUE(json["shard"].is_null());
+  EXPECT_GT(json["cells"][0]["mean_mm"], 0);
 }
 
 TEST_F(Study, SaysWhatAStopLeaves) {
@@ -235,6 +237,15 @@ TEST_F(Study, ComparesNothingInAShare) {
   EXPECT_EQ(share.code, 0) << share.err;
   EXPECT_NE(share.out.find("This is share 1/2 of the study"), std::string::npos) << share.out;
   EXPECT_EQ(share.out.find("least first"), std::string::npos) << share.out;
+  const auto json = RunLine({"study", Path("small.toml"), "--shard", "1/2", "--output",
+                             Path("share.csv"), "--json"})
+                        .Json();
+  EXPECT_EQ(json["shard"], "1/2");
+  ASSERT_FALSE(json["cells"].empty());
+  EXPECT_EQ(json["cells"][0]["learners"], 1);
+  for (const char* key : {"mean_mm", "sd_mm", "ci95_mm"}) {
+    EXPECT_TRUE(json["cells"][0][key].is_null()) << key;
+  }
 }
 
 TEST_F(Study, MergesIntoNoneOfItsFiles) {
