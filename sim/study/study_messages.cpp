@@ -148,11 +148,11 @@ std::string SurestAndLeast(const std::vector<ReadingStudyCell>& cells,
                            const ReadingStudyCell& best) {
   std::string words = fmt::format(" Surest: {}, {} right, {:.2f} s a sign.", best.condition,
                                   Percent(best.right.value, 2), best.seconds.value);
-  const auto worst = std::min_element(cells.begin(), cells.end(),
-                                      [](const ReadingStudyCell& a, const ReadingStudyCell& b) {
-                                        return a.right.value < b.right.value;
-                                      });
-  if (&*worst != &best) {
+  const auto [worst, most] = std::minmax_element(
+      cells.begin(), cells.end(), [](const ReadingStudyCell& a, const ReadingStudyCell& b) {
+        return a.right.value < b.right.value;
+      });
+  if (&*worst != &best && worst->right.value < most->right.value) {
     words += fmt::format(" Least right: {}, {}, {:.2f} s a sign.", worst->condition,
                          Percent(worst->right.value, 2), worst->seconds.value);
   }

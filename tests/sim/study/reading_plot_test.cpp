@@ -92,6 +92,15 @@ TEST(ReadingPlot, TellsInWordsWhatIsToBeSeen) {
   EXPECT_NE(drawing.description.find("Least right: poor, 90 percent"), std::string::npos);
 }
 
+TEST(ReadingPlot, NamesNoLeastRightWhereAllAreEqual) {
+  ReadingSummary equal = Two();
+  equal.cells[0].right.value = equal.cells[1].right.value = 1;
+  EXPECT_EQ(
+      say::ReadingPlotWords(equal, 2),
+      "Dots: values; bars: their 95 percent intervals. Surest: sure, 100 percent right, 5.00 s "
+      "a sign.");
+}
+
 TEST(ReadingPlot, ShowsAtMostAHundredRowsAndSaysSo) {
   ReadingSummary summary;
   for (int i = 0; i < 120; ++i) summary.cells.push_back(Cell("c", {1, 1, 1}, {5, 5, 5}));
