@@ -4,6 +4,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,10 @@ class Driver : private LoopListener {
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
       if (options_.seconds && passed.count() >= *options_.seconds) break;
       Look();
+      if (AwaitsLoop()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        continue;
+      }
       LookAtWindow();
       HearElsewhere();
       if (quit_) break;  // what is typed from now on is for others
@@ -359,6 +364,34 @@ class Driver : private LoopListener {
     Answer();
   }
 
+  /// Of what has no effect no event tells. The loop is asked for a stop in any case: what is known
+  /// of it may be old.
+  void Stop() {
+    if (poll_.newest().stopped) Say(say::StoppedBefore());
+    Ask(true);
+    session_.loop().Stop();
+  }
+
+  void GoOn() {
+    if (!poll_.newest().stopped) return Say(say::NothingStopped());
+    Ask(false);
+    session_.GoOn();
+  }
+
+  void Ask(bool stopped) {
+    constexpr std::chrono::milliseconds kPatience{200};
+    asked_stopped_ = stopped;
+    asked_until_ = Clock::now() + kPatience;
+  }
+
+  /// Whether the next word is to wait, so that it meets what the last one did. A loop that stands
+  /// still is not waited for.
+  bool AwaitsLoop() {
+    const bool known = asked_stopped_ == poll_.newest().stopped || Clock::now() > asked_until_;
+    if (known) asked_stopped_.reset();
+    return asked_stopped_.has_value();
+  }
+
   void ObeyWord(const std::string& given) {
     const std::string line = proposal_.Taken(given);
     if (options_.view != nullptr) {
@@ -372,9 +405,9 @@ class Driver : private LoopListener {
     switch (said.word) {
       case LoopWord::kStop:
       case LoopWord::kPause:
-        return session_.loop().Stop();
+        return Stop();
       case LoopWord::kGo:
-        return session_.GoOn();
+        return GoOn();
       case LoopWord::kBigger:
         return Resize(true);
       case LoopWord::kSmaller:
@@ -421,6 +454,8 @@ class Driver : private LoopListener {
   std::shared_ptr<const ViewModel> shown_;
   bool led_ = false;
   Clock::time_point led_until_;
+  std::optional<bool> asked_stopped_;  ///< by the last word, and not yet so
+  Clock::time_point asked_until_;
   Proposal proposal_;
   std::optional<LetterPlace> mark_;
   std::vector<std::string> answer_;     ///< said since the last word

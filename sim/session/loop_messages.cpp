@@ -234,6 +234,9 @@ std::string_view EventName(SafetyEvent event) {
   return "";
 }
 
+std::string StoppedBefore() { return "Stopped already. Say go to go on."; }
+std::string NothingStopped() { return "Not stopped: go on feeling."; }
+
 std::string ForceIsBack() { return "Force is back."; }
 
 std::string LoopSilent() { return "No force: the computer stands still for a while."; }

@@ -58,6 +58,9 @@ std::string Repeated(const std::array<std::uint64_t, kSafetyEvents>& counts);
 std::string DeviceLost(std::string_view why);
 /// "not_a_number", "jump", ...: the key in JSON.
 std::string_view EventName(SafetyEvent event);
+/// Of "stop" or "pause", and of "go", that changes nothing.
+std::string StoppedBefore();
+std::string NothingStopped();
 std::string ForceIsBack();  ///< behind motors that were off
 std::string LoopSilent();
 std::string StillLost(std::string_view why);
