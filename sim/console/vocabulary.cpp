@@ -155,25 +155,52 @@ const TypedWord* WholeBefore(std::string_view line, WordPlace place) {
 
 SaidLine Refused(std::string refusal) { return {nullptr, {}, std::move(refusal), {}}; }
 
+/// "go!" is "go"; marks that stand alone are kept: "?", "find .".
+std::string_view WithoutMarks(std::string_view given) {
+  const auto last = given.find_last_not_of(".!?");
+  const bool attached = last != std::string_view::npos && given[last] != ' ' && given[last] != '\t';
+  return attached ? given.substr(0, last + 1) : given;
+}
+
+/// "please, stop" is "stop".
+std::string_view WithoutPlease(std::string_view given) {
+  constexpr std::string_view kPlease = "please";
+  if (!Begins(given, kPlease)) return given;
+  const std::string_view behind = given.substr(kPlease.size());
+  const auto begin = behind.find_first_not_of(" \t,");
+  return begin == 0 || begin == std::string_view::npos ? given : behind.substr(begin);
+}
+
 /// Whole or by its number, and whatever stands behind it: who wants all force gone may say more
 /// than the word.
 bool BeginsWithStop(std::string_view given) {
-  return given.substr(0, given.find_first_of(" \t.,;:!?")) == "stop" ||
-         given.substr(0, given.find_first_of(" \t")) == "1";
+  given = WithoutPlease(given);
+  const std::string_view first = given.substr(0, given.find_first_of(" \t.,;:!?"));
+  return first == "stop" || first == "halt" || given.substr(0, given.find_first_of(" \t")) == "1";
+}
+
+/// What stands behind the word may end with a mark of its own.
+bool TakesText(const TypedWord& word) {
+  return word.behind == "TEXT" || word.behind == "NAME" || word.word == "practise" ||
+         word.word == "go to";
 }
 
 /// The word that a line means as a whole, though it is put otherwise: "go on", "pause please",
-/// "what?"; null: none.
+/// "what"; null: none.
 const TypedWord* PutOtherwise(std::string_view given, WordPlace place) {
   constexpr std::pair<std::string_view, const char*> kOthers[] = {
-      {"go on", "go"},     {"carry on", "go"},  {"continue", "go"},   {"what", "again"},
-      {"what?", "again"},  {"pardon", "again"}, {"pardon?", "again"}, {"say that again", "again"},
-      {"repeat", "again"}, {"exit", "quit"},    {"bye", "quit"},      {"goodbye", "quit"},
-      {"wait", "pause"},   {"larger", "bigger"}};
+      {"go on", "go"},     {"carry on", "go"},          {"continue", "go"},  {"what", "again"},
+      {"pardon", "again"}, {"say that again", "again"}, {"repeat", "again"}, {"exit", "quit"},
+      {"bye", "quit"},     {"goodbye", "quit"},         {"wait", "pause"},   {"halt", "stop"},
+      {"larger", "bigger"}};
   constexpr std::string_view kPlease = " please";
+  const std::string_view whole = given;
+  given = WithoutPlease(given);
   if (given.ends_with(kPlease)) {
     given = Trimmed(given.substr(0, given.size() - kPlease.size()));
     while (given.ends_with(',')) given.remove_suffix(1);
+  }
+  if (given != whole) {
     const TypedWord* word = WordNamed(given);
     if (word != nullptr && word->HoldsIn(place)) return word;
   }
@@ -239,6 +266,7 @@ const TypedWord* WordNamed(std::string_view word) {
 }
 
 const TypedWord* WholeWord(std::string_view given, WordPlace place) {
+  given = WithoutMarks(given);
   if (const TypedWord* word = PutOtherwise(given, place)) return word;
   const TypedWord* word = WordNamed(given);
   return word != nullptr && word->HoldsIn(place) ? word : nullptr;
@@ -278,23 +306,27 @@ SaidLine ReadLine(std::string_view line, WordPlace place) {
   if (typed.empty()) return {};
   const std::string given = LowerCase(typed);
   if (BeginsWithStop(given)) return {WordNamed("stop"), {}, {}};
-  if (const TypedWord* word = PutOtherwise(given, place)) return {word, {}, {}};
-  const WordFound alone = FindWord(given, place);
+  const std::string_view bare = WithoutMarks(given);
+  if (const TypedWord* word = PutOtherwise(bare, place)) return {word, {}, {}};
+  const WordFound alone = FindWord(bare, place);
   // "find n" looks for an n: only the whole of "find next" is that word
   const TypedWord* before = WholeBefore(given, place);
   const bool wants = before != nullptr && !before->behind.empty() &&
-                     (alone.word == nullptr || alone.word->word != given);
-  if (!wants && !Empty(alone)) return Said(alone, given, {}, typed, place);
-  std::size_t end = std::min(given.find_first_of(" \t"), given.size());
-  WordFound first = FindWord(given.substr(0, end), place);
+                     (alone.word == nullptr || alone.word->word != bare);
+  if (!wants && !Empty(alone)) return Said(alone, bare, {}, typed, place);
+  std::size_t end = std::min(bare.find_first_of(" \t"), bare.size());
+  WordFound first = FindWord(bare.substr(0, end), place);
   if (const TypedWord* whole = WholeBefore(given, place)) {
     first = {whole};
     end = whole->word.size();
   }
-  const std::string_view behind = Trimmed(typed.substr(end));
+  std::string_view behind = Trimmed(typed.substr(end));
+  if (end == bare.size() || (first.word != nullptr && !TakesText(*first.word))) {
+    behind = end == bare.size() ? std::string_view() : WithoutMarks(behind);
+  }
   const bool alone_only = first.word != nullptr && first.word->behind.empty() && !behind.empty();
   if (alone_only) return Refused(say::WordStandsAlone(first.word->word, behind));
-  return Said(first, given.substr(0, end), behind, typed, place);
+  return Said(first, bare.substr(0, end), behind, typed, place);
 }
 
 bool SaysYes(std::string_view line) {

@@ -51,7 +51,7 @@ struct WordFound {
 /// meant. A beginning that is short for two words in two places belongs to the smaller number.
 WordFound FindWord(std::string_view given, WordPlace place);
 
-/// The word that a line means as a whole, though it may be put otherwise: "go", "go on", "pause
+/// The word that a line means as a whole, though it may be put otherwise: "go.", "go on", "pause
 /// please", "what?". In small letters; null: none that holds there.
 const TypedWord* WholeWord(std::string_view given, WordPlace place);
 
@@ -64,7 +64,8 @@ struct SaidLine {
 };
 
 /// Reads a line: a word as FindWord has it, and what stands behind it, where the word wants
-/// something. A "/" before, blanks and capitals do not count.
+/// something. A "/" before, blanks and capitals do not count, nor a closing mark, unless it is of a
+/// text behind a word.
 SaidLine ReadLine(std::string_view line, WordPlace place);
 
 /// "yes", and more behind it.

@@ -65,7 +65,7 @@ std::string WordOutOfRange(std::string_view word, std::string_view given, std::s
 }
 
 std::string Unstopped(std::string text) {
-  const auto last = text.find_last_not_of(". ");
+  const auto last = text.find_last_not_of(".!? ");
   if (last != std::string::npos) text.erase(last + 1);
   return text;
 }

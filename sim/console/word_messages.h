@@ -26,7 +26,8 @@ std::string WordAmbiguous(std::string_view given, const std::vector<std::string>
 std::string WordWants(std::string_view word, std::string_view wants);
 std::string WordCannotBe(std::string_view word, std::string_view given, std::string_view wants);
 std::string WordOutOfRange(std::string_view word, std::string_view given, std::string_view wants);
-/// What was typed, behind which a sentence ends: without full stops of its own, unless it is one.
+/// What was typed, behind which a sentence ends: without closing marks of its own, unless it is
+/// one.
 std::string Unstopped(std::string text);
 /// Single keys were asked for.
 std::string NoTerminal();

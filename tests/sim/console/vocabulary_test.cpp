@@ -179,6 +179,38 @@ TEST(Vocabulary, StopsWhateverElseIsSaid) {
   }
 }
 
+// "go." and "Where?" were unknown.
+TEST(Vocabulary, AClosingMarkBelongsToNoWord) {
+  for (const auto& [line, word] : {std::pair("go.", "go"),
+                                   {"Where?", "where"},
+                                   {"next!", "next"},
+                                   {"go on.", "go"},
+                                   {"next line?!", "next line"},
+                                   {"15.", "go"},
+                                   {"pause, please!", "pause"},
+                                   {"please stop", "stop"},
+                                   {"Please, go!", "go"},
+                                   {"halt", "stop"},
+                                   {"Halt! Now", "stop"},
+                                   {"?", "help"},
+                                   {"find next.", "find next"}}) {
+    const SaidLine said = ReadLine(line, WordPlace::kBook);
+    ASSERT_NE(said.word, nullptr) << line << ": " << said.refusal;
+    EXPECT_EQ(said.word->word, word) << line;
+    EXPECT_EQ(said.behind, "") << line;
+  }
+  EXPECT_EQ(WholeWord("pause.", WordPlace::kLesson), WordNamed("pause"));
+  const auto behind = [](const char* line) { return ReadLine(line, WordPlace::kBook).behind; };
+  EXPECT_EQ(behind("find one."), "one.") << "a text has marks of its own";
+  EXPECT_EQ(behind("find ?"), "?");
+  EXPECT_EQ(behind("bookmark Why?"), "Why?");
+  EXPECT_EQ(behind("size 20 mm."), "20 mm");
+  EXPECT_EQ(behind("help next?"), "next");
+  EXPECT_EQ(ReadLine("practise .", WordPlace::kLesson).behind, ".");
+  EXPECT_EQ(ReadLine("zzz?", WordPlace::kBook).refusal, "Unknown: zzz. Say ? for the words.");
+  EXPECT_EQ(ReadLine("pleasestop", WordPlace::kBook).word, nullptr);
+}
+
 TEST(Vocabulary, SaysWhyALineIsNone) {
   const auto refused = [](std::string_view line) {
     return ReadLine(line, WordPlace::kLoop).refusal;
