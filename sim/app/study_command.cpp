@@ -116,21 +116,30 @@ Json Millimetres(bool known, double low, double high) {
   return known ? Json{kMillimetres * low, kMillimetres * high} : Json();
 }
 
-/// `share`: its means compare nothing. One value has no spread.
-Json CellJson(const StudyCell& cell, bool share) {
+/// `share`: its means compare nothing. One value has no spread. What the cell is compared with and
+/// how is null of the reference itself, and where there is none.
+Json CellJson(const StudyCell& cell, const std::string& reference, bool share) {
   const bool spread = !share && cell.learners > 1;
-  return Json{{"phase", cell.phase},
-              {"condition", cell.condition},
-              {"learners", cell.learners},
-              {"mean_mm", Millimetres(!share, cell.mean)},
-              {"sd_mm", Millimetres(spread, cell.deviation)},
-              {"ci95_mm", Millimetres(spread, cell.low, cell.high)}};
+  const bool compared = !share && cell.pairs > 0;
+  return Json{
+      {"phase", cell.phase},
+      {"condition", cell.condition},
+      {"learners", cell.learners},
+      {"mean_mm", Millimetres(!share, cell.mean)},
+      {"sd_mm", Millimetres(spread, cell.deviation)},
+      {"ci95_mm", Millimetres(spread, cell.low, cell.high)},
+      {"reference", compared ? Json(reference) : Json()},
+      {"pairs", compared ? Json(cell.pairs) : Json()},
+      {"more_mm", Millimetres(compared, cell.more)},
+      {"more_ci95_mm", Millimetres(compared && cell.pairs > 1, cell.more_low, cell.more_high)}};
 }
 
 Json SummaryJson(const StudyOptions& options, const StudySummary& summary,
                  const std::string& path) {
   Json cells = Json::array(), exclusions = Json::array();
-  for (const StudyCell& cell : summary.cells) cells.push_back(CellJson(cell, IsShare(options)));
+  for (const StudyCell& cell : summary.cells) {
+    cells.push_back(CellJson(cell, summary.reference, IsShare(options)));
+  }
   for (const StudyExclusion& excluded : summary.exclusions) {
     exclusions.push_back({{"condition", excluded.condition},
                           {"seed", excluded.seed},

@@ -221,6 +221,20 @@ TEST_F(Study, SaysWhatCameOfIt) {
   EXPECT_EQ(json["trials"], 24);
   EXPECT_TRUE(json["shard"].is_null());
   EXPECT_GT(json["cells"][0]["mean_mm"], 0);
+  // each is compared with the first that is never guided, as the words have it
+  for (std::size_t i = 0; i < 8; i += 2) {
+    const auto &full = json["cells"][i], &none = json["cells"][i + 1];
+    EXPECT_EQ(full["condition"], "full");
+    EXPECT_EQ(full["reference"], "none");
+    EXPECT_EQ(full["pairs"], 2);
+    const double more = full["more_mm"];
+    EXPECT_NEAR(more, full["mean_mm"].get<double>() - none["mean_mm"].get<double>(), 1e-9);
+    EXPECT_LE(full["more_ci95_mm"][0], more);
+    EXPECT_GE(full["more_ci95_mm"][1], more);
+    for (const char* key : {"reference", "pairs", "more_mm", "more_ci95_mm"}) {
+      EXPECT_TRUE(none[key].is_null()) << key;
+    }
+  }
 }
 
 TEST_F(Study, SaysWhatAStopLeaves) {
@@ -243,7 +257,7 @@ TEST_F(Study, ComparesNothingInAShare) {
   EXPECT_EQ(json["shard"], "1/2");
   ASSERT_FALSE(json["cells"].empty());
   EXPECT_EQ(json["cells"][0]["learners"], 1);
-  for (const char* key : {"mean_mm", "sd_mm", "ci95_mm"}) {
+  for (const char* key : {"mean_mm", "sd_mm", "ci95_mm", "reference", "more_mm"}) {
     EXPECT_TRUE(json["cells"][0][key].is_null()) << key;
   }
 }
