@@ -28,8 +28,6 @@
 #include "textures/base/output_file.h"
 #include "textures/base/resources.h"
 #include "textures/base/units.h"
-#include "textures/fonts/script.h"
-#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 
@@ -61,11 +59,6 @@ Shard ShardOf(const std::string& given) {
 StudyProtocol ProtocolAt(const std::string& file) {
   StudyProtocol protocol = LoadStudy(file);
   if (protocol.reading) CompleteSweep(*protocol.reading, file);
-  try {
-    FindScript(protocol.script);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: script: {}", file, error.what()));
-  }
   return protocol;
 }
 

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <set>
 
+#include "sim/study/item_page.h"
 #include "textures/base/digest.h"
 #include "textures/base/error.h"
 #include "textures/base/text_file.h"
 #include "textures/base/toml_reader.h"
 #include "textures/base/units.h"
+#include "textures/fonts/script_library.h"
 
 namespace moontrace {
 namespace {
@@ -182,6 +184,27 @@ void CheckTogether(const TomlTable& root, const StudyProtocol& protocol) {
   }
 }
 
+/// Whether the script sets all of the letter, and as one sign.
+bool IsOneSign(const std::string& letter, const Script& script) {
+  try {
+    const std::vector<PlacedGlyph> glyphs =
+        SetItem(letter, script, script.size, {1, 0}).page.glyphs;
+    return glyphs.size() == 1 && glyphs.front().source_begin == 0 &&
+           glyphs.front().source_end == letter.size();
+  } catch (const InputError&) {
+    return false;  // nothing of it
+  }
+}
+
+void CheckLetters(const TomlTable& table, const std::vector<std::string>& letters,
+                  const Script& script) {
+  for (const std::string& letter : letters) {
+    if (IsOneSign(letter, script)) continue;
+    table.Fail("letters", fmt::format("'{}' is not one sign of {}: give letters that are",
+                                      OneLine(letter), OneLine(script.name)));
+  }
+}
+
 }  // namespace
 
 StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
@@ -221,7 +244,21 @@ StudyProtocol ParseStudy(std::string_view text, const std::string& name) {
 }
 
 StudyProtocol LoadStudy(const std::string& path) {
-  return ParseStudy(ReadTextFile(path, kMostBytes), path);
+  const std::string text = ReadTextFile(path, kMostBytes);
+  StudyProtocol protocol = ParseStudy(text, path);
+  if (protocol.reading) return protocol;
+  Script script;
+  try {
+    script = FindScript(protocol.script);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: script: {}", path, error.what()));
+  }
+  const TomlTable root = TomlTable::Parse(text, path);
+  CheckLetters(root, protocol.letters, script);
+  if (!protocol.transfer_letters.empty()) {
+    CheckLetters(root.Table("transfer"), protocol.transfer_letters, script);
+  }
+  return protocol;
 }
 
 std::vector<StudyTrial> TrialsOf(const StudyProtocol& protocol, const StudyCondition& condition,

@@ -54,8 +54,10 @@ struct StudyProtocol {
   StudyKind kind() const { return reading ? StudyKind::kReading : StudyKind::kTracing; }
 };
 
-/// Throws InputError: file:line:column, cause, cure with the nearest key.
+/// Throws InputError: file:line:column, cause, cure with the nearest key; there is no such script,
+/// or it does not set each letter as one sign.
 StudyProtocol LoadStudy(const std::string& path);
+/// The same without looking for the script.
 StudyProtocol ParseStudy(std::string_view text, const std::string& name);
 
 /// One trial that a learner is given.

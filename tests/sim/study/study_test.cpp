@@ -295,6 +295,27 @@ TEST_F(Study, RefusesWhatItCannotUse) {
   EXPECT_EQ(unknown.err.rfind(Path("nope.toml") + ": script: ", 0), 0U) << unknown.err;
 }
 
+TEST_F(Study, TakesLettersThatAreOneSign) {
+  const std::string whole = "[\"l\", \"v\"]";
+  const auto refusal = [&](const std::string& letter) {
+    std::string text = kProtocol;
+    text.replace(text.find(whole), whole.size(), "[\"l\", \"" + letter + "\"]");
+    WriteAll(Path("letters.toml"), text);
+    const Outcome outcome = RunLine({"study", Path("letters.toml"), "--output", Path("l.csv")});
+    EXPECT_EQ(outcome.code, 3) << letter;
+    return outcome.err;
+  };
+  const std::string at = Path("letters.toml") + ":3:11: letters: '";
+  for (const char* letter : {"你", "你a", "a你", "zz", "a ", " "}) {
+    EXPECT_EQ(refusal(letter), at + letter + "' is not one sign of moon: give letters that are\n");
+  }
+  WriteAll(Path("t.toml"), kProtocol + "[transfer]\nletters = [\"é\", \"th\"]\n");
+  const Outcome transfer = RunLine({"study", Path("t.toml"), "--output", Path("t.csv")});
+  EXPECT_EQ(transfer.err.rfind(Path("t.toml") + ":20:11: letters: 'th' is not one sign", 0), 0U)
+      << transfer.err;
+  EXPECT_FALSE(fs::exists(Path("t.csv.parts")));
+}
+
 TEST(StudySummary, GivesMeanDeviationAndInterval) {
   std::vector<StudyRow> rows;
   for (int seed = 1; seed <= 4; ++seed) {
