@@ -205,15 +205,19 @@ Json ReadingJson(const Reading& reading, const RecogniseOptions& options) {
   json["size_mm"] = kMillimetres * reading.text.set.style.size;
   json["pictures"] = reading.pictures;
   json["read"] = Json::array();
+  const Script& script = reading.text.script;
   for (std::size_t page = 0; page < reading.pages.size(); ++page) {
-    for (const ReadToken& token : reading.pages[page].tokens) {
+    const std::vector<ReadToken>& tokens = reading.pages[page].tokens;
+    const std::vector<int> marks = MarksOf(tokens, script);  // a sign's forms by their plain form
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      const ReadToken& token = tokens[i];
       const bool known = token.kind == ReadToken::Kind::kSign;
       if (!known && token.kind != ReadToken::Kind::kUnknown) continue;
-      json["read"].push_back(
-          {{"sign", known ? Json(reading.text.script.glyphs[token.glyph].name) : Json()},
-           {"probability", token.probability},
-           {"time_s", token.time},
-           {"page", page}});
+      const auto sign = static_cast<std::size_t>(marks[i]);
+      json["read"].push_back({{"sign", known ? Json(script.glyphs[sign].name) : Json()},
+                              {"probability", token.probability},
+                              {"time_s", token.time},
+                              {"page", page}});
     }
   }
   return json;
