@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lessons/measure/intended_strokes.h"
+#include "sim/console/wording.h"
 #include "sim/physics/page_field.h"
 #include "sim/setup/fitted_sheet.h"
 #include "sim/setup/link_options.h"
@@ -273,7 +274,7 @@ std::string TextOf(const TextSetup& setup, std::size_t page) {
   const std::vector<PlacedGlyph>& glyphs = setup.set.pages[page].glyphs;
   if (glyphs.empty()) return {};
   const std::size_t begin = glyphs.front().source_begin;
-  return OneLine(std::string_view(setup.text).substr(begin, glyphs.back().source_end - begin));
+  return OneLine(say::Unbroken(setup.text.substr(begin, glyphs.back().source_end - begin)));
 }
 
 std::string_view SourceOf(const TextSetup& setup, const PlacedGlyph& glyph) {

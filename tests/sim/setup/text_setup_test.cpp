@@ -107,5 +107,17 @@ TEST_F(TextOnAModel, InAnUnknownScriptNamesModelAndLabel) {
   EXPECT_EQ(RunLine({"trace", "--model", model, "--script", "moon"}).code, 0);
 }
 
+TEST(TextOfAPage, IsOnOneLineWithBlanksForItsLineEnds) {
+  TextSetup setup;
+  setup.text = "the moon\nsea\n";
+  PlacedGlyph first, last;
+  first.source_begin = 4;
+  last.source_end = 12;
+  setup.set.pages.resize(2);
+  setup.set.pages.front().glyphs = {first, last};
+  EXPECT_EQ(TextOf(setup, 0), "moon sea");
+  EXPECT_EQ(TextOf(setup, 1), "");
+}
+
 }  // namespace
 }  // namespace moontrace
