@@ -70,6 +70,36 @@ std::string TextFor(const TextRequest& request, const Label* label, Console& con
   return ReadText(request.text, request.command, console);  // or says that there is none
 }
 
+/// What is wrong with a text as a label alone asks for it; empty: nothing.
+std::string WrongIn(const std::string& text, const Label& label, const PageSpec& sheet) {
+  try {
+    Script script = ScriptOf({}, &label);
+    const TypeStyle style = StyleOf({}, {}, script, &label);
+    SetText(text, script, style, sheet);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Sets it in the style that command line, form and label ask for; what a label asks for by itself
+/// and cannot have is the model's mistake.
+void SetInStyle(const TextRequest& request, const Label* label, const PageSpec& sheet,
+                TextSetup& setup) {
+  StyleOptions letters = request.style;
+  LayoutOptions layout = request.layout;
+  try {
+    if (request.form) ApplyForm(*request.form, setup.script, label, letters, layout);
+    const TypeStyle style = StyleOf(letters, layout, setup.script, label);
+    setup.set = SetText(setup.text, setup.script, style, sheet);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    if (label == nullptr || WrongIn(setup.text, *label, sheet) != what) throw;
+    if (label->text != setup.text && WrongIn(setup.text, Label(), sheet) == what) throw;
+    throw InputError(say::InLabel(request.feel.model, NameOf(*label), what));
+  }
+}
+
 /// The script to use; a wrong one named by the label is reported as the model's mistake.
 Script ScriptFor(const TextRequest& request, const Label* label) {
   const bool of_label = label != nullptr && label->script && !request.style.script;
@@ -77,7 +107,7 @@ Script ScriptFor(const TextRequest& request, const Label* label) {
   try {
     return ScriptOf(request.style, label);
   } catch (const InputError& error) {
-    throw InputError(say::InLabel(request.feel.model, label->geom, error.what()));
+    throw InputError(say::InLabel(request.feel.model, NameOf(*label), error.what()));
   }
 }
 
@@ -155,16 +185,12 @@ TextSetup SetOn(const TextRequest& request, const ModelPage* model, Console& con
   for (const std::string& remark : setup.script.remarks) console.Remark(remark);
   setup.script_name = request.style.script.value_or(
       from != nullptr && from->script ? *from->script : setup.script.name);
-  StyleOptions letters = request.style;
-  LayoutOptions layout = request.layout;
-  if (request.form) ApplyForm(*request.form, setup.script, from, letters, layout);
-  const TypeStyle style = StyleOf(letters, layout, setup.script, from);
   PageSpec sheet = PageOf(request.layout);
   const bool margin_given = request.layout.margin.has_value();
   if (model != nullptr) sheet = OnGeom(*model, sheet, margin_given, console);
   if (request.room.x < sheet.width || request.room.y < sheet.height) sheet.name = "custom";
   sheet = CutTo(request.room, sheet, kDeviceMargin, margin_given);
-  setup.set = SetText(setup.text, setup.script, style, sheet);
+  SetInStyle(request, from, sheet, setup);
   if (request.layout.centred && !model) {
     const bool whole = sheet.name == LayoutOptions().page.name;  // no device is to reach it
     const bool cut = whole && !request.layout.page_named;

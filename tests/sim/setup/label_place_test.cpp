@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lessons/measure/intended_strokes.h"
@@ -131,6 +132,30 @@ TEST_F(LabelsOfAModel, AreRefusedInOneLineEach) {
   EXPECT_EQ(signless.rfind("label on 'ball': ", 0), 0U) << signless;
   EXPECT_EQ(Refused(Model(Label("ball", "text='A'"), kBall), {"--label", "bal"}),
             "no label 'bal': did you mean 'ball'?\n");
+}
+
+// Wherever the label lies, whether it is the one that is felt, and only where it is at fault.
+TEST_F(LabelsOfAModel, AreNamedWithTheLettersTheyCannotHave) {
+  const std::string other = "<geom name='other' type='box' pos='0 0 1' size='0.05 0.03 0.01'/>";
+  const std::pair<const char*, const char*> wrong[] = {
+      {"grade=7", "script moon has no grade 7: "},
+      {"slant_deg=80", "letters of slant 80 degrees"},
+      {"size_mm=90", "page: 54 mm within its margins"},
+      {"depth_mm=9", "groove depth 9 mm is too steep"}};
+  for (const auto& [letters, what] : wrong) {
+    for (const char* place : {"at_mm=[-50,-30]", "middle_mm=[0,0]"}) {
+      const std::string label = Label("plate", std::string("text='it', ") + place + ", " + letters);
+      const std::string named = std::string("label on 'plate': ") + what;
+      EXPECT_EQ(Refused(Model(label, kPlate)).rfind(named, 0), 0U) << letters << place;
+      const std::string second = Label("other", "text='it'") + label;
+      EXPECT_EQ(Refused(Model(second, kPlate + other)).rfind(named, 0), 0U) << letters << place;
+    }
+  }
+  const std::string model = Model(Label("plate", "text='it', at_mm=[-50,-30]"), kPlate);
+  const Outcome asked =
+      RunLine({"trace", "--model", model, "--slant-deg", "30", "--depth-mm", "9"});
+  EXPECT_EQ(asked.code, 3);
+  EXPECT_EQ(asked.err.rfind("groove depth 9 mm is too steep", 0), 0U) << asked.err;
 }
 
 TEST_F(LabelsOfAModel, AreNamedOnlyWithAModel) {
