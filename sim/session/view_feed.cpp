@@ -1,7 +1,9 @@
 #include "sim/session/view_feed.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "sim/session/device_choice.h"
@@ -74,6 +76,13 @@ void ViewFeed::Hear(const Heard& obey, const Remarked& remark) {
   if (!notice.empty()) remark(notice);
 }
 
+ViewerReport ViewFeed::Finish() {
+  viewer_.Finish();
+  std::error_code error;  // it was empty when the view began
+  if (!window() && std::filesystem::is_empty(frames_, error)) return {};
+  return viewer_.report();
+}
+
 /// Empty: there is none.
 std::string ViewFeed::TakeNotice() {
   if (const std::optional<std::string> notice = viewer_.NextNotice()) return say::ViewSays(*notice);
@@ -100,7 +109,7 @@ namespace {
 
 ViewerReport FinishTelling(ViewFeed& feed, const ViewOptions& options, Console& console) {
   ViewerReport report = feed.Finish();
-  if (!options.frames.empty()) {
+  if (!options.frames.empty() && report.frames > 0) {
     console.Result(say::FramesIn());
     console.Path(options.frames);
   }
@@ -116,6 +125,7 @@ void EndView(ViewFeed& feed, const ViewOptions& options, Console& console) {
 
 void SayView(ViewFeed& feed, const ViewOptions& options, Console& console) {
   const ViewerReport report = FinishTelling(feed, options, console);
+  if (!feed.window() && report.frames == 0) return;
   console.Result(say::ViewKeptUp(report.frames, report.median_frame_ms, report.slowest_frame_ms));
 }
 

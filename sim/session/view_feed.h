@@ -32,8 +32,7 @@ class ViewFeed {
                                         Console& console);
   /// Of a trial or a replay, whose time is its own: frames are drawn by DrawFrame.
   static std::unique_ptr<ViewFeed> OpenOfTrial(const ViewOptions& options, Console& console);
-  explicit ViewFeed(const ViewerOptions& options)
-      : viewer_(options), window_(options.frames.empty()) {}
+  explicit ViewFeed(const ViewerOptions& options) : viewer_(options), frames_(options.frames) {}
 
   /// The page that is felt, if it is another than it was, and its newest instant.
   /// `print`: with the letters in print beneath, which would tell what is asked.
@@ -63,24 +62,21 @@ class ViewFeed {
   /// A word that concerns the view alone: done; what is answered.
   std::optional<std::string> Obey(std::string_view line) { return viewer_.Obey(line); }
   /// It draws into a window, not into frames.
-  bool window() const { return window_; }
+  bool window() const { return frames_.empty(); }
   /// The window was closed by its user.
   bool closed() const { return viewer_.closed(); }
   /// Nothing is shown any more.
   bool ended() const { return closed() || failed(); }
   /// Nothing is drawn any more, and its user did not wish so.
   bool failed() const { return !viewer_.failure().empty(); }
-  /// Ends it: how it kept up.
-  ViewerReport Finish() {
-    viewer_.Finish();
-    return viewer_.report();
-  }
+  /// Ends it: how it kept up; all zero where no frame could be written.
+  ViewerReport Finish();
 
  private:
   std::string TakeNotice();
 
   Viewer viewer_;
-  bool window_;
+  std::string frames_;                  ///< their folder; empty: into a window
   bool model_ = false;                  ///< is shown
   std::optional<std::uint64_t> shown_;  ///< FeltPage::shown
   bool print_ = true;                   ///< of the page that is shown
