@@ -131,6 +131,11 @@ std::vector<Label> ReadLabels(const mjModel& m, const std::string& name) {
     const char* text_name = mj_id2name(&m, mjOBJ_TEXT, i);
     if (text_name == nullptr || !IsLabelName(text_name)) continue;
     labels.push_back(ParseLabel(text_name, m.text_data + m.text_adr[i], name));
+    const char* whole = text_name + kLabelPrefix.size();
+    if (mj_name2id(&m, mjOBJ_GEOM, whole) >= 0) {  // a colon and a number of its own
+      labels.back().geom = whole;
+      labels.back().number = 0;
+    }
     FindCarrier(m, name, labels.back());
   }
   if (labels.empty()) {

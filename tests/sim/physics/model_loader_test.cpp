@@ -221,6 +221,21 @@ TEST_F(ModelLoader, LabelsMustFindAGeomWithAChart) {
 }
 
 // Most models name bodies and leave their geoms without names.
+TEST_F(ModelLoader, AGeomsOwnNameMayEndInAColonAndANumber) {
+  const auto with = [](const std::string& geoms) {
+    return "<mujoco><custom><text name='moontrace:k:2' data='{}'/></custom><worldbody>" + geoms +
+           "</worldbody></mujoco>";
+  };
+  const std::string k = "<geom name='k' size='1'/>", k2 = "<geom name='k:2' size='1'/>";
+  const Label own = LoadText(with(k + k2)).labels.front();
+  EXPECT_EQ(own.carrier, 1);
+  EXPECT_EQ(NameOf(own), "k:2");
+  EXPECT_EQ(LoadText(with(k2)).labels.front().carrier, 0);
+  const Label second = LoadText(with(k)).labels.front();
+  EXPECT_EQ(second.geom, "k");
+  EXPECT_EQ(second.number, 2);
+}
+
 TEST_F(ModelLoader, AGeomWithoutANameIsMeantByItsBody) {
   const auto with = [](const std::string& named) {
     return "<mujoco><custom><text name='moontrace:" + named +
