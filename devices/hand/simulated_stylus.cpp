@@ -16,6 +16,10 @@
 namespace moontrace {
 namespace {
 
+/// Where nothing holds it a pressing hand stops so far below where it meant to press, on its own
+/// spring: nobody reaches on and on into the void. Ours [m].
+constexpr double kFarthest = 0.01;
+
 /// Columns: two directions across the press, and up out of the page, right-handed. The first is the
 /// x axis as nearly as it can be, so that a page tilted about x is felt as a level one is.
 glm::dmat3 FrameFor(glm::dvec3 press_direction) {
@@ -133,6 +137,14 @@ class SimulatedStylus final : public Device {
     v_[axis] = aim_speed + v;
   }
 
+  /// Moves the height by what pushes, which down to `lowest` is all that acts.
+  void Press(double lowest, double force) noexcept {
+    if (p_.z >= lowest) return Move(pressed_, p_.z, v_.z, force);
+    double below = p_.z - lowest;
+    Move(held_, below, v_.z, force);
+    p_.z = lowest + below;
+  }
+
   void Advance() noexcept {
     ++ticks_;
     const glm::dvec3 force = ArrivingForce();
@@ -159,7 +171,7 @@ class SimulatedStylus final : public Device {
     Follow(0, aim_.x, aim.x, force.x);
     Follow(1, aim_.y, aim.y, force.y);
     if (pressing) {
-      Move(pressed_, p_.z, v_.z, force.z - press);
+      Press(intent.p.z - kFarthest, force.z - press);
     } else {
       Follow(2, aim_.z, aim.z, force.z);
     }

@@ -51,10 +51,11 @@ void TraceScorer::State::AddForce(TraceTally& tally, const TraceSample& sample) 
   tally.duration += since;
   if (sample.in_contact) tally.contact_time += since;
   const double force = glm::length(sample.force_P);
-  if (!sample.in_contact || !std::isfinite(force)) return;
+  if (!std::isfinite(force)) return;
+  tally.peak_force = std::max(tally.peak_force, force);
+  if (!sample.in_contact) return;
   const double normal = std::abs(sample.force_P.z);
   tally.force_sum += force;
-  tally.peak_force = std::max(tally.peak_force, force);
   tally.normal_sum += normal;
   tally.peak_normal = std::max(tally.peak_normal, normal);
   ++tally.contacts;

@@ -24,7 +24,7 @@ struct TraceMetrics {
   std::size_t excursions = 0;  ///< times left beyond w/2, each over once back within w/4; not dots
   double duration = 0;         ///< of a letter without the air between [s]; of all with it
   double mean_force = 0;       ///< over the time in contact, entries and lifts included [N]
-  double peak_force = 0;       ///< [N]
+  double peak_force = 0;       ///< over all the time, in the air too [N]
   std::size_t entries = 0;     ///< landings
   std::size_t lifts = 0;       ///< contact lost while following a stroke, and regained
   double entry_error = 0;      ///< greatest distance from the stroke's start at a landing [m]

@@ -208,6 +208,14 @@ std::string FrictionHampers(double friction) {
       Short(friction, 3));
 }
 
+std::string PageGone(double time) {
+  return fmt::format(
+      "After {} s the page went away under the hand, faster than a hand follows: hold it by a "
+      "spring "
+      "or damping, or press less.",
+      Short(time, 1));
+}
+
 std::string Faults(const TrialResult& all) {
   if (all.held > 0) {
     return fmt::format(

@@ -61,6 +61,7 @@ std::string WeakestLetter(std::string_view text, std::size_t number, double cove
 std::string DirectWillBuzz(const DirectBound& bound);
 std::string RidgesPushAside();
 std::string FrictionHampers(double friction);
+std::string PageGone(double time);
 std::string Faults(const TrialResult& all);
 
 // The bench.

@@ -73,10 +73,12 @@ void SayTrace(const Trace& trace, const TrialResult& all, const std::string& tim
   const TypeStyle& style = trace.text.set.style;
   if (NeverTouched(total)) {
     console.Result(say::NeverTouched(all.duration));
+    if (all.page_gone) console.Result(say::PageGone(*all.page_gone));
     if (all.through > 0) console.Result(say::Through(all));
   } else {
     console.Result(say::TraceOutcome(all, CountSigns(trace.text.set), trace.blank));
     if (all.through > 0) console.Result(say::Through(all));
+    if (all.page_gone) console.Result(say::PageGone(*all.page_gone));
     if (FollowedNothing(total)) {
       console.Result(say::FollowedNothing());
     } else {

@@ -241,6 +241,10 @@ PagePoint Scene::Impl::PointOn(glm::dvec3 p_P) const noexcept {
     return {ToWorld(lies, p_P), lies.R};
   }
   const LabelChart& chart = page_label().chart;
+  // towards its axis lengths shrink to nothing, and beyond it they run backwards; there a tip is
+  // through it already
+  constexpr double kDeepest = 1.6;  // of GreatestDepth
+  p_P.z = std::max(p_P.z, -kDeepest * GreatestDepth(page().solid));
   const glm::dvec3 p_O = chart.ToObject(p_P);
   const LabelChart::Point at = chart.At(p_O);
   const glm::dmat3 gradients(at.dx_O, at.dy_O, chart.Above(p_O).normal_O);

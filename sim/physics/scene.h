@@ -94,9 +94,10 @@ class Scene {
   /// Where the page lies now. A round one: where the plane lies that touches it below the tip, so
   /// that near the tip P is as on paper, and at the tip exact.
   Pose X_WP() const;
-  PagePoint PointOn(glm::dvec3 p_P) const noexcept;  ///< exact everywhere
-  glm::dvec2 page_extent() const;                    ///< ExtentOf (label_place.h) of the page [m]
-  std::vector<Solid> solids() const;                 ///< that the labels lie on, one for each
+  /// Exact; in a round page no deeper than 1.6 times GreatestDepth, whatever the depth.
+  PagePoint PointOn(glm::dvec3 p_P) const noexcept;
+  glm::dvec2 page_extent() const;     ///< ExtentOf (label_place.h) of the page [m]
+  std::vector<Solid> solids() const;  ///< that the labels lie on, one for each
   bool page_is_flat() const;
   /// The page's own body can move: on joints or led, or quite freely.
   bool page_goes() const;

@@ -33,6 +33,7 @@ class HandOnDevice {
     double press = 1;
     /// The path is in P, of a page that moves or is round: the hand goes along with the page under
     /// it, as one does who holds on. Then its mass and springs act in coordinates of the page.
+    /// It lets go, and stays where it is, once that is faster than a hand.
     bool on_page = false;
   };
   /// The simulated stylus. Throws std::invalid_argument as MakeSimulatedStylus.
@@ -55,6 +56,8 @@ class HandOnDevice {
   glm::dvec3 reported_W() const noexcept { return rounded_ ? tip_.p() : p_W_; }
 
   glm::dvec3 p_W() const noexcept { return p_W_; }  ///< where the hand truly is [m]
+  /// The page went away under the hand.
+  bool let_go() const noexcept { return let_go_; }
   /// Energy put out so far by what is rendered, by the hand's true way and the force that it felt
   /// (PassivityObserver) [J]. For a page that rests; a guiding push counts as rendered. On a device
   /// without height the press does the work along it, and each lift or landing begins the balance
@@ -74,6 +77,7 @@ class HandOnDevice {
   Pose X_WP_;
   bool on_page_;
   glm::dmat3 moves_{1.0};  ///< PagePoint::moves, on the page
+  bool let_go_ = false;
   double press_;
   double step_ = 0;  ///< [m]
   long period_ = 1;  ///< [ticks]

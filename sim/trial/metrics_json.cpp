@@ -80,6 +80,7 @@ Json TotalJson(const TrialResult& result, bool with_real_time_factor) {
   json["energy_out_uj"] = 1e6 * result.true_energy_out.value_or(result.energy_out);
   if (result.true_energy_out) json["energy_out_by_readings_uj"] = 1e6 * result.energy_out;
   json["faults"] = result.faults;
+  json["page_gone_s"] = result.page_gone ? Json(*result.page_gone) : Json(nullptr);
   json["mean_guidance_n"] = result.mean_guidance;
   json["guidance_work_mj"] = 1e3 * result.guidance_work;
   json["lifts_within_lines"] = result.lifts_within_lines;

@@ -126,7 +126,8 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, const Tex
   bool through = false;
   const auto ticks_a_second = static_cast<std::size_t>(std::max(1.0, 1.0 / setup.scene.tick));
   TickResult output;
-  for (std::size_t n = 0; n < ticks; ++n) {
+  std::size_t n = 0;
+  for (; n < ticks && !hand.let_go(); ++n) {
     if (setup.stop != nullptr && setup.stop->load(std::memory_order_relaxed)) throw Interrupted();
     const DeviceState input = hand.Read(scene, n > 0 ? &output : nullptr, field);
     Around(setup, [&] { output = scene.Tick(input); });
@@ -167,8 +168,9 @@ void RunTicks(const TrialSetup& setup, const Plan& plan, Scene& scene, const Tex
   push.Report(result);
   if (setup.device && !setup.guidance.on()) result.true_energy_out = hand.energy_out();
   result.lifts_within_lines = lifts.lifts();
-  result.ticks = ticks;
-  result.duration = static_cast<double>(ticks) * setup.scene.tick;
+  result.ticks = n;
+  result.duration = static_cast<double>(n) * setup.scene.tick;
+  if (hand.let_go()) result.page_gone = result.duration;
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ TrialResult Merged(const std::vector<TrialResult>& pages) {
     all.duration += page.duration;
     all.ticks += page.ticks;
     all.faults += page.faults;
+    if (!all.page_gone) all.page_gone = page.page_gone;
     all.lifts_within_lines += page.lifts_within_lines;
     all.lines += page.lines;
     AddLeft(all, page);

@@ -30,9 +30,12 @@ struct TrialResult {
   double carried_press = 0;           ///< that the page carries, the least of the pages [N]
   std::size_t through = 0;            ///< times that the tip was pressed through the paper
   double first_through = 0;           ///< when, since the page's beginning; 0: never [s]
-  double duration = 0;                ///< simulated [s]
-  double real_time_factor = 0;        ///< simulated over elapsed time; the only value that varies
-  double stroke_length = 0;           ///< of all intended strokes, a dot counting one width [m]
+  /// When the page went away under the hand, faster than that can follow, since the page's
+  /// beginning: the trial ends there [s].
+  std::optional<double> page_gone;
+  double duration = 0;          ///< simulated [s]
+  double real_time_factor = 0;  ///< simulated over elapsed time; the only value that varies
+  double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
   std::size_t ticks = 0;
   std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there
   std::size_t held = 0;    ///< those at which something else in the model pushed the proxy

@@ -23,12 +23,15 @@ class Tracer {
   explicit Tracer(const std::vector<IntendedStroke>& strokes, std::size_t glyphs = 1)
       : scorer_(strokes, glyphs) {}
 
-  void Touch(glm::dvec2 p, TracePhase phase = TracePhase::kStroke, bool contact = true,
-             double force = 1) {
+  void Touch(glm::dvec2 p, TracePhase phase = TracePhase::kStroke, bool contact = true) {
+    Touch(p, phase, contact, contact ? 1 : 0);
+  }
+  /// `force` [N].
+  void Touch(glm::dvec2 p, TracePhase phase, bool contact, double force) {
     TraceSample sample;
     sample.time = 0.001 * ticks_++;
     sample.tip_P = {p, -1e-4};
-    sample.force_P = {0, 0, contact ? force : 0};
+    sample.force_P = {0, 0, force};
     sample.in_contact = contact;
     sample.phase = phase;
     sample.stroke = stroke;

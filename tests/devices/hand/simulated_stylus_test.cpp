@@ -133,13 +133,24 @@ TEST(SimulatedStylus, PressesWithForceAndDampingOnly) {
   const double tilt = 0.4;
   path.press_direction_D = {0, std::sin(tilt), -std::cos(tilt)};
   const auto device = MakeSimulatedStylus(hand, path, kTick, 1);
-  const auto track = Track(*device, 300);
-  for (int i = 0; i < 300; ++i) {
+  const auto track = Track(*device, 55);
+  for (int i = 0; i < 55; ++i) {  // a centimetre
     const double t = i * kTick, decay = hand.damping / hand.mass;
     const double depth = (t + std::expm1(-decay * t) / decay) / hand.damping;
     const glm::dvec3 expected = depth * path.press_direction_D;
     ASSERT_LT(glm::length(track[static_cast<std::size_t>(i)] - expected), 1e-14);
   }
+}
+
+// On its spring: 10 mm below where it means to press, and as far as that gives under the press.
+TEST(SimulatedStylus, StopsSoonWhereNothingHoldsIt) {
+  const HandModel hand = SteadyHand();
+  const double press = 2.0, rests = -(0.010 + press / hand.stiffness);
+  const auto track = Track(*MakeSimulatedStylus(hand, At({0, 0, 0.001}, press), kTick, 1), 3000);
+  EXPECT_NEAR(track.back().z, 0.001 + rests, 1e-9);
+  // it comes with b v = press at most, of which the spring takes the rest
+  const double over = press / hand.damping * std::sqrt(hand.mass / hand.stiffness);
+  for (const glm::dvec3& p : track) EXPECT_GT(p.z, 0.001 + rests - over);
 }
 
 TEST(SimulatedStylus, RestsOnAReactionEqualToThePress) {

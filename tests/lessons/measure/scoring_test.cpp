@@ -224,6 +224,15 @@ TEST(TraceScorer, TellsTimesAndForces) {
   EXPECT_EQ(score.total.peak_force, 2);
 }
 
+// A hand that is flung through the air feels that.
+TEST(TraceScorer, TellsThePeakOfAllForcesAndTheMeanOfTouch) {
+  Tracer tracer({Straight()});
+  for (int i = 0; i < 100; ++i) tracer.Touch({0, 0}, TracePhase::kStroke, true, 1.0);
+  tracer.Touch({0, 0}, TracePhase::kAir, false, 30.0);
+  EXPECT_EQ(tracer.Score().total.peak_force, 30);
+  EXPECT_NEAR(tracer.Score().total.mean_force, 1, 1e-12);
+}
+
 TEST(TraceScorer, LeavesOutTipsThatAreNotFinite) {
   Tracer tracer({Straight()});
   tracer.FollowLine({0, 0.1e-3}, {kLength, 0.1e-3});

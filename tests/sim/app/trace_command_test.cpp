@@ -85,6 +85,39 @@ TEST_F(TraceCommand, TellsTheForceBound) {
   EXPECT_NEAR(direct["force_bound_n"], std::hypot(2.2, 3.34) + 0.2 * 4, 1e-12);
 }
 
+// On the far side of its axis lengths run backwards: a hand that got there was flung for
+// kilometres.
+TEST_F(TraceCommand, AHandThatIsThroughARoundLabelStaysThere) {
+  const std::string mug = SourcePath("models/mug.xml");
+  const Outcome outcome =
+      RunLine({"trace", "--model", mug, "--label", "handle", "--press-n", "3.5", "--json"});
+  const nlohmann::json total = outcome.Json()["total"];
+  EXPECT_GT(total["through"], 0);
+  EXPECT_EQ(total["faults"], 0);
+  EXPECT_LT(total["peak_force_n"], total["force_bound_n"]);
+  EXPECT_LT(total["energy_out_uj"], 1000);
+}
+
+// A sign on a free hinge turns under the press for ever; a hand that held on would go round with
+// it.
+TEST_F(TraceCommand, LetsGoOfALabelThatTurnsAway) {
+  const std::string sign =
+      "<mujoco><custom><text name='moontrace:g' data=\"{text='OPEN', size_mm=10, face='front'}\"/>"
+      "</custom><worldbody><body pos='0 0 0.3'><joint type='hinge' axis='1 0 0'/>"
+      "<geom name='g' type='box' size='0.08 0.003 0.04' pos='0 0 -0.05' mass='0.1'/></body>"
+      "</worldbody></mujoco>";
+  WriteAll(In("sign.xml"), sign);
+  const std::vector<std::string> line = {"trace", "--model", In("sign.xml")};
+  const nlohmann::json total = RunLine(With(line, {"--json"})).Json()["total"];
+  EXPECT_GT(total["page_gone_s"], 0);
+  EXPECT_EQ(total["faults"], 0);
+  // the coupling's damping at 1.5 m/s, beside what the page gives
+  EXPECT_LT(total["peak_force_n"], 10 * 1.5 + 5.5);
+  EXPECT_LT(total["energy_out_uj"], 1000);
+  const Outcome words = RunLine(line);
+  EXPECT_NE(words.out.find("went away under the hand"), std::string::npos) << words.out;
+}
+
 TEST_F(TraceCommand, ScoresEachLetterApart) {
   const nlohmann::json json = TraceJson({});
   ASSERT_EQ(json["letters"].size(), 2U);
