@@ -382,6 +382,25 @@ void InsertProxy(pugi::xml_node root, const std::string& proxy_xml) {
   }
 }
 
+/// Refuses what would change the masses of all bodies, the inserted ones among them: the model's
+/// own would weigh less for them, and the proxy what nobody reckoned with.
+void RequireOwnMasses(const pugi::xml_node& root, const std::string& name) {
+  constexpr double kInserted = 0.05;  // least mass in proxy.xml and kPad [kg]
+  for (const pugi::xml_node& compiler : root.children("compiler")) {
+    if (compiler.attribute("settotalmass").as_double() > 0) {
+      throw InputError(name +
+                       ": compiler settotalmass would weigh the inserted proxy as well: "
+                       "write the masses themselves, and take it out");
+    }
+    if (compiler.attribute("boundmass").as_double() > kInserted) {
+      throw InputError(
+          fmt::format("{}: compiler boundmass would make the inserted proxy heavier "
+                      "than its {} kg: write the masses themselves, and take it out",
+                      name, kInserted));
+    }
+  }
+}
+
 }  // namespace
 
 Mjcf PrepareMjcf(const std::string& xml, const std::string& folder, const std::string& name,
@@ -404,6 +423,7 @@ Mjcf PrepareMjcf(const std::string& xml, const std::string& folder, const std::s
            std::string_view(node.attribute("name").value()) == "moontrace_proxy";
   };
   if (!root.find_node(is_proxy)) {
+    RequireOwnMasses(root, name);
     InsertProxy(root, proxy_xml);
     mjcf.proxy_inserted = true;
   }

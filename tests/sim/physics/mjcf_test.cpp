@@ -80,6 +80,18 @@ class NamedFiles : public testing::Test {
   test::TempFolder folder_;
 };
 
+// They would weigh the inserted bodies too, and the model's own differently for them.
+TEST(PrepareMjcf, RefusesWhatChangesAllMasses) {
+  const std::string total = RefusalOf("<compiler settotalmass='20'/>");
+  EXPECT_TRUE(IsOneLine(total) && Holds(total, "m.xml: compiler settotalmass")) << total;
+  const std::string least = RefusalOf("<compiler boundmass='0.5'/>");
+  EXPECT_TRUE(IsOneLine(least) && Holds(least, "m.xml: compiler boundmass")) << least;
+  EXPECT_EQ(RefusalOf("<compiler boundmass='0.001' settotalmass='-1'/>"), "");
+  const char* own =
+      "<compiler settotalmass='20'/><worldbody><body name='moontrace_proxy'/></worldbody>";
+  EXPECT_EQ(RefusalOf(own), "");  // it is the model's own proxy
+}
+
 TEST_F(NamedFiles, AreMeasuredBeforeTheyAreRead) {
   Write("huge.stl", "");
   std::filesystem::resize_file(folder_ / "huge.stl", std::uintmax_t{3} << 30);  // sparse
