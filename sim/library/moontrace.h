@@ -307,7 +307,7 @@ struct moontrace_shape {
 
 /* Lays a page on a solid. The page is needed no more. MOONTRACE_BAD_INPUT: no such kind, a face
    that it has not, no room for what stands on the page. MOONTRACE_BAD_CALL: a size that is not
-   above zero. Any thread, any time. */
+   above zero, or a size or place above 1000 m. Any thread, any time. */
 MOONTRACE_API int moontrace_object_open(const moontrace_page* page,
                                         const struct moontrace_shape* shape,
                                         moontrace_object** object);

@@ -39,15 +39,26 @@ const Kind& KindOf(const char* name) {
   throw InputError("shape.kind is one of plane, box, cylinder, sphere, capsule, ellipsoid");
 }
 
+constexpr double kGreatest = 1000;  ///< [m]; a larger value is a mistake
+
+/// Throws UsageError for what is no size or place of an object.
+double LengthOf(double value, const char* name, double least = -kGreatest) {
+  RequireNumber(value, name, least);
+  if (value > kGreatest) {
+    throw UsageError(fmt::format("{} is above {} m: {}", name, kGreatest, value));
+  }
+  return value;
+}
+
 Solid SolidOf(const moontrace_shape& given) {
   const Kind& kind = KindOf(given.kind);
   Solid solid{kind.kind, {0, 0, 0}};
   for (int i = 0; i < kind.sizes; ++i) {
-    RequireNumber(given.half[i], "shape.half", 0);
+    solid.half[i] = LengthOf(given.half[i], "shape.half", 0);
     if (kind.kind != SolidKind::kPlane && given.half[i] == 0) {
-      throw UsageError(fmt::format("shape.half: a {} has {} sizes above 0", kind.name, kind.sizes));
+      throw UsageError(fmt::format("shape.half: give {} {} above 0 for a shape of kind {}",
+                                   kind.sizes, kind.sizes == 1 ? "size" : "sizes", kind.name));
     }
-    solid.half[i] = given.half[i];
   }
   return solid;
 }
@@ -65,8 +76,8 @@ Face FaceFor(const moontrace_shape& given, const Solid& solid) {
 bool IsEmpty(const Box& box) noexcept { return !(box.min.x <= box.max.x); }
 
 std::unique_ptr<ObjectValue> ObjectOf(const PageValue& page, const moontrace_shape& given) {
-  RequireNumber(given.u, "shape.u");
-  RequireNumber(given.v, "shape.v");
+  LengthOf(given.u, "shape.u");
+  LengthOf(given.v, "shape.v");
   RequireNumber(given.turn, "shape.turn");
   const bool corner = RequireFlag(given.corner, "shape.corner");
   auto object = std::make_unique<ObjectValue>();

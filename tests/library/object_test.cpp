@@ -205,6 +205,7 @@ TEST(LibraryObject, ShapesThatCannotBeAreRefused) {
   ExpectRefused(open.page, ShapeOf("box", 0.1, 0.1), MOONTRACE_BAD_CALL, "3 sizes above 0");
   ExpectRefused(open.page, ShapeOf("sphere", kNan), MOONTRACE_BAD_CALL, "shape.half");
   ExpectRefused(open.page, ShapeOf("sphere", -1), MOONTRACE_BAD_CALL, "shape.half");
+  ExpectRefused(open.page, ShapeOf("sphere", 0), MOONTRACE_BAD_CALL, "give 1 size above 0 for");
   ExpectRefused(open.page, ShapeOf("box", 0.01, 0.01, 0.01), MOONTRACE_BAD_INPUT, "has no room");
   moontrace_shape shape = ShapeOf("sphere", 0.05);
   shape.face = "top";
@@ -218,6 +219,33 @@ TEST(LibraryObject, ShapesThatCannotBeAreRefused) {
   shape.size = 3;
   ExpectRefused(open.page, shape, MOONTRACE_BAD_CALL, "shape.size");
   ExpectRefused(nullptr, ShapeOf("plane", 0.1), MOONTRACE_BAD_CALL, "page is NULL");
+}
+
+/// At the bound all that is answered are numbers.
+TEST(LibraryObject, SizesAndPlacesAreAtMostAThousandMetres) {
+  const OpenPage open("moon");
+  for (const char* kind : {"plane", "box", "cylinder", "sphere", "capsule", "ellipsoid"}) {
+    for (const double size : {1000.001, 1e300}) {
+      ExpectRefused(open.page, ShapeOf(kind, size, 0.1, 0.1), MOONTRACE_BAD_CALL,
+                    "shape.half is above 1000 m");
+      moontrace_shape far = ShapeOf(kind, 0.1, 0.2, 0.1);
+      far.u = size;
+      ExpectRefused(open.page, far, MOONTRACE_BAD_CALL, "shape.u is above 1000 m");
+      far.u = 0;
+      far.v = -size;
+      ExpectRefused(open.page, far, MOONTRACE_BAD_CALL, "shape.v is below -1000");
+    }
+    const OpenObject largest(open.page, ShapeOf(kind, 1000, 1000, 1000));
+    double place[3] = {kNan, kNan, kNan}, sample[5], force[3];
+    ASSERT_EQ(moontrace_object_place(largest.object, 0.03, 0.27, -1e-4, place), MOONTRACE_DONE);
+    ASSERT_EQ(moontrace_object_sample(largest.object, place[0], place[1], place[2], sample),
+              MOONTRACE_DONE);
+    ASSERT_EQ(moontrace_object_force(largest.object, nullptr, place[0], place[1], place[2], force),
+              MOONTRACE_DONE);
+    for (const double value : place) EXPECT_TRUE(std::isfinite(value)) << kind;
+    for (const double value : sample) EXPECT_TRUE(std::isfinite(value)) << kind;
+    for (const double value : force) EXPECT_TRUE(std::isfinite(value)) << kind;
+  }
 }
 
 TEST(LibraryObject, PointsAndHandlesThatAreNoneAreRefused) {
