@@ -80,6 +80,7 @@ struct DocumentMark {
   std::size_t begin = 0, end = 0;  ///< bytes of the block's text
   std::string value;  ///< address, file of the picture, language tag, name of the print page
   std::size_t target = kNoBlock;  ///< of a link and a note call: the block that it leads to
+  bool missing = false;           ///< likewise: it leads within the document, to what is not there
   bool operator==(const DocumentMark&) const = default;
 };
 

@@ -174,9 +174,13 @@ void MarkupReader::LeadLinks() const {
         if (mark.kind != MarkKind::kLink && mark.kind != MarkKind::kNoteCall) continue;
         std::string id;
         const auto path = ResolvePath(document.parts[part].path, mark.value, &id);
-        const DocumentPlace* place = path ? Find(*path, id) : nullptr;
-        if (path && place == nullptr) place = Find(*path, "");
+        if (!path) continue;
+        const DocumentPlace* place = Find(*path, id);
+        if (place == nullptr && LowerCase(id) == "top") place = Find(*path, "");
         if (place != nullptr && place->block < document.blocks.size()) mark.target = place->block;
+        // beside a single file lie other documents
+        const bool within = document.format != DocumentFormat::kHtml || Find(*path, "") != nullptr;
+        mark.missing = within && mark.target == kNoBlock;
       }
     }
   }

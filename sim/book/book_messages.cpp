@@ -85,6 +85,9 @@ std::string NoLinkHere() { return "No link here: next link leads to one."; }
 std::string LeadsOut(std::string_view address) {
   return fmt::format("This leads out of the book, nothing is fetched: {}", OneLine(address, 200));
 }
+std::string LeadsToNothing(std::string_view address) {
+  return fmt::format("What this leads to is not in the text: {}", OneLine(address, 200));
+}
 std::string Followed(std::string_view words) { return OneLine(words, 24); }
 
 std::string NotSet(std::string_view words) {

@@ -42,6 +42,7 @@ std::string NoSuchPrintPage(std::string_view name);
 std::string NoLinkHere();
 /// Foreign text.
 std::string LeadsOut(std::string_view address);
+std::string LeadsToNothing(std::string_view address);
 std::string Followed(std::string_view words);
 
 /// Words that the learner has no signs for.

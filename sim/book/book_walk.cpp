@@ -248,6 +248,7 @@ std::vector<std::string> BookWalk::Follow(const LoopSnapshot& now) {
   const TranscribedLink* link = here ? LinkAt(book_.text, *here) : nullptr;
   if (link == nullptr) return {say::NoLinkHere()};
   const DocumentMark& mark = book_.document.blocks[link->block].marks[link->mark];
+  if (mark.missing) return {say::LeadsToNothing(mark.value)};
   if (mark.target == kNoBlock) return {say::LeadsOut(mark.value)};
   return {ToBlock(mark.target, say::Followed(book_.document.blocks[mark.target].text), now, true)};
 }

@@ -182,10 +182,21 @@ TEST_F(EpubDocument, NoPathClimbsAboveTheRoot) {
   EXPECT_TRUE(read.left_out.empty());
 }
 
-TEST_F(EpubDocument, ALinkToAPlaceThatIsNotMarkedLeadsToItsChapter) {
+// It led to the beginning of its chapter, as if that were it.
+TEST_F(EpubDocument, ALinkWhoseTargetIsMissingLeadsNowhere) {
   const Document read =
-      Read(Book({Chapter("<p><a href='c1.xhtml#nosuch'>on</a></p>"), Chapter("<p>next</p>")}));
-  EXPECT_EQ(read.blocks.at(0).marks.at(0).target, 1U);
+      Read(Book({Chapter("<p><a href='c1.xhtml#nosuch'>a</a> <a href='c1.xhtml'>b</a> "
+                         "<a href='c7.xhtml'>c</a> <a href='http://x.y/'>d</a></p>"),
+                 Chapter("<p>next</p>")}));
+  const std::vector<DocumentMark>& marks = read.blocks.at(0).marks;
+  ASSERT_EQ(marks.size(), 4U);
+  EXPECT_TRUE(marks[0].missing) << "a place that is not marked";
+  EXPECT_EQ(marks[0].target, kNoBlock);
+  EXPECT_FALSE(marks[1].missing);
+  EXPECT_EQ(marks[1].target, 1U);
+  EXPECT_TRUE(marks[2].missing) << "a chapter that is not there";
+  EXPECT_FALSE(marks[3].missing) << "it leads out";
+  EXPECT_EQ(marks[3].target, kNoBlock);
 }
 
 TEST_F(EpubDocument, UnusualPackingIsRefusedInWords) {

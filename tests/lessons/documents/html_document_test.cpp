@@ -103,6 +103,20 @@ TEST_F(HtmlDocument, TablesAreToldCellByCell) {
             "table of 1 row and 2 columns\nrow 1, column 1: only\nrow 1, column 2: heads\n");
 }
 
+TEST_F(HtmlDocument, ALinkWhoseTargetIsMissingLeadsNowhere) {
+  const Document page = ReadHtml(
+      "<p><a href='#gone'>a</a> <a href='#'>b</a> <a href='#top'>c</a> <a href='other.html#q'>d</a>"
+      "<p>next",
+      "x");
+  const std::vector<DocumentMark>& marks = page.blocks.at(0).marks;
+  ASSERT_EQ(marks.size(), 4U);
+  EXPECT_TRUE(marks[0].missing);
+  EXPECT_EQ(marks[0].target, kNoBlock);
+  EXPECT_EQ(marks[1].target, 0U);
+  EXPECT_EQ(marks[2].target, 0U);
+  EXPECT_FALSE(marks[3].missing) << "another file";
+}
+
 TEST_F(HtmlDocument, MathematicsIsItsText) {
   EXPECT_EQ(TextOf("<p><math><mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mn>2</mn></mfrac>"
                    "<mo>=</mo><msup><mi>x</mi><mn>2</mn></msup></math>"),

@@ -503,6 +503,13 @@ TEST_F(BookWalkTest, BookmarksOfNumbersAreReachedMovedAndForgottenByWords) {
   EXPECT_EQ(memory_.reading().marks[0].name, "mark 1");
 }
 
+TEST_F(BookWalkTest, ALinkToNothingLeavesTheHandWhereItIs) {
+  Open("<p>High <a href='#gone'>water</a> comes.</p>");
+  EXPECT_EQ(Say("follow", At(Byte("water"))),
+            Lines{"What this leads to is not in the text: #gone"});
+  EXPECT_FALSE(places_->Going());
+}
+
 TEST_F(BookWalkTest, ABookmarkIsNotSaidToBeSetWhereNothingIsKept) {
   Open(kTides);
   memory_ = BookMemory();
