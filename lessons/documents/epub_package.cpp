@@ -190,6 +190,16 @@ void ReadSpine(pugi::xml_node spine, EpubPackage& package) {
   }
 }
 
+/// Of a book without an order: its pages as they are listed, outside of the order.
+void ReadUnordered(EpubPackage& package) {
+  for (std::size_t i = 0; i < package.items.size(); ++i) {
+    const EpubItem& item = package.items[i];
+    const bool page = item.media_type == "application/xhtml+xml" ||
+                      item.media_type == "text/html" || item.media_type == "text/x-oeb1-document";
+    if (page && !HasWord(item.properties, "nav")) package.spine.push_back({i, false});
+  }
+}
+
 EpubTarget Target(std::string title, int level, std::string_view base, std::string_view address) {
   EpubTarget target{std::move(title), level, {}, {}, address.empty()};
   if (!address.empty()) {
@@ -294,6 +304,7 @@ EpubPackage ReadPackage(const std::string& xml, const std::string& path, const s
   ReadMetadata(Child(*root, "metadata"), package);
   ReadManifest(Child(*root, "manifest"), package, name);
   ReadSpine(Child(*root, "spine"), package);
+  if (package.spine.empty()) ReadUnordered(package);
   if (package.spine.empty()) {
     throw InputError(name + ": is a book without chapters (" + OneLine(path) +
                      " in it lists none); get it again");

@@ -60,7 +60,8 @@ std::optional<std::string> ResolvePath(std::string_view base, std::string_view a
 /// The path of the package in META-INF/container.xml; nothing where that is none.
 std::optional<std::string> ReadContainer(const std::string& xml);
 
-/// Throws InputError (`name`, cause) unless `xml` is a package with a spine.
+/// A package without a spine is read in the order of its manifest. Throws InputError (`name`,
+/// cause): `xml` is no package, or one without chapters.
 EpubPackage ReadPackage(const std::string& xml, const std::string& path, const std::string& name);
 
 /// Paths that META-INF/encryption.xml says are encrypted; fonts that are only obfuscated are not

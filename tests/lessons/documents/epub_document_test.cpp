@@ -199,6 +199,27 @@ TEST_F(EpubDocument, ALinkWhoseTargetIsMissingLeadsNowhere) {
   EXPECT_EQ(marks[3].target, kNoBlock);
 }
 
+// It was refused as a book without chapters.
+TEST_F(EpubDocument, WithoutAnOrderThePagesAreReadAsTheyAreListed) {
+  const std::string type = "media-type='application/xhtml+xml'";
+  ZipEntries book = Book({Chapter("<p>first</p>"), Chapter("<p>second</p>")});
+  book = Replaced(book, "OPS/book.opf",
+                  Package("<item id='n' href='nav.xhtml' properties='nav' " + type +
+                              "/><item id='b' href='c1.xhtml' " + type +
+                              "/><item id='s' href='s.css' media-type='text/css'/>"
+                              "<item id='a' href='c0.xhtml' " +
+                              type + "/>",
+                          ""));
+  book.emplace_back("OPS/nav.xhtml", Chapter("<nav epub:type='toc'><ol><li><a "
+                                             "href='c0.xhtml'>One</a></li></ol></nav>"));
+  book.emplace_back("OPS/s.css", "p {}");
+  const Document read = Read(book);
+  EXPECT_EQ(Transcribe(read).text, "second\n\nfirst\n");
+  ASSERT_EQ(read.contents.size(), 1U);
+  EXPECT_EQ(read.contents[0].block, 1U);
+  EXPECT_EQ(CountOf(read, LeftOut::kLaterPart), 2U) << "which is told";
+}
+
 TEST_F(EpubDocument, UnusualPackingIsRefusedInWords) {
   const std::string zip = StoredZip(Book({Chapter("<p>x</p>")}));
   std::string bzip2 = zip;  // method 12 of the last entry, in the directory and before its bytes
