@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "lessons/documents/epub_package.h"
@@ -15,6 +16,7 @@ using Role = ElementRole;
 
 constexpr std::size_t kDeepest = 5000;  // frames; deeper elements are read as their parent
 constexpr std::int16_t kMostLevels = 100;
+constexpr int kNoNumber = std::numeric_limits<int>::min();
 
 bool IsBlock(Role role) {
   switch (role) {
@@ -378,8 +380,11 @@ void MarkupReader::BeginList(Frame& frame, const MarkupAttributes& attributes) {
   frame.state.level = 0;
   OpenList list;
   list.ordered = frame.role == Role::kOrderedList && !frame.contents;
-  list.step = attributes.Has("reversed") ? -1 : 1;
-  list.next = WholeNumber(attributes["start"], 1);
+  const bool reversed = attributes.Has("reversed");
+  list.step = reversed ? -1 : 1;
+  list.next = WholeNumber(attributes["start"], reversed ? kNoNumber : 1);
+  list.from_end = list.next == kNoNumber;
+  if (list.from_end) list.next = 0;
   const std::string_view type = attributes["type"];
   if (type == "a" || type == "A") list.type = type[0];
   Block block;
@@ -387,7 +392,7 @@ void MarkupReader::BeginList(Frame& frame, const MarkupAttributes& attributes) {
   block.level = static_cast<int>(std::min<std::size_t>(lists_.size() + 1, kMostLevels));
   block.quotation = frame.state.quotation;
   list.block = writer_.Add(std::move(block));
-  lists_.push_back(list);
+  lists_.push_back(std::move(list));
 }
 
 void MarkupReader::OpenItem(Frame& frame, const MarkupAttributes& attributes) {
@@ -405,8 +410,12 @@ void MarkupReader::OpenItem(Frame& frame, const MarkupAttributes& attributes) {
     writer_.SetLabel("-");
     return;
   }
-  const int number = WholeNumber(attributes["value"], list.next);
-  writer_.SetLabel(NumberLabel(number, list.type));
+  const int own = WholeNumber(attributes["value"], kNoNumber);
+  if (own != kNoNumber) list.from_end = false;
+  const int number = own != kNoNumber ? own : list.next;
+  const std::string label = NumberLabel(number, list.type);
+  if (list.from_end) list.counted.push_back({writer_.place().block, number});
+  writer_.SetLabel(label);
   list.next = number + list.step;
 }
 
@@ -573,9 +582,28 @@ void MarkupReader::CloseTable() {
   table_anchors_.pop_back();
 }
 
+/// Items of a reversed list without a start, which were counted down from 0: now their number is
+/// known (HTML, 4.4.5). An item without text has no block that bears its label; it is not sought
+/// far, since lists may be nested deep.
+void MarkupReader::CountDown(const OpenList& list) {
+  std::vector<Block>& blocks = writer_.document().blocks;
+  for (std::size_t i = 0; i < list.counted.size(); ++i) {
+    constexpr std::size_t kNear = 8;
+    const auto [first, number] = list.counted[i];
+    const std::size_t end = i + 1 < list.counted.size() ? list.counted[i + 1].first : blocks.size();
+    const std::string label = NumberLabel(number, list.type);
+    for (std::size_t b = first; b < std::min({end, blocks.size(), first + kNear}); ++b) {
+      if (blocks[b].label != label) continue;
+      blocks[b].label = NumberLabel(number + static_cast<int>(list.items), list.type);
+      break;
+    }
+  }
+}
+
 void MarkupReader::CloseList() {
-  const OpenList list = lists_.back();
+  const OpenList list = std::move(lists_.back());
   lists_.pop_back();
+  CountDown(list);
   std::vector<Block>& blocks = writer_.document().blocks;
   if (list.block + 1 == blocks.size()) {
     blocks.pop_back();  // a list of nothing

@@ -73,6 +73,8 @@ class MarkupReader : public MarkupSink {
     char type = '1';
     int next = 1, step = 1;
     std::uint32_t items = 0;
+    bool from_end = false;  // numbers count down to 1: they are known once it closes
+    std::vector<std::pair<std::size_t, int>> counted;  // such items: next block, number from 0
   };
   struct Anchor {
     std::string key;
@@ -95,6 +97,7 @@ class MarkupReader : public MarkupSink {
   void OpenInput(const Frame& frame, const MarkupAttributes& attributes);
   void OpenLink(Frame& frame, const MarkupAttributes& attributes);
   void CloseTable();
+  void CountDown(const OpenList& list);
   void CloseList();
   void CloseLink(const Frame& frame);
   void CloseDrawing(const Frame& frame);

@@ -103,6 +103,17 @@ TEST_F(HtmlDocument, TablesAreToldCellByCell) {
             "table of 1 row and 2 columns\nrow 1, column 1: only\nrow 1, column 2: heads\n");
 }
 
+// HTML, 4.4.5: without a start it begins at the number of items.
+TEST_F(HtmlDocument, AReversedListCountsDownFromTheNumberOfItsItems) {
+  EXPECT_EQ(TextOf("<ol reversed><li>p<li><li>q<ol><li>in</ol><li>r</ol>"),
+            "list of 4 items\n4. p\n2. q\nlist of 1 item, level 2\n1. in\n1. r\n")
+      << "an empty item counts";
+  EXPECT_EQ(TextOf("<ol reversed type=a><li>p<li>q</ol>"), "list of 2 items\nb. p\na. q\n");
+  EXPECT_EQ(TextOf("<ol reversed start=9><li>p<li>q</ol>"), "list of 2 items\n9. p\n8. q\n");
+  EXPECT_EQ(TextOf("<ol reversed><li>p<li value=7>q<li>r</ol>"),
+            "list of 3 items\n3. p\n7. q\n6. r\n");
+}
+
 TEST_F(HtmlDocument, ALinkWhoseTargetIsMissingLeadsNowhere) {
   const Document page = ReadHtml(
       "<p><a href='#gone'>a</a> <a href='#'>b</a> <a href='#top'>c</a> <a href='other.html#q'>d</a>"
