@@ -427,8 +427,9 @@ void MarkupReader::OpenCell(Frame& frame, const MarkupAttributes& attributes) {
   cell.names_column = scope == "col" || scope == "colgroup";
   cell.columns = static_cast<std::uint32_t>(std::max(WholeNumber(attributes["colspan"], 1), 1));
   cell.first_block = cell.end_block = writer_.place().block;
-  const int rows = std::clamp(WholeNumber(attributes["rowspan"], 1), 1, 65534);
-  tables_.back().BeginCell(cell, static_cast<std::uint32_t>(rows));
+  cell.rows =
+      static_cast<std::uint32_t>(std::clamp(WholeNumber(attributes["rowspan"], 1), 1, 65534));
+  tables_.back().BeginCell(cell);
   frame.state.kind = BlockKind::kParagraph;
   frame.state.level = 0;
 }

@@ -8,8 +8,10 @@
 namespace moontrace {
 namespace {
 
-constexpr std::uint32_t kMostColumns = 1000;  // HTML's limit of a span
-constexpr std::size_t kLongestName = 200;     // [bytes]; ours
+constexpr std::uint32_t kMostColumns = 1000;   // HTML's limit of a span
+constexpr std::size_t kLongestName = 200;      // [bytes]; ours
+constexpr std::size_t kMostAgain = 32 * 1024;  // told again, and four times the table's; ours
+constexpr std::size_t kCellSize = 16;          // that a cell counts beside its text; ours
 
 /// Blocks of a cell as one, its paragraphs lines of it.
 Block Joined(const std::vector<Block>& blocks, std::size_t first, std::size_t end) {
@@ -32,6 +34,9 @@ Block Joined(const std::vector<Block>& blocks, std::size_t first, std::size_t en
   cell.kind = BlockKind::kCell;
   return cell;
 }
+
+/// A page of the printed book begins once.
+bool IsPrintPage(const DocumentMark& mark) { return mark.kind == MarkKind::kPrintPage; }
 
 std::string OneLineOf(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -74,7 +79,10 @@ Grid NamedGrid(const std::vector<TableCell>& places, std::vector<Block> cells, s
   for (std::size_t i = 0; i < places.size(); ++i) {
     const TableCell& place = places[i];
     const std::string text = OneLineOf(grid.cells[i].text);
-    if (place.row < head_rows || (place.header && place.names_column)) {
+    const bool names_columns = place.first_row < head_rows || (place.header && place.names_column);
+    if (names_columns && place.again()) {
+      grid.names[i] = true;  // its column is named already
+    } else if (names_columns) {
       const auto first = grid.columns.begin() + place.column;
       const auto end = first + std::min(place.columns, columns - place.column);
       grid.names[i] =
@@ -96,7 +104,8 @@ void KeepLoneNames(const std::vector<TableCell>& places, Grid& grid) {
     if (!grid.names[i] && !grid.cells[i].text.empty()) told[places[i].row] = true;
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool of_row = grid.names[i] && places[i].row >= grid.head_rows && !places[i].names_column;
+    const bool of_row =
+        grid.names[i] && places[i].first_row >= grid.head_rows && !places[i].names_column;
     if (of_row && !told[places[i].row]) {
       grid.names[i] = false;
       grid.rows[places[i].row].clear();
@@ -127,17 +136,17 @@ void TableReader::BeginRow() {
   column_ = 0;
 }
 
-void TableReader::BeginCell(TableCell cell, std::uint32_t rows) {
+void TableReader::BeginCell(TableCell cell) {
   if (rows_ == 0) BeginRow();
   const std::uint32_t row = rows_ - 1;
   while (column_ < busy_.size() && busy_[column_] > row) ++column_;
   if (column_ >= kMostColumns) column_ = kMostColumns - 1;
-  cell.row = row;
+  cell.row = cell.first_row = row;
   cell.column = column_;
   cell.columns = std::clamp<std::uint32_t>(cell.columns, 1, kMostColumns - column_);
   const std::uint32_t end = column_ + cell.columns;
   if (busy_.size() < end) busy_.resize(end, 0);
-  for (std::uint32_t c = column_; c < end; ++c) busy_[c] = row + std::max<std::uint32_t>(rows, 1);
+  for (std::uint32_t c = column_; c < end; ++c) busy_[c] = row + cell.rows;
   columns_ = std::max(columns_, end);
   column_ = end;
   cells_.push_back(cell);
@@ -165,18 +174,50 @@ bool TableReader::IsLayout(const Document& document) const {
   return false;
 }
 
+/// All cells row by row, those that span rows in each of them; a table that would grow too much by
+/// that is told without.
+std::vector<TableCell> TableReader::ToldCells(const Document& document) const {
+  const auto size = [&document](const TableCell& cell) {
+    std::size_t bytes = kCellSize;
+    for (std::size_t i = cell.first_block; i < cell.end_block; ++i) {
+      bytes += document.blocks[i].text.size();
+    }
+    return bytes;
+  };
+  std::size_t own = 0, again = 0;
+  for (const TableCell& cell : cells_) {
+    const std::size_t more = std::min(cell.rows, rows_ - cell.row) - 1;
+    if (cell.first_block < cell.end_block) again += more * size(cell);
+    own += size(cell);
+  }
+  if (again == 0 || again > std::max(kMostAgain, 4 * own)) return cells_;
+  std::vector<TableCell> told;
+  for (TableCell cell : cells_) {
+    told.push_back(cell);
+    const std::uint32_t end = cell.row + std::min(cell.rows, rows_ - cell.row);
+    if (cell.first_block == cell.end_block) continue;
+    while (++cell.row < end) told.push_back(cell);
+  }
+  std::stable_sort(told.begin(), told.end(), [](const TableCell& a, const TableCell& b) {
+    return std::pair(a.row, a.column) < std::pair(b.row, b.column);
+  });
+  return told;
+}
+
 std::vector<std::size_t> TableReader::Finish(Document& document) const {
   const std::size_t count = document.blocks.size() - std::min(first_block_, document.blocks.size());
   std::vector<std::size_t> now(count + 1);
   for (std::size_t i = 0; i <= count; ++i) now[i] = first_block_ + i;
   if (IsLayout(document)) return now;
 
+  const std::vector<TableCell> places = ToldCells(document);
   std::vector<Block> cells;
-  for (const TableCell& cell : cells_) {
+  for (const TableCell& cell : places) {
     cells.push_back(Joined(document.blocks, cell.first_block, cell.end_block));
+    if (cell.again()) std::erase_if(cells.back().marks, IsPrintPage);
   }
-  Grid grid = NamedGrid(cells_, std::move(cells), rows_, columns_);
-  KeepLoneNames(cells_, grid);
+  Grid grid = NamedGrid(places, std::move(cells), rows_, columns_);
+  KeepLoneNames(places, grid);
   std::vector<bool> inside(count, false);
   const auto take = [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) inside[i - first_block_] = true;
@@ -194,9 +235,9 @@ std::vector<std::size_t> TableReader::Finish(Document& document) const {
   for (std::size_t i = 0; i < count; ++i) now[i] = inside[i] ? table : now[i];
   blocks.push_back(TableBlock(grid, Joined(document.blocks, caption_first_, caption_end_),
                               rows_ - grid.head_rows, columns_));
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const TableCell& place = cells_[i];
-    for (std::size_t b = place.first_block; b < place.end_block; ++b) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const TableCell& place = places[i];
+    for (std::size_t b = place.first_block; b < place.end_block && !place.again(); ++b) {
       now[b - first_block_] = grid.names[i] ? table : first_block_ + blocks.size();
     }
     Block& cell = grid.cells[i];

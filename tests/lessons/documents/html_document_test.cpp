@@ -96,11 +96,31 @@ TEST_F(HtmlDocument, TablesAreToldCellByCell) {
             "row 2, column 1: c\nrow 2, column 2: d\n");
   // A cell over two rows pushes the next row's to the right (HTML, forming a table).
   EXPECT_EQ(TextOf("<table><tr><th>x<th>y<tr><td rowspan=2>a<td>b<tr><td>c</table>"),
-            "table of 2 rows and 2 columns; columns x, y\nrow 1, x: a\nrow 1, y: b\nrow 2, y: c\n");
+            "table of 2 rows and 2 columns; columns x, y\nrow 1, x: a\nrow 1, y: b\nrow 2, x: a\n"
+            "row 2, y: c\n");
   EXPECT_EQ(TextOf("<table><tr><td><h1>T</h1><td><p>x<table><tr><td>1<td>2</table></table>"),
             "# T\n\nx\n\ntable of 1 row and 2 columns\nrow 1, column 1: 1\nrow 1, column 2: 2\n");
   EXPECT_EQ(TextOf("<table><tr><th>only<th>heads</table>"),
             "table of 1 row and 2 columns\nrow 1, column 1: only\nrow 1, column 2: heads\n");
+}
+
+TEST_F(HtmlDocument, ACellOverRowsIsToldInEach) {
+  EXPECT_EQ(TextOf("<table><tr><th>Name<th>Day<th>Price<tr><td rowspan=3>Pear<td>1<td rowspan=9>5"
+                   "<tr><td>2<tr><td>3</table>"),
+            "table of 3 rows and 3 columns; columns Name, Day, Price\n"
+            "row 1, Name: Pear\nrow 1, Day: 1\nrow 1, Price: 5\n"
+            "row 2, Name: Pear\nrow 2, Day: 2\nrow 2, Price: 5\n"
+            "row 3, Name: Pear\nrow 3, Day: 3\nrow 3, Price: 5\n");
+  // a name of rows names each; one of columns names them once
+  EXPECT_EQ(TextOf("<table><tr><th rowspan=2>x<th colspan=2>y<tr><th>a<th>b"
+                   "<tr><th rowspan=2>N<td>1<td>2<tr><td>3<td>4</table>"),
+            "table of 2 rows and 3 columns; columns x, y a, y b\n"
+            "N, y a: 1\nN, y b: 2\nN, y a: 3\nN, y b: 4\n");
+  // a long text over very many rows would fill the memory
+  const std::string many =
+      TextOf("<table><tr><th>x<th>y<tr><td rowspan=20000>" + Times("long ", 1000) + "<td>1" +
+             Times("<tr><td>1", 9999) + "</table>");
+  EXPECT_LT(many.size(), 1000000U);
 }
 
 // HTML, 4.4.5: without a start it begins at the number of items.
