@@ -149,6 +149,16 @@ std::string MarkLine(std::string_view name, std::string_view place) {
   return fmt::format("{}: {}.", OneLine(name, 24), place);
 }
 std::string MarkIs(std::string_view name) { return fmt::format("Bookmark {}", OneLine(name, 24)); }
+namespace {
+std::string Places(std::size_t pages) {
+  return fmt::format("go to {}, print 12, or a bookmark's name",
+                     pages > 1 ? fmt::format("1 to {}", pages) : "1");
+}
+}  // namespace
+std::string GoToWhat(std::size_t pages) { return fmt::format("Say where: {}.", Places(pages)); }
+std::string NoSuchPlace(std::string_view given, std::size_t pages) {
+  return fmt::format("No bookmark {}: {}.", OneLine(given, 16), Places(pages));
+}
 std::string NoMarks() { return "No bookmark yet: press twice, or say bookmark."; }
 std::string NoMarkNamed(std::string_view name) {
   return fmt::format("No bookmark {}: bookmarks lists them.", OneLine(name, 16));

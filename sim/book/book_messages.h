@@ -77,6 +77,9 @@ std::string ForgetWhat();
 std::string MarkToo(std::string_view name);
 std::string MarkLine(std::string_view name, std::string_view place);
 std::string MarkIs(std::string_view name);
+/// "go to" without anything behind it, and with what is neither a place nor a bookmark.
+std::string GoToWhat(std::size_t pages);
+std::string NoSuchPlace(std::string_view given, std::size_t pages);
 std::string NoMarks();
 std::string NoMarkNamed(std::string_view name);
 

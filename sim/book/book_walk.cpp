@@ -8,6 +8,7 @@
 
 #include "sim/book/book_messages.h"
 #include "sim/book/unset_words.h"
+#include "sim/console/word_messages.h"
 #include "sim/session/loop_messages.h"
 #include "sim/session/place_messages.h"
 #include "sim/session/tip_words.h"
@@ -24,6 +25,7 @@ constexpr std::size_t kMostStrays = 1000;            ///< looks, 20 s: who reads
 constexpr std::size_t kMostContents = 100;           ///< lines said
 constexpr glm::dvec2 kInLetter{0.25, 0.5};           ///< [em]
 constexpr std::string_view kBookmark = "bookmark ";  ///< before a bookmark's name
+constexpr std::string_view kPage = "page ";          ///< before a page's number
 
 /// The first letter of the line of the text that a letter stands on.
 std::size_t LineStart(const TextSetup& text, std::size_t letter) {
@@ -216,13 +218,21 @@ std::vector<std::string> BookWalk::ListContents() {
 }
 
 std::vector<std::string> BookWalk::GoTo(const std::string& where, const LoopSnapshot& now) {
+  const std::size_t pages = laid_.text().set.pages.size();
+  if (where.empty()) return {say::GoToWhat(pages)};
   const std::string folded = CaseFolded(where);
   if (folded.rfind(kBookmark, 0) == 0) return {ToMark(where.substr(kBookmark.size()), now)};
   if (const std::optional<Lines> printed = ToPrintPage(where, now)) return *printed;
-  const bool number = where.find_first_not_of("0123456789") == std::string::npos;
-  if (!number) return {ToMark(where, now)};
-  Lines lines{Led(walk_->Go({PlaceWord::kGoTo, where}, now))};
-  if (!where.empty() && memory_.MarkNamed(where) != nullptr) lines.push_back(say::MarkToo(where));
+  const bool marked = memory_.MarkNamed(where) != nullptr;
+  const bool page_told = !marked && folded.rfind(kPage, 0) == 0;
+  const std::string page = say::Unstopped(where.substr(page_told ? kPage.size() : 0));
+  const bool number = !page.empty() && page.find_first_not_of("0123456789") == std::string::npos;
+  if (!number && !marked && memory_.MarkNamed(page) == nullptr) {
+    return {say::NoSuchPlace(where, pages)};
+  }
+  if (!number) return {ToMark(marked ? where : page, now)};
+  Lines lines{Led(walk_->Go({PlaceWord::kGoTo, page}, now))};
+  if (marked) lines.push_back(say::MarkToo(where));
   return lines;
 }
 

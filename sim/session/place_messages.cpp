@@ -63,8 +63,9 @@ std::string NoHeadingBehind() { return "No heading further on."; }
 std::string NoParagraphBehind() { return "No paragraph further on."; }
 std::string NoLinkBehind() { return "No link further on."; }
 std::string NoSuchPage(std::string_view number, std::size_t pages) {
-  return pages == 1 ? "There is one page only."
-                    : fmt::format("No page {}: say go to 1 to {}.", OneLine(number, 12), pages);
+  if (pages == 1) return "There is one page only.";
+  if (number.empty()) return fmt::format("Say which page: go to 1 to {}.", pages);
+  return fmt::format("No page {}: say go to 1 to {}.", OneLine(number, 12), pages);
 }
 std::string NoPlaceHere() { return "The page is empty: nothing to go to."; }
 

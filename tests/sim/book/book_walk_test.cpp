@@ -130,7 +130,7 @@ TEST_F(BookWalkTest, LeadsByContentsPrintedPagesAndBookmarks) {
   EXPECT_EQ(Say("bookmarks", At(0)).size(), 2U);
   EXPECT_TRUE(Begins(Say("mark", At(0)), "Bookmark mark 1: "));
   EXPECT_TRUE(Begins(Say("go to tea TIME", At(0)), "Bookmark Tea time: "));
-  EXPECT_EQ(Say("go to lunch", At(0)), Lines{say::NoMarkNamed("lunch")});
+  EXPECT_EQ(Say("go to bookmark lunch", At(0)), Lines{say::NoMarkNamed("lunch")});
   EXPECT_EQ(Say("word", At(Byte("draws"))), Lines{"draws."});
   EXPECT_EQ(Say("spell", At(Byte("sea"))), Lines{"s, e, a, .."});
   Again();
@@ -501,6 +501,26 @@ TEST_F(BookWalkTest, BookmarksOfNumbersAreReachedMovedAndForgottenByWords) {
   Again();
   ASSERT_EQ(memory_.reading().marks.size(), 1U);
   EXPECT_EQ(memory_.reading().marks[0].name, "mark 1");
+}
+
+TEST_F(BookWalkTest, GoToSaysWhatMayFollow) {
+  Open(kTides);
+  const std::string pages = std::to_string(session_->text().set.pages.size());
+  const Lines second = Say("go to 2", At(0));
+  for (const char* line : {"go to page 2", "Go to page 2.", "go to 2!"}) {
+    EXPECT_EQ(Say(line, At(0)), second) << line;
+  }
+  EXPECT_EQ(Say("go to page 99", At(0)), Lines{"No page 99: say go to 1 to " + pages + "."});
+  const std::string may = "go to 1 to " + pages + ", print 12, or a bookmark's name.";
+  EXPECT_EQ(Say("go to", At(0)), Lines{"Say where: " + may});
+  for (const char* where : {"line 3", "start", "end", "contents"}) {
+    const std::string line = std::string("go to ") + where;
+    EXPECT_EQ(Say(line, At(0)), Lines{std::string("No bookmark ") + where + ": " + may});
+  }
+  Say("bookmark start", At(Byte("draws")));
+  Say("bookmark page 2", At(Byte("High")));
+  EXPECT_TRUE(Begins(Say("go to start.", At(0)), "Bookmark start: "));
+  EXPECT_TRUE(Begins(Say("go to page 2", At(0)), "Bookmark page 2: ")) << "of that very name";
 }
 
 TEST_F(BookWalkTest, ALinkToNothingLeavesTheHandWhereItIs) {
