@@ -200,6 +200,7 @@ std::string PlaceKept(std::string_view place) { return fmt::format("Kept: {}.", 
 std::string PlaceNotKept(std::string_view why) {
   return fmt::format("Your place is not kept: {}.", OneLine(why, 300));
 }
+std::string PlaceLost() { return "place and bookmarks could not be kept in the records"; }
 std::string ReadsWithoutName() {
   return "Your place is not kept: say who reads, with --learner NAME.";
 }

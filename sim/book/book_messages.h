@@ -100,6 +100,8 @@ std::string AskWhichText();
 std::string NoneOfThem();
 std::string PlaceKept(std::string_view place);
 std::string PlaceNotKept(std::string_view why);
+/// At the end, as an error; why has been told.
+std::string PlaceLost();
 std::string ReadsWithoutName();
 std::string ReadsWithoutRecords();
 std::string NewReader(std::string_view name);

@@ -493,7 +493,9 @@ std::vector<std::string> BookWalk::Look(const LoopSnapshot& now) {
 
 std::vector<std::string> BookWalk::End() {
   const std::string why = KeepNow();
-  if (!why.empty()) return {say::PlaceNotKept(why)};
+  lost_ = !why.empty();
+  if (lost_ && told_failure_) return {};
+  if (lost_) return {say::PlaceNotKept(why)};
   if (!memory_.remembers()) return {};
   return {say::PlaceKept(PlaceInWords(letter_))};
 }

@@ -64,8 +64,10 @@ class BookWalk : public Companion {
     return laid_.Lay({{text, ""}}, now.tip_P);
   }
 
-  /// Behind the session: keeps the place, and says where it is.
+  /// Behind the session: keeps the place, and says where it is; of a failure what was not told yet.
   std::vector<std::string> End();
+  /// End could not keep it.
+  bool lost() const { return lost_; }
 
  private:
   using Lines = std::vector<std::string>;
@@ -116,7 +118,7 @@ class BookWalk : public Companion {
   };
   Opening opening_;
   std::vector<LaidLines::Line> offer_;  ///< what can be chosen of what was answered last
-  bool was_stopped_ = false, ended_ = false, told_failure_ = false;
+  bool was_stopped_ = false, ended_ = false, told_failure_ = false, lost_ = false;
   bool urgent_ = false;        ///< what Look said last: not kept, or the end
   bool trembles_ = false;      ///< since the last Look
   bool turned_lines_ = false;  ///< since then, of what lies in place of the book

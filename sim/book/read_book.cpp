@@ -51,12 +51,17 @@ std::optional<std::string> AskWho(const SessionRequest& like, const Records& rec
   return *taken == say::NoneOfThem() ? std::string() : *taken;
 }
 
-/// None: whoever was asked for a name has left.
-std::optional<BookMemory> MemoryOf(const ReadBookOptions& options, const Book& book,
-                                   const std::string& file, LineReader& typed, Console& console) {
+/// What is remembered, and whether records that were to be used could not be.
+struct Kept {
+  std::optional<BookMemory> memory;  ///< none: whoever was asked for a name has left
+  bool wrong = false, lacking = false;
+};
+
+Kept MemoryOf(const ReadBookOptions& options, const Book& book, const std::string& file,
+              LineReader& typed, Console& console) {
   if (!Records::Available()) {
     console.Remark(say::ReadsWithoutRecords());
-    return BookMemory();
+    return {BookMemory()};
   }
   if (!options.learner.empty()) RequirePseudonym(options.learner);
   try {
@@ -64,20 +69,21 @@ std::optional<BookMemory> MemoryOf(const ReadBookOptions& options, const Book& b
     std::optional<std::string> learner = WhoReads(records, options.learner, console);
     if (!learner && options.moon) {
       learner = AskWho(RequestOf(options, file, ""), records, typed, console);
-      if (!learner) return std::nullopt;
+      if (!learner) return {};
     }
     if (!learner || learner->empty()) {
       console.Remark(say::ReadsWithoutName());
-      return BookMemory();
+      return {BookMemory()};
     }
-    return BookMemory(std::move(records), std::move(*learner), PathOfRead(file), book.title,
-                      book.text.text);
+    return {BookMemory(std::move(records), std::move(*learner), PathOfRead(file), book.title,
+                       book.text.text)};
   } catch (const InputError& error) {
     console.Remark(say::PlaceNotKept(error.what()));
+    return {BookMemory(), true, false};
   } catch (const LackError& error) {
     console.Remark(say::PlaceNotKept(error.what()));
+    return {BookMemory(), false, true};
   }
-  return BookMemory();
 }
 
 /// What must be known before reading: of what was kept, and of what is felt.
@@ -110,9 +116,9 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   const Transcription text = Transcribe(document);
   const Book book{document, text, say::DocumentName(document, file)};
   LineReader typed(console.in());
-  std::optional<BookMemory> kept = MemoryOf(options, book, file, typed, console);
-  if (!kept) return;
-  BookMemory& memory = *kept;
+  Kept kept = MemoryOf(options, book, file, typed, console);
+  if (!kept.memory) return;
+  BookMemory& memory = *kept.memory;
   LoopSession session(RequestOf(options, file, text.text), console);
   const std::size_t pages = session.text().set.pages.size();
   console.Result(say::DocumentSummary(document, file, &pages));
@@ -144,6 +150,8 @@ void ReadBook(const Document& document, const std::string& file, const ReadBookO
   }
   SayEnd(walk, console);
   RequireDevice(session);
+  if (kept.wrong) throw InputError(say::PlaceLost());
+  if (kept.lacking || walk.lost()) throw LackError(say::PlaceLost());
 }
 
 std::optional<ListedFile> ChooseReading(const ReadBookOptions& options, Console& console) {

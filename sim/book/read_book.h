@@ -35,7 +35,7 @@ struct ReadBookOptions {
 
 /// Lets a document be felt in real time, from where its reader left off, until "quit". `file`: its
 /// path, "-" for standard input. Throws InputError, LackError, DeviceError, Interrupted; the place
-/// is kept whatever is thrown.
+/// is kept whatever is thrown. Where it cannot be, reading goes on, and the error comes at the end.
 void ReadBook(const Document& document, const std::string& file, const ReadBookOptions& options,
               Console& console);
 

@@ -18,6 +18,7 @@
 #include "lessons/documents/zip_archive.h"
 #include "lessons/records/records.h"
 #include "sim/app/commands.h"
+#include "sim/book/book_messages.h"
 #include "sim/session/loop_messages.h"
 #include "tests/devices/fake_hid.h"
 #include "tests/sim/cli_fixture.h"
@@ -169,6 +170,16 @@ TEST_F(ReadCommand, ReadsOnWithoutPlacesWhereNobodyIsNamed) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("Your place is not kept: "), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out.find("Kept: "), std::string::npos) << outcome.out;
+}
+
+TEST_F(ReadCommand, EndsWithAnErrorWherePlacesCouldNotBeKept) {
+  if (!Records::Available()) GTEST_SKIP() << "built without SQLite";
+  const Records used = Records::Open(In("r.sqlite"));
+  const Outcome outcome = RunLine(Reading(Fixture("latin.txt"), In("r.sqlite")), "where\nquit\n");
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_EQ(Lines(outcome.err).back(), say::PlaceLost());
+  EXPECT_NE(outcome.err.find("Your place is not kept:"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find(", page 1 of "), std::string::npos) << "it was read\n" << outcome.out;
 }
 
 TEST_F(ReadCommand, ReadsStandardInputByTouchWithoutWords) {

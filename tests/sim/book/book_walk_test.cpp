@@ -1,8 +1,10 @@
 #include "sim/book/book_walk.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <set>
 
 #include "lessons/documents/text_document.h"
@@ -528,6 +530,29 @@ TEST_F(BookWalkTest, ALinkToNothingLeavesTheHandWhereItIs) {
   EXPECT_EQ(Say("follow", At(Byte("water"))),
             Lines{"What this leads to is not in the text: #gone"});
   EXPECT_FALSE(places_->Going());
+}
+
+// The same sentence was said again at the end.
+TEST_F(BookWalkTest, WhatCannotBeKeptIsToldOnce) {
+  Open(kTides);
+  EXPECT_FALSE(walk_->lost());
+  signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit none{0, before.rlim_max};  // as on a full disk
+  setrlimit(RLIMIT_FSIZE, &none);
+  LoopSnapshot stopped = At(Byte("draws"));
+  stopped.stopped = true;
+  const Lines told = walk_->Look(stopped);
+  const Lines end = walk_->End();
+  const bool lost = walk_->lost();
+  setrlimit(RLIMIT_FSIZE, &before);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back().rfind("Your place is not kept: ", 0), 0U) << told.back();
+  EXPECT_EQ(end, Lines{});
+  EXPECT_TRUE(lost);
+  EXPECT_EQ(walk_->End().size(), 1U) << "there is room again";
+  EXPECT_FALSE(walk_->lost());
 }
 
 TEST_F(BookWalkTest, ABookmarkIsNotSaidToBeSetWhereNothingIsKept) {
