@@ -1,7 +1,10 @@
 #include "lessons/records/records.h"
 
 #include <fmt/core.h>
+#include <pwd.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -25,6 +28,16 @@ namespace moontrace {
 namespace {
 
 constexpr std::int64_t kQuicklyRead = std::int64_t{64} << 20U;  // [bytes]
+
+/// The home folder that the account has, whatever the environment says.
+std::string AccountHome() {
+  passwd entry{};
+  passwd* found = nullptr;
+  std::array<char, 16384> text{};  // far more than an entry takes
+  getpwuid_r(getuid(), &entry, text.data(), text.size(), &found);
+  if (found != nullptr && found->pw_dir != nullptr && *found->pw_dir == '/') return found->pw_dir;
+  throw InputError("no home folder is known for the records; name their file by --records FILE");
+}
 
 /// Text as it can be exported: bytes that are no UTF-8 become "?".
 std::string Clean(std::string text) {
@@ -247,7 +260,8 @@ std::string Records::DefaultPath() {
   if (const std::string data = variable("XDG_DATA_HOME"); !data.empty()) {
     return data + "/moontrace/records.sqlite";
   }
-  return variable("HOME") + "/.local/share/moontrace/records.sqlite";
+  const std::string home = variable("HOME");
+  return (home.empty() ? AccountHome() : home) + "/.local/share/moontrace/records.sqlite";
 }
 
 Records Records::Open(const std::string& path) {

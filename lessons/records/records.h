@@ -22,7 +22,8 @@ class Records {
  public:
   /// False: built without SQLite; then nothing can be remembered.
   static bool Available();
-  /// `$XDG_DATA_HOME/moontrace/records.sqlite`, else `~/.local/share/...`.
+  /// `$XDG_DATA_HOME/moontrace/records.sqlite`, else `~/.local/share/...`; `~` without HOME is the
+  /// account's. Throws InputError: there is none.
   static std::string DefaultPath();
   /// Opens for writing; makes file (0600) and folder (0700) where there are none; an older version
   /// is brought up to date.

@@ -1,4 +1,6 @@
 #include "lessons/records/records.h"
+#include <pwd.h>
+#include <unistd.h>
 
 #include <sys/stat.h>
 
@@ -179,8 +181,16 @@ TEST(RecordsPath, FollowsTheUsersDataFolder) {
   setenv("XDG_DATA_HOME", "/data", 1);
   EXPECT_EQ(Records::DefaultPath(), "/data/moontrace/records.sqlite");
   unsetenv("XDG_DATA_HOME");
-  const std::string home = std::getenv("HOME") == nullptr ? "" : std::getenv("HOME");
-  EXPECT_EQ(Records::DefaultPath(), home + "/.local/share/moontrace/records.sqlite");
+  const char* old_home = std::getenv("HOME");
+  const std::string home = old_home == nullptr ? "" : old_home;
+  setenv("HOME", "/home/owl", 1);
+  EXPECT_EQ(Records::DefaultPath(), "/home/owl/.local/share/moontrace/records.sqlite");
+  unsetenv("HOME");  // it went to the root folder
+  if (const passwd* account = getpwuid(getuid())) {
+    EXPECT_EQ(Records::DefaultPath(),
+              std::string(account->pw_dir) + "/.local/share/moontrace/records.sqlite");
+  }
+  if (old_home != nullptr) setenv("HOME", home.c_str(), 1);
   if (old != nullptr) setenv("XDG_DATA_HOME", before.c_str(), 1);
 }
 
