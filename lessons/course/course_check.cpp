@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "lessons/course/course.h"
 #include "lessons/course/lesson_check.h"
@@ -38,9 +39,32 @@ void CheckSizes(const Course& course, double smallest, CourseFaults& faults) {
                          kMillimetres * course.sizes.front(), kMillimetres * smallest));
 }
 
-/// Why a lesson is never reached.
-void CheckNeeds(const Course& course, std::size_t index, const std::vector<std::string>& ids,
+/// A need that closes a circle: of which lesson, and which of its needs.
+using Culprit = std::pair<std::size_t, std::size_t>;
+
+/// Tells a circle once, by its need of a later lesson, which every circle has.
+void TellCircle(const Course& course, std::vector<std::size_t> circle, std::set<Culprit>& told,
                 CourseFaults& faults) {
+  std::size_t at = 0;
+  const auto next = [&circle](std::size_t i) { return circle[(i + 1) % circle.size()]; };
+  while (next(at) < circle[at]) ++at;
+  const Lesson& lesson = course.lessons[circle[at]];
+  const std::string& later = course.lessons[next(at)].id;
+  const auto need = std::find(lesson.needs.begin(), lesson.needs.end(), later);
+  const auto number = static_cast<std::size_t>(need - lesson.needs.begin());
+  if (!told.insert({circle[at], number}).second) return;
+  std::rotate(circle.begin(), circle.begin() + static_cast<std::ptrdiff_t>(at), circle.end());
+  std::string chain;
+  for (const std::size_t one : circle) chain += OneLine(course.lessons[one].id, 40) + " needs ";
+  faults.Add(lesson, fmt::format("needs[{}]", number),
+             fmt::format("unreachable: needs go round in a circle: {}{}; take out {}, which does "
+                         "not come before",
+                         chain, OneLine(lesson.id, 40), Quoted(later)));
+}
+
+/// Why a lesson is never reached. `told`: circles that were.
+void CheckNeeds(const Course& course, std::size_t index, const std::vector<std::string>& ids,
+                std::set<Culprit>& told, CourseFaults& faults) {
   const Lesson& lesson = course.lessons[index];
   bool unknown = false;
   for (std::size_t i = 0; i < lesson.needs.size(); ++i) {
@@ -57,11 +81,7 @@ void CheckNeeds(const Course& course, std::size_t index, const std::vector<std::
     faults.Add(lesson, "needs", "unreachable: what it needs is unreachable itself; mend that");
     return;
   }
-  std::string chain;
-  for (const std::size_t at : circle) chain += OneLine(course.lessons[at].id, 40) + " needs ";
-  faults.Add(lesson, "needs",
-             fmt::format("unreachable: needs go round in a circle: {}{}; take one need out", chain,
-                         OneLine(lesson.id, 40)));
+  TellCircle(course, circle, told, faults);
 }
 
 /// Names and mates are of items that the course has.
@@ -94,8 +114,9 @@ std::vector<CourseFault> CheckReach(const Course& course) {
   std::vector<std::string> ids;
   ids.reserve(course.lessons.size());
   for (const Lesson& lesson : course.lessons) ids.push_back(lesson.id);
+  std::set<Culprit> told;
   for (const std::size_t index : OrderOf(course).unreachable) {
-    CheckNeeds(course, index, ids, faults);
+    CheckNeeds(course, index, ids, told, faults);
   }
   return faults.Take();
 }
@@ -113,8 +134,9 @@ std::vector<CourseFault> CheckCourse(const Course& course, double smallest) {
   const LessonOrder order = OrderOf(course);
   LessonCheck check(course, faults);
   for (const std::size_t index : order.walk) check.Check(course.lessons[index], true);
+  std::set<Culprit> told;
   for (const std::size_t index : order.unreachable) {
-    CheckNeeds(course, index, ids, faults);
+    CheckNeeds(course, index, ids, told, faults);
     check.Check(course.lessons[index], false);
   }
   return faults.Take();

@@ -66,16 +66,34 @@ TEST_F(CourseCheck, FindsCharactersWithoutAForm) {
 TEST_F(CourseCheck, FindsNeedsInACircle) {
   Write("one", Replaced(kOne, "new =", "needs = [\"two\"]\nnew ="));
   EXPECT_EQ(Faults(),
-            "one.toml:2:9: unreachable: needs go round in a circle: one needs two needs one; take "
-            "one need out\n"
-            "two.toml:2:9: unreachable: needs go round in a circle: two needs one needs two; take "
-            "one need out\n");
+            "one.toml:2:10: unreachable: needs go round in a circle: one needs two needs one; take "
+            "out 'two', which does not come before\n");
+}
+
+// Each lesson of it told the circle.
+TEST_F(CourseCheck, TellsACircleOnceByItsNeedOfALaterLesson) {
+  Course course;
+  const std::vector<std::pair<std::string, std::vector<std::string>>> needs = {
+      {"a", {}}, {"b", {"a", "d"}}, {"c", {"b"}}, {"d", {"c"}}, {"e", {"d", "e"}}};
+  for (const auto& [id, needed] : needs) {
+    course.lessons.emplace_back();
+    course.lessons.back().id = id;
+    course.lessons.back().needs = needed;
+  }
+  std::vector<std::string> told;
+  for (const CourseFault& fault : CheckReach(course)) told.push_back(fault.what);
+  EXPECT_EQ(told, (std::vector<std::string>{
+                      "unreachable: needs go round in a circle: b needs d needs c needs b; take "
+                      "out 'd', which does not come before",
+                      "unreachable: needs go round in a circle: e needs e; take out 'e', which "
+                      "does not come before"}));
 }
 
 TEST_F(CourseCheck, SuchACourseIsNotBegun) {
   Write("one", Replaced(kOne, "new =", "needs = [\"two\"]\nnew ="));
-  EXPECT_EQ(LoadError(), File("one") + ":2:9: unreachable: needs go round in a circle: one needs " +
-                             "two needs one; take one need out");
+  EXPECT_EQ(LoadError(), File("one") +
+                             ":2:10: unreachable: needs go round in a circle: one needs two needs "
+                             "one; take out 'two', which does not come before");
   Write("one", Replaced(kOne, "new =", "needs = [\"twoo\"]\nnew ="));
   EXPECT_NE(LoadError().find("unreachable: it needs 'twoo'"), std::string::npos) << LoadError();
 }
