@@ -94,6 +94,22 @@ Reading SetDocument(const ReadOptions& options, const std::string& text, Console
   return reading;
 }
 
+/// Of a text that is wholly in a writing which the script lacks nothing is left to set: that needs
+/// its name, and what helps.
+[[noreturn]] void RefuseText(const ReadOptions& options, const InputError& error) {
+  const std::string why = error.what();
+  if (why.rfind("nothing left to set: script ", 0) != 0) throw error;
+  throw InputError(say::NothingSet(options.file, why));
+}
+
+Reading SetOrRefuse(const ReadOptions& options, const std::string& text, Console& console) {
+  try {
+    return SetDocument(options, text, console);
+  } catch (const InputError& error) {
+    RefuseText(options, error);
+  }
+}
+
 std::vector<std::string> Print(const ReadOptions& options, const std::string& text,
                                const std::string& title, const Reading& reading, Console& console) {
   PagePictures pictures(options.print, reading.counts.pages);
@@ -179,7 +195,7 @@ int WriteText(const ReadOptions& options, const Document& document, const std::s
 /// What is said of a document without feeling it.
 int Describe(const ReadOptions& options, const Document& document, const std::string& text,
              Console& console) {
-  const Reading reading = SetDocument(options, text, console);
+  const Reading reading = SetOrRefuse(options, text, console);
   std::vector<std::string> printed;
   if (!options.print.empty()) {
     printed = Print(options, text, say::DocumentName(document, options.file), reading, console);
@@ -272,7 +288,11 @@ int Read(const ReadOptions& options, Console& console) {
   const Feeling feeling = FeelingOf(options);
   const Document document = OpenOrTell(options, feeling.device, console);
   if (feeling.device) {
-    ReadBook(document, options.file, BookOptionsOf(options, *feeling.device), console);
+    try {
+      ReadBook(document, options.file, BookOptionsOf(options, *feeling.device), console);
+    } catch (const InputError& error) {
+      RefuseText(options, error);
+    }
     return exit_code::kGood;
   }
   const std::string text = Transcribe(document).text;

@@ -67,6 +67,11 @@ std::string HowToFeelInput() {
          "input.";
 }
 
+std::string NothingSet(const std::string& file, std::string_view why) {
+  return fmt::format("{}: {}; --text shows the text, --script NAME sets it in another script",
+                     file == "-" ? "standard input" : OneLine(file, 200), OneLine(why, 200));
+}
+
 std::string DocumentName(const Document& document, const std::string& file) {
   if (!document.title.empty()) return document.title;
   return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();

@@ -24,6 +24,8 @@ std::string DeviceRefused(std::string_view device, std::string_view problem);
 std::string HowToFeelRefused();
 /// Of standard input.
 std::string HowToFeelInput();
+/// Why no sign of a text could be set, and what helps. `file`: "-" is standard input.
+std::string NothingSet(const std::string& file, std::string_view why);
 /// Its title, otherwise its file's name.
 std::string DocumentName(const Document& document, const std::string& file);
 /// "\"Title\" by A. Author, en, EPUB: 3 parts, 12 headings, 40 pages." Without `pages` none are

@@ -182,6 +182,21 @@ TEST_F(ReadCommand, EndsWithAnErrorWherePlacesCouldNotBeKept) {
   EXPECT_NE(outcome.out.find(", page 1 of "), std::string::npos) << "it was read\n" << outcome.out;
 }
 
+TEST_F(ReadCommand, ATextThatTheScriptCannotWriteIsNamedWithWhatHelps) {
+  WriteAll(In("ar.txt"), "\xD9\x85\xD8\xB1\xD8\xAD\xD8\xA8\xD8\xA7\n");
+  for (const bool felt : {false, true}) {
+    std::vector<std::string> line{"read", In("ar.txt"), "--records", In("r.sqlite")};
+    if (felt) line = With(line, {"--device", "simulated"});
+    const Outcome outcome = RunLine(line);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(Lines(outcome.err).back(),
+              In("ar.txt") +
+                  ": nothing left to set: script moon has no sign for '\xD9\x85' (line "
+                  "1, column 1); --text shows the text, --script NAME sets it in "
+                  "another script");
+  }
+}
+
 TEST_F(ReadCommand, ReadsStandardInputByTouchWithoutWords) {
   const Outcome outcome = RunLine(
       {"read", "-", "--device", "simulated", "--seconds", "0.2", "--records", In("r.sqlite")},
