@@ -225,8 +225,8 @@ std::string Faults(const TrialResult& all) {
         all.held, all.ticks);
   }
   return fmt::format(
-      "MuJoCo reported a fault at {} of {} ticks; the force was zero there: try larger letters "
-      "or the proxy",
+      "no force at {} of {} ticks: MuJoCo could not step the model, or the tip was 1000 m from its "
+      "origin; bring the label near the origin, or make what it lies on heavier",
       all.faults, all.ticks);
 }
 

@@ -179,6 +179,7 @@ class Reader final : public PageReader {
   int restarts_ = 0, skips_ = 0;
   int rounds_ = 0;                  ///< lines in a row that began no lower than the one before
   bool wider_ = false;              ///< looks for the first line in a wider way
+  bool straight_ = false;           ///< looks for the next line straight down
   Box first_skipped_;               ///< round the first sign that was left for later
   std::size_t unknowns_ = 0;        ///< signs in a row
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign

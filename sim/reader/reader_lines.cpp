@@ -22,12 +22,14 @@ constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
 constexpr double kTopOfNext = 0.45;
 constexpr double kSoonMet = 0.35;  ///< below where it could begin, of a line without more space
 constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them signs begin and are
-constexpr double kDown = 0.2;     ///< each sweep between them; less than a dot's height
-constexpr int kMostSkips = 5;     ///< of what is the line above again
-constexpr double kLowered = 0.1;  ///< it is looked for so much lower then
-constexpr double kLower = 0.3;    ///< below a line another begins at least so much lower
-constexpr int kMostRounds = 3;    ///< of lines that do not: it goes round in what it has read
-constexpr double kDeepest = 4.0;  ///< the next line lies no deeper
+constexpr double kInBars = 0.25;     ///< right of where any bar begins, a hyphen's middle
+constexpr double kTopOfBars = 0.75;  ///< so low that a hand that lands there meets no sign above
+constexpr double kDown = 0.2;        ///< each sweep between them; less than a dot's height
+constexpr int kMostSkips = 5;        ///< of what is the line above again
+constexpr double kLowered = 0.1;     ///< it is looked for so much lower then
+constexpr double kLower = 0.3;       ///< below a line another begins at least so much lower
+constexpr int kMostRounds = 3;       ///< of lines that do not: it goes round in what it has read
+constexpr double kDeepest = 4.0;     ///< the next line lies no deeper
 
 double Across(const SignPlace& from, glm::dvec2 p) { return ToEm(from, p).y; }
 
@@ -353,8 +355,14 @@ bool Reader::StartAnew() {
 
 void Reader::SearchNextLine() {
   const SignPlace above = line_starts_.back();
-  // to and fro over its first sign or two, slanting, so that bars are met as well
+  // To and fro over its first sign or two, slanting, so that bars are met as well. A short one that
+  // all these pass above and below lies across a way straight down; where the pitch is known
+  // LookForSkipped finds it.
   std::vector<glm::dvec2> way;
+  if (straight_) {
+    way = {FromEm(above, {kInBars, -kTopOfBars}), FromEm(above, {kInBars, -kTopOfNext - kDeepest})};
+    return SweepAlong(std::move(way), Errand::kNextLine);
+  }
   double x = kLeftOfLine;
   for (double y = -kTopOfNext; y > -kTopOfNext - kDeepest; y -= kDown) {
     way.push_back(FromEm(above, {x, y}));
@@ -383,6 +391,10 @@ void Reader::Missed() {
       }
       if (errand_ == Errand::kFirstLine && !std::exchange(wider_, true)) return SearchFirstLine();
       if (errand_ == Errand::kNextLine && LookForSkipped(LeastPitch())) return;
+      if (errand_ == Errand::kNextLine && line_starts_.size() == 1 &&
+          !std::exchange(straight_, true)) {
+        return SearchNextLine();
+      }
       phase_ = Phase::kDone;
       return;
     case Errand::kLineStart:
@@ -434,7 +446,7 @@ void Reader::EndLine() {
   }
   farthest_ = std::max(farthest_, Along(Expected().origin));
   line_.clear();
-  leftwards_ = far_ = false;
+  leftwards_ = far_ = straight_ = false;
   skips_ = 0;
   skipped_ = Skipped::kUnknown;
   evidence_.flats.clear();

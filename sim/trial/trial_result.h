@@ -37,8 +37,9 @@ struct TrialResult {
   double real_time_factor = 0;  ///< simulated over elapsed time; the only value that varies
   double stroke_length = 0;     ///< of all intended strokes, a dot counting one width [m]
   std::size_t ticks = 0;
-  std::size_t faults = 0;  ///< ticks at which MuJoCo warned: forces were zero there
-  std::size_t held = 0;    ///< those at which something else in the model pushed the proxy
+  std::size_t faults =
+      0;  ///< ticks at which MuJoCo warned or the tip was too far off: no force there
+  std::size_t held = 0;  ///< those at which something else in the model pushed the proxy
   /// Times that the tip left the page, more than 0.1 mm above it, and came back within a line of
   /// text.
   std::size_t lifts_within_lines = 0;

@@ -235,6 +235,14 @@ TEST(Reading, ReadsLinesThatRunLeftwardsOrDown) {
   }
 }
 
+// The ways that look for the next line passed above and below its short bar, by five of six seeds.
+TEST(Reading, FindsLinesThatBeginWithAHyphen) {
+  for (const std::uint64_t seed : {2U, 3U, 4U}) {
+    const Desk desk("moon\n- sea\n- so on", 0.012, seed);
+    EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), TextOn(desk)) << seed;
+  }
+}
+
 // Typists put two spaces behind a sentence.
 TEST(Reading, GoesOnBehindTwoSpaces) {
   const Desk desk("so.  The sea\nis.  Go", 0.006);
