@@ -126,8 +126,6 @@ HelpLines LearnHelp(bool lifts, bool button) {
   return help;
 }
 
-std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
-std::string NotStopped() { return "Not stopped: go on feeling."; }
 std::string Pausing(bool felt) {
   return felt ? "Pause: no force. Say go to go on." : "A pause. Say go to go on.";
 }

@@ -75,8 +75,6 @@ struct HelpLines {
 /// Of words, of single keys (key -> word); `button`: the device has one.
 HelpLines LearnHelp(bool lifts, bool button);
 HelpLines KeysHelp(const std::map<std::string, std::string>& keys, bool lifts, bool button);
-std::string AlreadyStopped();
-std::string NotStopped();
 /// `felt`: a hand can be pushed here.
 std::string Pausing(bool felt);
 std::string NotWhileAsked();

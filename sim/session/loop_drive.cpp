@@ -367,13 +367,13 @@ class Driver : private LoopListener {
   /// Of what has no effect no event tells. The loop is asked for a stop in any case: what is known
   /// of it may be old.
   void Stop() {
-    if (poll_.newest().stopped) Say(say::StoppedBefore());
+    if (poll_.newest().stopped) Say(say::AlreadyStopped());
     Ask(true);
     session_.loop().Stop();
   }
 
   void GoOn() {
-    if (!poll_.newest().stopped) return Say(say::NothingStopped());
+    if (!poll_.newest().stopped) return Say(say::NotStopped());
     Ask(false);
     session_.GoOn();
   }

@@ -234,8 +234,8 @@ std::string_view EventName(SafetyEvent event) {
   return "";
 }
 
-std::string StoppedBefore() { return "Stopped already. Say go to go on."; }
-std::string NothingStopped() { return "Not stopped: go on feeling."; }
+std::string AlreadyStopped() { return "Stopped already. Say go to go on."; }
+std::string NotStopped() { return "Not stopped: go on feeling."; }
 
 std::string ForceIsBack() { return "Force is back."; }
 

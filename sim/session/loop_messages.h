@@ -59,8 +59,8 @@ std::string DeviceLost(std::string_view why);
 /// "not_a_number", "jump", ...: the key in JSON.
 std::string_view EventName(SafetyEvent event);
 /// Of "stop" or "pause", and of "go", that changes nothing.
-std::string StoppedBefore();
-std::string NothingStopped();
+std::string AlreadyStopped();
+std::string NotStopped();
 std::string ForceIsBack();  ///< behind motors that were off
 std::string LoopSilent();
 std::string StillLost(std::string_view why);
