@@ -11,6 +11,7 @@
 #include "sim/picture/moon_marks.h"
 #include "textures/base/error.h"
 #include "textures/base/units.h"
+#include "textures/typeset/layout.h"
 #include "textures/typeset/reshape.h"
 #include "textures/typeset/rules.h"
 
@@ -29,20 +30,24 @@ struct Reach {
   double ridge_low = 0, ridge_high = 0;  ///< as line rules keep away: that width round dots too
 };
 
-/// Of all signs of a kind of line that stand for print: guide lines lead to the next line.
+/// By kinds of line, as drawn of the signs that stand for print, as rules keep away of all but
+/// guide lines, which lead to the next line: a numeral sign stands for no print.
 std::map<LineKind, Reach> ReachOf(const TextPage& page, const Script& script,
                                   const TypeStyle& style) {
   std::map<LineKind, Reach> reach;
   for (const PlacedGlyph& placed : page.glyphs) {
-    if (placed.source_begin == placed.source_end) continue;
+    if (IsGuide(script.glyphs[placed.glyph])) continue;
+    const bool printed = placed.source_begin != placed.source_end;
     const double scale = ScaleOf(placed.kind, style), half = 0.5 * scale * style.width;
     Reach& own = reach[placed.kind];
     for (const Stroke& stroke : script.glyphs[placed.glyph].strokes) {
       const double drawn = stroke.kind == StrokeKind::kStroke ? half : 0;
       for (const Piece& piece : stroke.pieces) {
         const Box box = BoundsOf(Placed(piece, scale * style.size, {0, 0}));
-        own.low = std::min(own.low, box.min.y - drawn);
-        own.high = std::max(own.high, box.max.y + drawn);
+        if (printed) {
+          own.low = std::min(own.low, box.min.y - drawn);
+          own.high = std::max(own.high, box.max.y + drawn);
+        }
         own.ridge_low = std::min(own.ridge_low, box.min.y - half);
         own.ridge_high = std::max(own.ridge_high, box.max.y + half);
       }

@@ -120,8 +120,9 @@ TEST(MeshLabel, RefusesInOneLine) {
   EXPECT_TRUE(IsOneLine(face) && Holds(face, "take top, bottom, front")) << face;
   const std::string beside = Refusal(Model(kPlate, {"text='A', middle_mm=[300,0]"}));
   EXPECT_TRUE(IsOneLine(beside) && Holds(beside, "nothing of the geom is met")) << beside;
-  // a corner of a cube, met in the middle of its bounds, which is an edge
-  const std::string edge = Refusal(Model("0 0 0 .1 0 0 0 .1 0 0 0 .1", {"text='A', face='left'"}));
+  // a corner of a cube, met in the middle of its bounds, which lies on an edge
+  const std::string edge =
+      Refusal(Model("0 0 0 .1 0 0 0 .1 0 0 0 .1", {"text='A', face='bottom'"}));
   EXPECT_TRUE(IsOneLine(edge) && Holds(edge, "at its edge: choose another face")) << edge;
   const std::string thin = Refusal(Model(kPlate, {"text='A', face='front', middle_mm=[0,0]"}));
   EXPECT_EQ(thin, "");  // 8 mm high: room for small letters, checked when they are set

@@ -78,7 +78,8 @@ TEST(PrintMarks, NeverStandOnARule) {
   for (const double size : {0.003, 0.004, 0.006, 0.008, 0.012}) {
     TypeStyle style = DefaultStyle(size, Relief::kEngraved, moon);
     style.rules.lines = true;
-    const std::string text = "one, (two);\nthree?";
+    // a numeral sign hangs lower than its digits, and than all else here
+    const std::string text = size > 0.010 ? "no 12\nnor 3" : "one, (two);\nthree?";
     const Typeset set = SetText(text, moon, style, FindPage("a4"));
     std::vector<Mark> marks;
     try {
