@@ -99,7 +99,7 @@ class LearnSession : public RunningLesson, private LoopListener {
   void SayAskedPath();
   bool GoesOnUnsaid(const lesson_action::Say& sentence);
   Trial Flags(Trial measured) const;
-  bool told() const { return stage_.shown().told || stage_.simulated(); }
+  bool told() const { return stage_.shown().told; }
   std::int64_t Now() const;
 
   const Course& course_;
