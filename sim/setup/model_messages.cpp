@@ -11,9 +11,13 @@ std::string PageMoves(std::string_view geom) {
   return fmt::format("The geom '{}' can move: no force bound holds for it.", OneLine(geom));
 }
 
-std::string PagesOnGeom(std::size_t pages, std::string_view geom) {
-  return fmt::format("{} pages: the text does not fit on the geom '{}', one lies on it at a time.",
-                     pages, OneLine(geom));
+std::string PagesOnGeom(std::size_t pages, std::string_view geom, bool from_middle) {
+  return fmt::format(
+      "{} pages: the text does not fit on the geom '{}', one lies on it at a time.{}", pages,
+      OneLine(geom),
+      from_middle ? " Its corner lies in the middle of the face: middle_mm=[0,0] in "
+                    "the label gives it all of that."
+                  : "");
 }
 
 std::string GeomIsSmaller(std::string_view geom, const PageSpec& sheet) {

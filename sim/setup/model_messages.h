@@ -10,7 +10,8 @@
 namespace moontrace::say {
 
 std::string PageMoves(std::string_view geom);
-std::string PagesOnGeom(std::size_t pages, std::string_view geom);
+/// `from_middle`: the page begins there, so that it has a quarter of the face.
+std::string PagesOnGeom(std::size_t pages, std::string_view geom, bool from_middle);
 /// `sheet`: what is left of the one asked for.
 std::string GeomIsSmaller(std::string_view geom, const PageSpec& sheet);
 std::string LabelLacksText(std::string_view model, std::string_view geom);

@@ -220,7 +220,8 @@ TextSetup SetOnLabel(const TextRequest& request, const ModelPage& model, Console
   CheckRoom(request.feel.model, model, model.number, setup.set, text_P);
   setup.others = OthersOf(request.feel, model, text_P, console);
   if (setup.set.pages.size() > 1) {
-    console.Remark(say::PagesOnGeom(setup.set.pages.size(), label.geom));
+    const bool from_middle = !label.middle && label.at == glm::dvec2(0, 0);
+    console.Remark(say::PagesOnGeom(setup.set.pages.size(), label.geom, from_middle));
   }
   constexpr double kTold = 0.005;  // a length that is off by less is as it was set
   const double error = LengthErrorOf(label, model.solids[model.number], text_P);

@@ -80,6 +80,13 @@ TEST_F(TextOnAModel, ThatDoesNotFitIsToldByItsPages) {
   EXPECT_EQ(outcome.err.find(std::to_string(json["pages"].get<int>()) + " pages: the text does"),
             outcome.err.find(" pages: the text does") - 1)
       << outcome.err;
+  // by default the page begins in the middle of the face, and has a quarter of it
+  EXPECT_EQ(outcome.err.find("middle_mm"), std::string::npos) << outcome.err;
+  WriteAll(In("quarter.xml"),
+           "<mujoco><custom><text name='moontrace:g' data=\"{text='LLL', size_mm=15}\"/></custom>"
+           "<worldbody><geom name='g' type='box' size='0.05 0.025 0.005'/></worldbody></mujoco>");
+  const Outcome quarter = RunLine({"trace", "--model", In("quarter.xml")});
+  EXPECT_NE(quarter.err.find("middle_mm=[0,0]"), std::string::npos) << quarter.err;
   const Outcome fits = RunLine({"trace", "--model", Box("text='L', size_mm=30")});
   EXPECT_EQ(fits.err.find("pages"), std::string::npos) << fits.err;
 }
