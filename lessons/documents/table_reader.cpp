@@ -8,10 +8,10 @@
 namespace moontrace {
 namespace {
 
-constexpr std::uint32_t kMostColumns = 1000;   // HTML's limit of a span
-constexpr std::size_t kLongestName = 200;      // [bytes]; ours
-constexpr std::size_t kMostAgain = 32 * 1024;  // told again, and four times the table's; ours
-constexpr std::size_t kCellSize = 16;          // that a cell counts beside its text; ours
+constexpr std::uint32_t kMostColumns = 1000;  // HTML's limit of a span
+constexpr std::size_t kLongestName = 200;     // [bytes]; ours
+constexpr std::size_t kMostAgain = 32768;     // told again, and four times the table's; ours
+constexpr std::size_t kCellSize = 16;         // that a cell counts beside its text; ours
 
 /// Blocks of a cell as one, its paragraphs lines of it.
 Block Joined(const std::vector<Block>& blocks, std::size_t first, std::size_t end) {
