@@ -95,10 +95,10 @@ Reading SetDocument(const ReadOptions& options, const std::string& text, Console
 }
 
 /// Of a text that is wholly in a writing which the script lacks nothing is left to set: that needs
-/// its name, and what helps.
+/// its name, and what helps. While `error` is handled; any other is thrown on as it is.
 [[noreturn]] void RefuseText(const ReadOptions& options, const InputError& error) {
   const std::string why = error.what();
-  if (why.rfind("nothing left to set: script ", 0) != 0) throw error;
+  if (why.rfind("nothing left to set: script ", 0) != 0) throw;
   throw InputError(say::NothingSet(options.file, why));
 }
 

@@ -98,11 +98,10 @@ void CheckAt(const Label& label, const Solid& solid, const std::string& place) {
     if (axis == 0 && face == Face::kRound) continue;  // it may begin anywhere around
     if (at[axis] >= room.min[axis] && at[axis] < room.max[axis]) continue;
     if (!label.fitted.empty()) {  // the place is where the mesh was met
-      throw InputError(
-          fmt::format("{}: there the mesh is flat from {:g} to {:g} mm along {} only, and the "
-                      "label's place lies "
-                      "at its edge: choose another face, or move it by middle_mm",
-                      place, 1e3 * room.min[axis], 1e3 * room.max[axis], axis == 0 ? 'x' : 'y'));
+      throw InputError(fmt::format(
+          "{}: there the mesh is flat from {:g} to {:g} mm along {} only, and the "
+          "label's place lies at its edge: choose another face, or move it by middle_mm",
+          place, 1e3 * room.min[axis], 1e3 * room.max[axis], axis == 0 ? 'x' : 'y'));
     }
     throw InputError(
         fmt::format("{}: {} lies outside the geom, from {:g} to {:g} mm along {}: move it in",
