@@ -205,7 +205,7 @@ OrderedJson FormatSamples(const TrialSheet& sheet) {
           {"format", "little-endian IEEE 754 doubles, one row a tick"},
           {"frames", "device_*: D, the device's; *_W_*: W, the world's; all others: P, the page's"},
           {"columns", kRecordColumns},
-          {"phases", {"air", "entry", "stroke", "lift"}},
+          {"phases", {"air", "entry", "stroke", "lift", "travel"}},
           {"ticks", sheet.ticks},
           {"digest_every_ticks", kDigestEvery},
           {"running_digests", std::move(digests)}};

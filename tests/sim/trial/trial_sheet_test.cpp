@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "lessons/measure/scoring.h"
 #include "textures/base/digest.h"
 #include "textures/base/error.h"
 
@@ -167,6 +168,18 @@ TEST(TrialSheet, NamesAnotherSchemaVersion) {
   ExpectOneLineWith(Refusal([](auto& json) { json["schema_version"] = 2; }), "version 2");
   ExpectOneLineWith(Refusal([](auto& json) { json["schema"] = "other"; }), "schema: not");
   ExpectOneLineWith(Refusal([](auto& json) { json = nlohmann::json::array(); }), "schema: missing");
+}
+
+// The column phase holds the number of a phase, so every one needs its name.
+TEST(TrialSheet, NamesEveryPhase) {
+  const nlohmann::json json = nlohmann::json::parse(FormatTrial(Example()));
+  const nlohmann::json& phases = json["samples"]["phases"];
+  EXPECT_EQ(phases.at(static_cast<std::size_t>(TracePhase::kAir)), "air");
+  EXPECT_EQ(phases.at(static_cast<std::size_t>(TracePhase::kEntry)), "entry");
+  EXPECT_EQ(phases.at(static_cast<std::size_t>(TracePhase::kStroke)), "stroke");
+  EXPECT_EQ(phases.at(static_cast<std::size_t>(TracePhase::kLift)), "lift");
+  ASSERT_EQ(phases.size(), 5u);
+  EXPECT_EQ(phases.at(static_cast<std::size_t>(TracePhase::kTravel)), "travel");
 }
 
 TEST(TrialSheet, NamesMissingAndForeignColumns) {
