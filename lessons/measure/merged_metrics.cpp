@@ -45,6 +45,16 @@ TraceMetrics MergedMetrics(const std::vector<PageMetrics>& pages) {
   using M = const TraceMetrics&;
   const auto length = [](const PageMetrics& page) { return page.stroke_length; };
   const auto time = [](const PageMetrics& page) { return page.total.duration; };
+  const auto contact = [](const PageMetrics& page) {
+    return page.total.duration * page.total.contact_share;
+  };
+  // Pages on which nothing was followed have neither errors nor a speed.
+  const auto followed = [](const PageMetrics& page) {
+    return FollowedNothing(page.total) ? 0 : page.stroke_length;
+  };
+  const auto moving = [&contact](const PageMetrics& page) {
+    return FollowedNothing(page.total) ? 0 : contact(page);
+  };
   // Pages without a movement that was long enough have no smoothness.
   const auto smooth = [](const PageMetrics& page) {
     return page.total.smoothness.normalised_jerk > 0 ? page.total.duration : 0;
@@ -57,25 +67,25 @@ TraceMetrics MergedMetrics(const std::vector<PageMetrics>& pages) {
   all.coverage = Mean(
       pages, [](M m) { return m.coverage; }, length);
   all.mean_error = Mean(
-      pages, [](M m) { return m.mean_error; }, length);
+      pages, [](M m) { return m.mean_error; }, followed);
   all.rms_error = std::sqrt(Mean(
-      pages, [](M m) { return m.rms_error * m.rms_error; }, length));
+      pages, [](M m) { return m.rms_error * m.rms_error; }, followed));
   all.bias = Mean(
-      pages, [](M m) { return m.bias; }, length);
+      pages, [](M m) { return m.bias; }, followed);
   all.direction = Mean(
-      pages, [](M m) { return m.direction; }, length);
+      pages, [](M m) { return m.direction; }, followed);
   all.order = Mean(
-      pages, [](M m) { return m.order; }, length, 1);
+      pages, [](M m) { return m.order; }, followed, 1);
   all.shape.warped = Mean(
-      pages, [](M m) { return m.shape.warped; }, length);
+      pages, [](M m) { return m.shape.warped; }, followed);
   all.mean_force = Mean(
-      pages, [](M m) { return m.mean_force; }, time);
+      pages, [](M m) { return m.mean_force; }, contact);
   all.mean_normal_force = Mean(
-      pages, [](M m) { return m.mean_normal_force; }, time);
+      pages, [](M m) { return m.mean_normal_force; }, contact);
   all.contact_share = Mean(
       pages, [](M m) { return m.contact_share; }, time);
   all.mean_speed = Mean(
-      pages, [](M m) { return m.mean_speed; }, time);
+      pages, [](M m) { return m.mean_speed; }, moving);
   all.smoothness.normalised_jerk = Mean(
       pages, [](M m) { return m.smoothness.normalised_jerk; }, smooth);
   all.smoothness.log_jerk = Mean(

@@ -13,7 +13,8 @@ struct PageMetrics {
 };
 
 /// Totals of pages traced one after the other: figures of strokes weighted by their length,
-/// figures of time by duration, sums of counts and times, greatest of greatest values.
+/// where any was followed (coverage: all), forces and speed by the time in contact, other figures
+/// of time by duration, sums of counts and times, greatest of greatest values.
 TraceMetrics MergedMetrics(const std::vector<PageMetrics>& pages);
 
 }  // namespace moontrace

@@ -52,6 +52,16 @@ struct TraceMetrics {
   ShapeDistance shape;
 };
 
+/// Without a touch there are no errors either, and zero would read as perfect.
+inline bool NeverTouched(const TraceMetrics& metrics) { return !(metrics.contact_share > 0); }
+
+/// Nor are there without a stroke that was followed: of a tip that fell through the paper as it
+/// landed, say.
+inline bool FollowedNothing(const TraceMetrics& metrics) {
+  return NeverTouched(metrics) ||
+         (metrics.coverage == 0 && metrics.mean_speed == 0 && metrics.max_error == 0);
+}
+
 /// Time x error [s m], less is better: a cost that rewards neither speed nor accuracy alone. Only
 /// for traces of the same text. The formula is ours: Williams, Tremblay and Carnahan (2016) combine
 /// the two by a formula that we do not know.

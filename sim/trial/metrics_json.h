@@ -14,16 +14,6 @@ using Json = nlohmann::ordered_json;
 /// JSON has no infinity: null stands for "without limit" and for "none".
 Json OrNull(double value);
 
-/// Without a touch there are no errors either, and zero would read as perfect.
-inline bool NeverTouched(const TraceMetrics& metrics) { return !(metrics.contact_share > 0); }
-
-/// Nor are there without a stroke that was followed: of a tip that fell through the paper as it
-/// landed, say.
-inline bool FollowedNothing(const TraceMetrics& metrics) {
-  return NeverTouched(metrics) ||
-         (metrics.coverage == 0 && metrics.mean_speed == 0 && metrics.max_error == 0);
-}
-
 /// Metrics with the unit in the key, as `trace --json` and trial.json give them; errors are null
 /// where nothing was followed.
 Json MetricsJson(const TraceMetrics& metrics);
