@@ -265,7 +265,10 @@ std::vector<StudyRow> RunStudy(const StudyProtocol& protocol, const StudyOutput&
     for (const Part& part : parts) {
       rows.insert(rows.end(), part.rows().begin(), part.rows().end());
     }
-    WriteWhole(output.path, StudyText(rows));
+    const std::string text = StudyText(rows);
+    WriteWhole(output.path, text);
+    // a length written in mm may come back with another last bit: what is told is of the file
+    rows = ParseRows(text, output.path);
   }
   std::error_code ignored;
   fs::remove_all(folder, ignored);

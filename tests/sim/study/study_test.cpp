@@ -127,6 +127,22 @@ TEST_F(Study, GoesOnWhereItWasEnded) {
   EXPECT_FALSE(fs::exists(output.path + ".parts"));
 }
 
+// What is told of a study follows from its rows, so they must be the same numbers to the last bit
+// whether they were run just now, gone on with, merged or read again.
+TEST_F(Study, GivesTheNumbersThatItsFileHolds) {
+  const StudyProtocol protocol = LoadStudy(Path("small.toml"));
+  StudyOutput output;
+  output.path = Path("rows.csv");
+  const std::vector<StudyRow> run = RunStudy(protocol, output);
+  const std::vector<StudyRow> read = RunStudy(protocol, output);
+  ASSERT_EQ(run.size(), read.size());
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    EXPECT_EQ(run[i].mean_error, read[i].mean_error) << i;
+    EXPECT_EQ(run[i].rms_error, read[i].rms_error) << i;
+    EXPECT_EQ(run[i].given.size, read[i].given.size) << i;
+  }
+}
+
 TEST_F(Study, RunsNoFinishedTrialAgain) {
   const StudyProtocol protocol = LoadStudy(Path("small.toml"));
   const StudyPlace place{0, 1};
