@@ -37,12 +37,13 @@ Estimate Ratio(const std::vector<PageReading>& pages, Over over, Under under) {
   return estimate;
 }
 
-/// Wilson's lower end of a share of `n`, 95 percent.
-double WilsonLow(double share, double n) {
+/// Wilson's interval of a share of `n`, 95 percent.
+Estimate Wilson(double share, double n) {
   constexpr double kZ = 1.959964;
-  if (!(n > 0)) return 0;
+  if (!(n > 0)) return {share, 0, 1};
   const double z = kZ * kZ / n;
-  return (share + z / 2 - std::sqrt(z * (share * (1 - share) + z / 4))) / (1 + z);
+  const double half = std::sqrt(z * (share * (1 - share) + z / 4));
+  return {share, (share + z / 2 - half) / (1 + z), std::min(1.0, (share + z / 2 + half) / (1 + z))};
 }
 
 ReadingStudyCell CellOf(const std::vector<const StudyRow*>& rows) {
@@ -64,8 +65,10 @@ ReadingStudyCell CellOf(const std::vector<const StudyRow*>& rows) {
   const auto signs = [](const PageReading& page) { return static_cast<double>(page.signs); };
   cell.right = Ratio(
       pages, [](const PageReading& page) { return static_cast<double>(page.signs_right); }, signs);
-  cell.right.low =
-      std::min(cell.right.low, WilsonLow(cell.right.value, static_cast<double>(cell.signs)));
+  // Where all pages are alike, drawing them anew tells no spread.
+  const Estimate least = Wilson(cell.right.value, static_cast<double>(cell.signs));
+  cell.right.low = std::min(cell.right.low, least.low);
+  cell.right.high = std::max(cell.right.high, least.high);
   cell.seconds = Ratio(
       pages, [](const PageReading& page) { return page.duration; }, signs);
   return cell;

@@ -23,9 +23,9 @@ struct ReadingStudyCell {
   std::size_t unended = 0;                       ///< pages that the reader came to no end with
   std::size_t through = 0;                       ///< how often the paper gave way under the tip
   /// Signs right of those that stood there. Errors stand together on a page, so the interval is
-  /// found by drawing pages anew (percentile bootstrap, 2000 times, Efron 1979); its lower end is
-  /// no higher than Wilson's (1927) for as many independent signs, since pages without an error
-  /// tell no spread.
+  /// found by drawing pages anew (percentile bootstrap, 2000 times, Efron 1979); it is no
+  /// narrower on either side than Wilson's (1927) for as many independent signs, since pages that
+  /// are all alike tell no spread.
   Estimate right;
   Estimate seconds;  ///< per sign, everything counted [s]
 };

@@ -142,6 +142,16 @@ TEST(ReadingSummary, PagesWithoutAnErrorAreNoSurerThanTheirSigns) {
   EXPECT_NEAR(summary.cells[0].seconds.low, 5, 1e-12);
 }
 
+// Wilson's upper end for none right of n is z^2 / (n + z^2).
+TEST(ReadingSummary, PagesWithNothingRightAreNoSurerThanTheirSigns) {
+  std::vector<StudyRow> rows;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) rows.push_back(Page("a", seed, 20, 0, 100));
+  const Estimate right = SummariseReading(rows).cells.at(0).right;
+  EXPECT_EQ(right.value, 0);
+  EXPECT_NEAR(right.low, 0, 1e-12);
+  EXPECT_NEAR(right.high, 1.959964 * 1.959964 / (80 + 1.959964 * 1.959964), 1e-9);
+}
+
 // Each page is wholly right or wholly wrong, so that 100 pages say as much as 100 signs, not as
 // their 2000: the standard error of the share is sqrt(p (1 - p) / 100) = 0.04.
 TEST(ReadingSummary, ErrorsThatStandTogetherWidenTheInterval) {
