@@ -284,7 +284,10 @@ std::string OtherField(std::string_view folder) {
 std::string BenchBegins() { return "Measuring: this takes about a quarter of a minute."; }
 
 std::string BenchLine(const BenchRow& row) {
-  std::string figure = fmt::format("{}: {} {}", row.name, Plain(row.value), row.unit);
+  constexpr double kLeast = 1e-4;  // what is smaller is noise in all units used, and JSON has it
+  const bool tiny = row.value > 0 && row.value < kLeast;
+  const std::string value = tiny ? "below " + Plain(kLeast) : Plain(row.value);
+  std::string figure = fmt::format("{}: {} {}", row.name, value, row.unit);
   if (!row.holds) return figure;
   return fmt::format("{}: {}, {}.", *row.holds ? "Holds" : "Missed", figure, row.bar);
 }

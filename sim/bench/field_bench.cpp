@@ -73,7 +73,7 @@ void AddQueries(const BenchPage& page, const TextureField& field, BenchRows& row
     grid_error = std::max(grid_error, std::abs(grid.SampleAt(points[i]).displacement - exact));
   }
   // rounding: a few units in the last place of the page's coordinates, times the slope
-  rows.push_back(AtMost("error against the tree", 1e6 * own_error, "um", 1e-9));
+  rows.push_back(AtMost("error against the tree", 1e15 * own_error, "fm", 1));
   rows.push_back(Shown("error of the grid", 1e6 * grid_error, "um"));
 }
 

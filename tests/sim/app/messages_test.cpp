@@ -27,8 +27,10 @@ TEST(Messages, TellFiguresOfTheBenchWithoutExponents) {
   EXPECT_EQ(say::BenchLine(Shown("wall", 1.5e7, "N/m")), "wall: 15000000 N/m");
   EXPECT_EQ(say::BenchLine(AtLeast("wall", 24030.4, "N/m", 1e6)),
             "Missed: wall: 24030 N/m, at least 1000000.");
+  EXPECT_EQ(say::BenchLine(AtMost("energy", 0.0123456, "mJ", 0.5)),
+            "Holds: energy: 0.01235 mJ, at most 0.5.");
   EXPECT_EQ(say::BenchLine(AtMost("energy", 0.000012346, "mJ", 0.5)),
-            "Holds: energy: 0.00001235 mJ, at most 0.5.");
+            "Holds: energy: below 0.0001 mJ, at most 0.5.");
   EXPECT_EQ(say::BenchLine(Shown("nothing", 0, "mJ")), "nothing: 0 mJ");
   EXPECT_EQ(say::OutOfRange("--seconds", "-1", 0.01, 1e6),
             "--seconds is -1: write a number from 0.01 to 1000000");
