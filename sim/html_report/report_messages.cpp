@@ -462,7 +462,8 @@ std::vector<ReportPlot> ReportPlots(const ReportFacts& facts) {
 
 std::string PlotWords(const ReportPlot& plot) {
   const auto value = [&plot](double number) {
-    return fmt::format("{} {}", Short(number, plot.top > 0 ? 1 : 2), plot.unit);
+    if (plot.unit == "percent") return Percent(number / 100);  // rounds as in the lines beside it
+    return fmt::format("{} {}", Short(number, 2), plot.unit);
   };
   if (plot.values.size() == 1) {
     return fmt::format("{}: {}.", plot.labels.front(), value(plot.values.front()));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "sim/html_report/report_messages.h"
 #include "sim/html_report/report_page.h"
 
 namespace moontrace {
@@ -26,6 +27,14 @@ TEST(ReportPlot, HasRoundNumbersBesideItsAxis) {
   EXPECT_EQ(NumbersOf({"Sure", "percent", {"1 May", "2 May"}, {10, 60}, 100}),
             Texts({"0", "50", "100"}));
   EXPECT_EQ(NumbersOf({"Errors", "mm", {"1 May", "2 May"}, {0, 0}}), Texts({"0", "0.5", "1"}));
+}
+
+// The other lines round down too: 15 of 16 right are 93.7 percent, and 99.96 percent is not 100.
+TEST(ReportPlot, TellsPercentAsTheOtherLinesDo) {
+  EXPECT_EQ(
+      say::PlotWords({"Signs", "percent", {"1 May", "2 May"}, {93.75, 99.96}, 100}),
+      "From 93.7 percent on 1 May to 99.9 percent on 2 May; least 93.7 percent, greatest 99.9 "
+      "percent.");
 }
 
 }  // namespace
