@@ -16,7 +16,8 @@ namespace moontrace {
 /// every second one goes and the spacing doubles.
 class TipPath {
  public:
-  static constexpr std::size_t kMost = 128;
+  /// More than along any stroke of Moon, w/8 apart: its shape is compared as it was traced.
+  static constexpr std::size_t kMost = 512;
 
   /// `spacing` [m].
   explicit TipPath(double spacing) : spacing_(spacing) {}

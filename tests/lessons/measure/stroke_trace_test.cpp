@@ -32,6 +32,14 @@ TEST(TipPath, StaysBoundedHoweverLongAndKeepsTheShape) {
   for (const glm::dvec2 p : path.Points()) EXPECT_NEAR(glm::length(p), 0.01, 1e-12);
 }
 
+// Moon's longest stroke, the ring of O, is pi em or 27 widths of 0.1165 em long; a trembling tip's
+// way along it was up to half as long again. Points are w/8 apart: 8 * 27 * 1.5 = 324.
+TEST(TipPath, KeepsAllPointsOfALettersLongestStroke) {
+  TipPath path(1);
+  for (int i = 0; i < 324; ++i) path.Add({i, 0});
+  EXPECT_EQ(path.Points().size(), 324u);
+}
+
 TEST(TipPath, OfNothingIsEmpty) { EXPECT_TRUE(TipPath(1e-3).Points().empty()); }
 
 }  // namespace
