@@ -94,18 +94,15 @@ Reading SetDocument(const ReadOptions& options, const std::string& text, Console
   return reading;
 }
 
-/// Of a text that is wholly in a writing which the script lacks nothing is left to set: that needs
-/// its name, and what helps. While `error` is handled; any other is thrown on as it is.
-[[noreturn]] void RefuseText(const ReadOptions& options, const InputError& error) {
-  const std::string why = error.what();
-  if (why.rfind("nothing left to set: script ", 0) != 0) throw;
-  throw InputError(say::NothingSet(options.file, why));
+/// Of which nothing is left to set: that needs the file's name, and what helps.
+[[noreturn]] void RefuseText(const ReadOptions& options, const NoSignError& error) {
+  throw InputError(say::NothingSet(options.file, error.what()));
 }
 
 Reading SetOrRefuse(const ReadOptions& options, const std::string& text, Console& console) {
   try {
     return SetDocument(options, text, console);
-  } catch (const InputError& error) {
+  } catch (const NoSignError& error) {
     RefuseText(options, error);
   }
 }
@@ -290,7 +287,7 @@ int Read(const ReadOptions& options, Console& console) {
   if (feeling.device) {
     try {
       ReadBook(document, options.file, BookOptionsOf(options, *feeling.device), console);
-    } catch (const InputError& error) {
+    } catch (const NoSignError& error) {
       RefuseText(options, error);
     }
     return exit_code::kGood;

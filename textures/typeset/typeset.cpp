@@ -106,7 +106,7 @@ std::vector<Sign> SignsOf(const std::string& words, const char* what, const Scri
     throw InputError("the text is empty or blank: give at least one letter");
   }
   const Replacement& first = result.missing.front();
-  throw InputError(
+  throw NoSignError(
       fmt::format("nothing left to set: script {} has no sign for '{}' (line {}, column {})",
                   script.name, first.was, first.line, first.column));
 }

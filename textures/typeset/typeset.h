@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "textures/base/error.h"
 #include "textures/fonts/script.h"
 #include "textures/typeset/text_page.h"
 
@@ -13,6 +14,12 @@ namespace moontrace {
 /// pages above 5 m. SetText refuses one that is not larger than its margins.
 PageSpec FindPage(const std::string& name);
 
+/// The whole text is in a writing that the script has no signs for: another script may set it.
+class NoSignError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Sets UTF-8 text, by the rules of fold.h and signs.h, or of liblouis for Braille; the order of
 /// lines is that of layout.h. The first base line is one em below the top margin. Lines break as in
 /// the text, at spaces and behind hyphens; a word that no line holds is broken between letters. A
@@ -21,7 +28,8 @@ PageSpec FindPage(const std::string& name);
 /// of a page. Linear in the text.
 /// Throws InputError: invalid UTF-8 (byte offset), empty text, text over 16 MB or more than 16
 /// million signs, a style that fails CheckStyle, an unknown grade or form of h, a page that holds
-/// no line or not a letter of the text, nothing left to set. LackError: Braille without liblouis.
+/// no line or not a letter of the text, nothing left to set (NoSignError where the script is why).
+/// LackError: Braille without liblouis.
 Typeset SetText(std::string_view text, const Script& script, const TypeStyle& style,
                 const PageSpec& page);
 
