@@ -19,19 +19,20 @@ TrialResult Page(double length, double coverage, double mean, double rms, double
   page.score.total.rms_error = rms;
   page.score.total.duration = duration;
   page.score.total.mean_force = coverage;
+  page.score.total.contact_share = coverage;
   page.score.total.excursions = 2;
   page.score.total.max_error = mean * 3;
   page.force_bound = length;
   return page;
 }
 
-TEST(Merged, WeighsErrorsByLengthAndForceByTime) {
+TEST(Merged, WeighsErrorsByLengthAndForceByTimeInContact) {
   const TrialResult all = Merged({Page(1, 1.0, 1e-3, 2e-3, 10), Page(3, 0.5, 3e-3, 4e-3, 30)});
   const TraceMetrics& total = all.score.total;
   EXPECT_DOUBLE_EQ(total.coverage, 0.625);
   EXPECT_DOUBLE_EQ(total.mean_error, 2.5e-3);
   EXPECT_DOUBLE_EQ(total.rms_error, std::sqrt((4e-6 + 3 * 16e-6) / 4));
-  EXPECT_DOUBLE_EQ(total.mean_force, 0.625);
+  EXPECT_DOUBLE_EQ(total.mean_force, 0.7);  // 10 s of 1 N, 15 s of 0.5 N
   EXPECT_DOUBLE_EQ(total.duration, 40);
   EXPECT_DOUBLE_EQ(total.max_error, 9e-3);
   EXPECT_EQ(total.excursions, 4U);
