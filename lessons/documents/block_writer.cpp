@@ -17,12 +17,22 @@ std::uint32_t BlockWriter::Value(std::string_view value) {
   return static_cast<std::uint32_t>(values_.size() - 1);
 }
 
+void BlockWriter::SetLabel(std::string label) {
+  if (text_.text.empty()) text_.label.clear();
+  label_ = std::move(label);
+}
+
+std::string BlockWriter::TakeLabel() {
+  if (!label_.empty()) return std::exchange(label_, {});
+  return text_.text.empty() ? std::exchange(text_.label, {}) : std::string();
+}
+
 void BlockWriter::Begin(const WritingState& state) {
   text_.kind = state.kind;
   text_.level = state.level;
   text_.quotation = state.quotation;
   text_.note = state.note;
-  text_.label = std::exchange(label_, {});
+  if (!label_.empty()) text_.label = std::exchange(label_, {});
   verbatim_ = state.verbatim;
   blank_ = false;
 }
@@ -86,7 +96,8 @@ void BlockWriter::Break() {
   }
 }
 
-void BlockWriter::Point(MarkKind kind, std::string_view value) {
+void BlockWriter::Point(MarkKind kind, std::string_view value, const WritingState& state) {
+  if (text_.text.empty() && kind == MarkKind::kPicture) Begin(state);
   if (!text_.text.empty() && std::exchange(blank_, false)) text_.text += ' ';
   text_.marks.push_back({kind, text_.text.size(), text_.text.size(), std::string(value)});
 }

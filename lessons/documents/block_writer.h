@@ -45,9 +45,11 @@ class BlockWriter {
   /// Ends the block, if one has begun.
   void End();
   /// Of the next block that begins.
-  void SetLabel(std::string label) { label_ = std::move(label); }
-  /// An empty mark here, before what is written next.
-  void Point(MarkKind kind, std::string_view value);
+  void SetLabel(std::string label);
+  /// The label that no block bears yet; none does then.
+  std::string TakeLabel();
+  /// An empty mark here, before what is written next. A picture begins a block as text does.
+  void Point(MarkKind kind, std::string_view value, const WritingState& state);
   /// A block of no text of its own; its index.
   std::size_t Add(Block block);
 

@@ -102,10 +102,71 @@ std::string Shifted(std::string_view text, bool raised) {
   return shifted;
 }
 
+/// 1 is "a", 27 is "aa"; `first` is the small letter or the capital.
+std::string InLetters(int number, char first) {
+  std::string letters;
+  for (; number > 0; number = (number - 1) / 26) {
+    letters.insert(letters.begin(), static_cast<char>(first + (number - 1) % 26));
+  }
+  return letters;
+}
+
+/// 4 is "iv".
+std::string InRoman(int number, bool capitals) {
+  static constexpr std::array<std::pair<int, const char*>, 13> kParts = {{{1000, "m"},
+                                                                          {900, "cm"},
+                                                                          {500, "d"},
+                                                                          {400, "cd"},
+                                                                          {100, "c"},
+                                                                          {90, "xc"},
+                                                                          {50, "l"},
+                                                                          {40, "xl"},
+                                                                          {10, "x"},
+                                                                          {9, "ix"},
+                                                                          {5, "v"},
+                                                                          {4, "iv"},
+                                                                          {1, "i"}}};
+  std::string roman;
+  for (const auto& [value, letters] : kParts) {
+    for (; number >= value; number -= value) roman += letters;
+  }
+  if (!capitals) return roman;
+  for (char& c : roman) c = static_cast<char>(c - 'a' + 'A');
+  return roman;
+}
+
+/// As the list's type has it (HTML, 4.4.5); `kBare`: without.
+constexpr char kBare = ' ';
 std::string NumberLabel(int number, char type) {
-  const bool letters = (type == 'a' || type == 'A') && number >= 1 && number <= 26;
-  return (letters ? std::string(1, static_cast<char>(type + number - 1)) : std::to_string(number)) +
-         ".";
+  constexpr int kMostRoman = 3999;
+  if (type == kBare) return {};
+  std::string label = std::to_string(number);
+  if ((type == 'a' || type == 'A') && number > 0) label = InLetters(number, type);
+  const bool roman = type == 'i' || type == 'I';
+  if (roman && number > 0 && number <= kMostRoman) label = InRoman(number, type == 'I');
+  return label + ".";
+}
+
+/// How the items of a list are numbered, by its own style or its attribute.
+char NumberType(const MarkupAttributes& attributes) {
+  static constexpr std::array<std::pair<std::string_view, char>, 7> kStyles = {
+      {{"lower-alpha", 'a'},
+       {"lower-latin", 'a'},
+       {"upper-alpha", 'A'},
+       {"upper-latin", 'A'},
+       {"lower-roman", 'i'},
+       {"upper-roman", 'I'},
+       {"none", kBare}}};
+  const std::string style = LowerCase(attributes["style"].substr(0, 4096));
+  if (const std::size_t at = style.find("list-style"); at != std::string::npos) {
+    const std::string value = style.substr(at, style.find(';', at) - at);
+    for (const auto& [name, type] : kStyles) {
+      if (value.find(name) != std::string::npos) return type;
+    }
+  }
+  const std::string_view type = attributes["type"];
+  return type.size() == 1 && std::string_view("aAiI").find(type) != std::string::npos ? type[0]
+                                                                                      : '1';
 }
 
 /// Whether a part of a drawing's text begins a line of its own.
@@ -278,7 +339,7 @@ void MarkupReader::OpenPrintPage(Frame& frame, const MarkupAttributes& attribute
     frame.page = true;
     page_name_.clear();
   } else {
-    writer_.Point(MarkKind::kPrintPage, name);
+    writer_.Point(MarkKind::kPrintPage, name, frame.state);
     frame.silent = true;
   }
 }
@@ -311,6 +372,7 @@ void MarkupReader::OpenGroup(Frame& frame, std::string_view name,
       OpenItem(frame, attributes);
       return;
     case Role::kTable:
+      PutLabel(frame.state);
       if (!tables_.empty()) tables_.back().SetLayout();
       tables_.emplace_back(writer_.place().block,
                            attributes["role"] == "presentation" || attributes["role"] == "none");
@@ -385,14 +447,27 @@ void MarkupReader::BeginList(Frame& frame, const MarkupAttributes& attributes) {
   list.next = WholeNumber(attributes["start"], reversed ? kNoNumber : 1);
   list.from_end = list.next == kNoNumber;
   if (list.from_end) list.next = 0;
-  const std::string_view type = attributes["type"];
-  if (type == "a" || type == "A") list.type = type[0];
+  list.type = NumberType(attributes);
+  PutLabel(frames_.empty() ? frame.state : frames_.back().state);
   Block block;
   block.kind = BlockKind::kList;
   block.level = static_cast<int>(std::min<std::size_t>(lists_.size() + 1, kMostLevels));
   block.quotation = frame.state.quotation;
   list.block = writer_.Add(std::move(block));
   lists_.push_back(std::move(list));
+}
+
+/// The number of an item that begins with a list or a table: it would be lost, or be taken for the
+/// first number in it.
+void MarkupReader::PutLabel(const WritingState& state) {
+  Block item;
+  item.label = writer_.TakeLabel();
+  if (item.label.empty() || item.label == "-") return;
+  item.kind = BlockKind::kListItem;
+  item.level = state.level;
+  item.quotation = state.quotation;
+  item.note = state.note;
+  writer_.Add(std::move(item));
 }
 
 void MarkupReader::OpenItem(Frame& frame, const MarkupAttributes& attributes) {
@@ -413,7 +488,8 @@ void MarkupReader::OpenItem(Frame& frame, const MarkupAttributes& attributes) {
   const int own = WholeNumber(attributes["value"], kNoNumber);
   if (own != kNoNumber) list.from_end = false;
   const int number = own != kNoNumber ? own : list.next;
-  const std::string label = NumberLabel(number, list.type);
+  const bool bare = NumberType(attributes) == kBare;
+  const std::string label = NumberLabel(number, bare ? kBare : list.type);
   if (list.from_end) list.counted.push_back({writer_.place().block, number});
   writer_.SetLabel(label);
   list.next = number + list.step;
@@ -461,7 +537,7 @@ void MarkupReader::OpenImage(const Frame& frame, const MarkupAttributes& attribu
     const bool drawing = LowerCase(file).ends_with(".svg");
     if (drawing) NoteLeftOut(writer_.document(), LeftOut::kDrawing, words);
   } else if (!attributes.Has("alt")) {  // an empty one says that it only decorates
-    writer_.Point(MarkKind::kPicture, file);
+    writer_.Point(MarkKind::kPicture, file, frame.state);
     NoteLeftOut(writer_.document(), LeftOut::kPicture, file);
   }
 }
@@ -624,7 +700,7 @@ void MarkupReader::CloseDrawing(const Frame& frame) {
   if (writer_.written() != frame.written) {
     return NoteLeftOut(writer_.document(), LeftOut::kDrawing, drawing_title_);
   }
-  writer_.Point(MarkKind::kPicture, "");
+  writer_.Point(MarkKind::kPicture, "", frame.state);
   NoteLeftOut(writer_.document(), LeftOut::kPicture, "svg");
 }
 
@@ -649,7 +725,7 @@ void MarkupReader::Close() {
   }
   const bool outer_page = !frames_.empty() && frames_.back().page;
   if (frame.page && !outer_page) {
-    if (!IsBlank(page_name_)) writer_.Point(MarkKind::kPrintPage, page_name_);
+    if (!IsBlank(page_name_)) writer_.Point(MarkKind::kPrintPage, page_name_, frame.state);
     return;
   }
   if (frame.role == Role::kTitle && frame.in_head) has_title_ = true;

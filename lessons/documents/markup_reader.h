@@ -86,6 +86,7 @@ class MarkupReader : public MarkupSink {
   void OpenPrintPage(Frame& frame, const MarkupAttributes& attributes);
   void OpenText(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   void OpenGroup(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
+  void PutLabel(const WritingState& state);
   void BeginList(Frame& frame, const MarkupAttributes& attributes);
   void OpenItem(Frame& frame, const MarkupAttributes& attributes);
   void OpenCell(Frame& frame, const MarkupAttributes& attributes);

@@ -18,9 +18,10 @@ Block Joined(const std::vector<Block>& blocks, std::size_t first, std::size_t en
   Block cell;
   for (std::size_t i = first; i < end; ++i) {
     const Block& block = blocks[i];
-    if (block.text.empty() && block.marks.empty()) continue;  // that a list begins
+    if (block.text.empty() && block.marks.empty() && block.label.empty())
+      continue;  // that a list begins
     if (!cell.text.empty()) cell.text += '\n';
-    if (!block.label.empty()) cell.text += block.label + ' ';
+    if (!block.label.empty()) cell.text += block.label + (block.text.empty() ? "" : " ");
     const std::size_t shift = cell.text.size();
     cell.text += block.text;
     for (DocumentMark mark : block.marks) {

@@ -199,13 +199,16 @@ class Transcriber {
     switch (block.kind) {
       case BlockKind::kHeading:
         prefix_ = std::string(static_cast<std::size_t>(std::clamp(block.level, 1, 3)), '#') + " ";
+        if (block.label != "-") Label(block);
         break;
       case BlockKind::kList:
         Literal("list of " + Counted(block.row, "item", "items"));
         if (block.level > 1) Literal(", level " + std::to_string(block.level));
         return;
       case BlockKind::kListItem:
-        if (!block.label.empty()) Literal(ItemLabel(block) + " ");
+      case BlockKind::kVerse:
+      case BlockKind::kCode:
+        Label(block);
         break;
       case BlockKind::kTable:
         Literal("table of " + Counted(block.row, "row", "rows") + " and " +
@@ -224,11 +227,16 @@ class Transcriber {
         Literal("---");
         return;
       case BlockKind::kParagraph:
-      case BlockKind::kVerse:
-      case BlockKind::kCode:
         break;
     }
     Marked(block);
+  }
+
+  /// An item's number or sign, whatever the item begins with.
+  void Label(const Block& block) {
+    if (block.label.empty()) return;
+    const bool alone = block.text.empty() && block.marks.empty();
+    Literal(ItemLabel(block) + (alone ? "" : " "));
   }
 
   static std::string ItemLabel(const Block& block) {

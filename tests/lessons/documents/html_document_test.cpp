@@ -134,6 +134,34 @@ TEST_F(HtmlDocument, AReversedListCountsDownFromTheNumberOfItsItems) {
             "list of 3 items\n3. p\n7. q\n6. r\n");
 }
 
+// As browsers show them (HTML, 4.4.5 and 15.3.8).
+TEST_F(HtmlDocument, AnItemKeepsItsNumberWhateverItBeginsWith) {
+  EXPECT_EQ(TextOf("<ol><li><ol><li>a<li>b</ol><li>c</ol>"),
+            "list of 2 items\n1.\nlist of 2 items, level 2\n1. a\n2. b\n2. c\n");
+  EXPECT_EQ(TextOf("<ol><li><h3>Step</h3><p>Do it.</ol>"),
+            "list of 1 item\n\n### 1. Step\n\nDo it.\n");
+  EXPECT_EQ(TextOf("<ol><li>x<li><pre>a\nb</pre></ol>"), "list of 2 items\n1. x\n\n2. a\nb\n");
+  EXPECT_EQ(TextOf("<ol><li><table><tr><td>p<td>q</table></ol>"),
+            "list of 1 item\n1.\n\ntable of 1 row and 2 columns\nrow 1, column 1: p\n"
+            "row 1, column 2: q\n");
+  EXPECT_EQ(TextOf("<ol><li><img src=a.png><li>x</ol>"),
+            "list of 2 items\n1. (picture without description)\n2. x\n");
+  EXPECT_EQ(TextOf("<ul><li><ul><li>a</ul></ul>"),
+            "list of 1 item\nlist of 1 item, level 2\n-- a\n");
+}
+
+TEST_F(HtmlDocument, ListsAreNumberedAsTheirTypeHasIt) {
+  EXPECT_EQ(TextOf("<ol type=i start=3><li>p<li>q</ol>"), "list of 2 items\niii. p\niv. q\n");
+  EXPECT_EQ(TextOf("<ol type=I start=1994><li>p</ol>"), "list of 1 item\nMCMXCIV. p\n");
+  EXPECT_EQ(TextOf("<ol type=A start=26><li>p<li>q</ol>"), "list of 2 items\nZ. p\nAA. q\n");
+  EXPECT_EQ(TextOf("<ol style='list-style-type: lower-alpha'><li>p</ol>"),
+            "list of 1 item\na. p\n");
+  EXPECT_EQ(TextOf("<ol style='margin:0;list-style:none'><li>1) own</ol>"),
+            "list of 1 item\n1) own\n");
+  EXPECT_EQ(TextOf("<ol><li>p<li style='list-style-type:none'><ol><li>q</ol></ol>"),
+            "list of 2 items\n1. p\nlist of 1 item, level 2\n1. q\n");
+}
+
 TEST_F(HtmlDocument, ALinkWhoseTargetIsMissingLeadsNowhere) {
   const Document page = ReadHtml(
       "<p><a href='#gone'>a</a> <a href='#'>b</a> <a href='#top'>c</a> <a href='other.html#q'>d</a>"
