@@ -53,6 +53,8 @@ class BlockWriter {
   /// A block of no text of its own; its index.
   std::size_t Add(Block block);
 
+  /// Whether the block that is being written ends with it so far.
+  bool EndsWith(char c) const { return !blank_ && text_.text.ends_with(c); }
   DocumentPlace place() const { return {document_.blocks.size(), text_.text.size()}; }
   /// Bytes that were written so far, blanks apart.
   std::size_t written() const { return written_; }

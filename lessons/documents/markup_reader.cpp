@@ -63,6 +63,9 @@ bool IsBlock(Role role) {
 std::uint32_t& ValueOf(WritingState& state, MarkKind kind) {
   return state.marks[static_cast<std::size_t>(kind)];
 }
+std::uint32_t ValueOf(const WritingState& state, MarkKind kind) {
+  return state.marks[static_cast<std::size_t>(kind)];
+}
 
 bool IsBlank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n\f") == std::string_view::npos;
@@ -297,6 +300,7 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
   }
   frame.silent = frame.silent || passed_over;
   frame.role = RoleOf(name, attributes);
+  if (frame.role == Role::kRaised || frame.role == Role::kLowered) frame.shift = frame.role;
   frame.written = writer_.written();
   if (frame.silent || frame.page) {
     if (frame.role == Role::kMeta && frame.in_head && LowerCase(attributes["name"]) == "author") {
@@ -627,11 +631,11 @@ void MarkupReader::Text(std::string_view utf8) {
   } else if (frame.drawing && frame.role == Role::kTitle) {
     if (drawing_title_.empty()) drawing_title_ = utf8;
     Say(utf8, frame.state);
-  } else if (frame.role == Role::kLowered) {
+  } else if (frame.shift == Role::kLowered) {
     Say(Shifted(utf8, false), frame.state);
-  } else if (frame.role == Role::kRaised ||
-             frame.state.marks[static_cast<std::size_t>(MarkKind::kNoteCall)] != 0) {
-    Say(Shifted(utf8, true), frame.state);
+  } else if (frame.shift == Role::kRaised || ValueOf(frame.state, MarkKind::kNoteCall) != 0) {
+    // in brackets it is apart already
+    Say(writer_.EndsWith('[') ? std::string(utf8) : Shifted(utf8, true), frame.state);
   } else {
     Say(utf8, frame.state);
   }

@@ -162,6 +162,16 @@ TEST_F(HtmlDocument, ListsAreNumberedAsTheirTypeHasIt) {
             "list of 2 items\n1. p\nlist of 1 item, level 2\n1. q\n");
 }
 
+// As publishers write calls of notes: Calibre, O'Reilly, Word, Wikipedia.
+TEST_F(HtmlDocument, SmallFiguresStayApartWhateverElementsAreAroundThem) {
+  EXPECT_EQ(TextOf("<p>in 1945<sup><a href=#n>1</a></sup> <a href=#n><sup>12</sup></a>"),
+            "in 1945[\xC2\xB9](#n) [\xC2\xB9\xC2\xB2](#n)\n");
+  EXPECT_EQ(TextOf("<p>H<sub><i>2</i></sub>O, 10<sup><span><b>3</b></span></sup>, 4<sup>th</sup>"),
+            "H\xE2\x82\x82O, 10\xC2\xB3, 4th\n");
+  EXPECT_EQ(TextOf("<p>it<sup><a href=#n><span>[</span>1<span>]</span></a></sup>"),
+            "it[[1](#n)]\n");
+}
+
 TEST_F(HtmlDocument, ALinkWhoseTargetIsMissingLeadsNowhere) {
   const Document page = ReadHtml(
       "<p><a href='#gone'>a</a> <a href='#'>b</a> <a href='#top'>c</a> <a href='other.html#q'>d</a>"
