@@ -76,6 +76,15 @@ bool HasType(const MarkupAttributes& attributes, const std::string& type) {
   return HasWord(attributes["epub:type"], type) || HasWord(attributes["role"], "doc-" + type);
 }
 
+/// Of notes, or of all of a chapter's. Books hide them so that reading systems show them where they
+/// are called.
+bool IsNote(const MarkupAttributes& attributes) {
+  static const std::array<std::string, 6> kTypes = {"footnote",  "endnote",  "rearnote",
+                                                    "footnotes", "endnotes", "rearnotes"};
+  return std::any_of(kTypes.begin(), kTypes.end(),
+                     [&](const std::string& type) { return HasType(attributes, type); });
+}
+
 bool IsVerse(const MarkupAttributes& attributes) {
   static constexpr std::array<std::string_view, 5> kWords = {"verse", "poem", "poetry", "stanza",
                                                              "line-block"};
@@ -170,6 +179,16 @@ char NumberType(const MarkupAttributes& attributes) {
   const std::string_view type = attributes["type"];
   return type.size() == 1 && std::string_view("aAiI").find(type) != std::string::npos ? type[0]
                                                                                       : '1';
+}
+
+/// Arrows up and back, by which a note leads to its call: no words, and no script has a sign for
+/// them.
+bool IsArrow(std::string_view text) {
+  static constexpr std::u32string_view kArrows =
+      U" \n^\u2191\u21A9\u21B5\u21B0\u21D1\u23CE\u2934\u2B06\uFE0E\uFE0F";
+  const std::u32string signs = ToCodePoints(text);
+  return std::all_of(signs.begin(), signs.end(),
+                     [](char32_t c) { return kArrows.find(c) != kArrows.npos; });
 }
 
 /// Whether a part of a drawing's text begins a line of its own.
@@ -273,7 +292,7 @@ bool MarkupReader::PassedOver(std::string_view name, const MarkupAttributes& att
 /// True where nothing in the element is read.
 bool MarkupReader::OpenSilent(Frame& frame, std::string_view name,
                               const MarkupAttributes& attributes) {
-  if (IsHiddenElement(name, attributes) && frame.role != Role::kHead) {
+  if (IsHiddenElement(name, attributes) && frame.role != Role::kHead && !IsNote(attributes)) {
     frame.hidden = true;
     hidden_noted_ = false;
     if (frame.role == Role::kImage) NoteLeftOut(writer_.document(), LeftOut::kHiddenPart, "");
@@ -519,9 +538,10 @@ void MarkupReader::OpenLink(Frame& frame, const MarkupAttributes& attributes) {
   const bool note = HasType(attributes, "noteref");
   ValueOf(frame.state, note ? MarkKind::kNoteCall : MarkKind::kLink) =
       writer_.Value(attributes["href"]);
+  frame.back = HasType(attributes, "backlink") || HasWord(attributes["class"], "footnote-back");
   std::string_view label = attributes["aria-label"];
   if (label.empty()) label = attributes["title"];
-  if (label.empty()) return;
+  if (label.empty() || frame.back) return;
   labels_.emplace_back(label);
   frame.label = static_cast<std::uint32_t>(labels_.size() - 1);
 }
@@ -631,6 +651,8 @@ void MarkupReader::Text(std::string_view utf8) {
   } else if (frame.drawing && frame.role == Role::kTitle) {
     if (drawing_title_.empty()) drawing_title_ = utf8;
     Say(utf8, frame.state);
+  } else if (frame.back && IsArrow(utf8)) {
+    return;
   } else if (frame.shift == Role::kLowered) {
     Say(Shifted(utf8, false), frame.state);
   } else if (frame.shift == Role::kRaised || ValueOf(frame.state, MarkKind::kNoteCall) != 0) {

@@ -63,6 +63,7 @@ class MarkupReader : public MarkupSink {
     bool labelled = false;  // of a drawing: its title would say the same again
     bool apart = false;     // words of their own in a drawing
     bool contents = false;  // in a table of contents of EPUB: its lists have no numbers
+    bool back = false;      // leads from a note to its call
     ElementRole shift = ElementRole::kInline;  // kRaised or kLowered, of all that is in it
 
     std::uint32_t label = 0;  // of a link, in labels_

@@ -523,5 +523,21 @@ TEST_F(EpubDocument, DeepChaptersKeepTheirText) {
   EXPECT_GT(CountOf(read, LeftOut::kDeepElement), 90'000U);
 }
 
+// Books hide notes so that reading systems show them at their call (Apple Books Asset Guide,
+// "Pop-up footnotes"); pandoc ends a note by an arrow.
+TEST_F(EpubDocument, NotesAreReadThoughTheirBookHidesThem) {
+  const Document book = Read(Book({Chapter(
+      "<p>a<a epub:type='noteref' href='#n'>1</a></p>"
+      "<aside epub:type='footnote' id='n' style='display:none'><p>One.</p></aside>"
+      "<section role='doc-endnotes' hidden='hidden'><p role='doc-endnote'>Two. <a href='#r' "
+      "role='doc-backlink'>\xE2\x86\xA9\xEF\xB8\x8E</a></p></section>")}));
+  ASSERT_EQ(book.blocks.size(), 3U);
+  EXPECT_EQ(book.blocks[1].text, "One.");
+  EXPECT_EQ(book.blocks[0].marks.at(0).target, 1U);
+  EXPECT_EQ(book.blocks[2].text, "Two.");
+  EXPECT_TRUE(book.blocks[2].note);
+  EXPECT_TRUE(book.left_out.empty());
+}
+
 }  // namespace
 }  // namespace moontrace
