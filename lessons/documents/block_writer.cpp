@@ -10,6 +10,16 @@ namespace {
 
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
+/// Bytes of a wide or a hard space at the beginning: of one that print sets beside others to move
+/// words about, a column of Word's lists or an empty line; 0: it begins otherwise.
+std::size_t WideBlank(std::string_view text) {
+  for (const std::string_view blank :
+       {"\xC2\xA0", "\xE2\x80\x82", "\xE2\x80\x83", "\xE3\x80\x80"}) {
+    if (text.substr(0, blank.size()) == blank) return blank.size();
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::uint32_t BlockWriter::Value(std::string_view value) {
@@ -34,7 +44,7 @@ void BlockWriter::Begin(const WritingState& state) {
   text_.note = state.note;
   if (!label_.empty()) text_.label = std::exchange(label_, {});
   verbatim_ = state.verbatim;
-  blank_ = false;
+  blank_.clear();
 }
 
 // A mark goes on over the space before a word where both are of the same element.
@@ -56,7 +66,7 @@ void BlockWriter::Extend(const WritingState& state, std::size_t before, std::siz
 void BlockWriter::Put(std::string_view word, const WritingState& state) {
   if (text_.text.empty()) Begin(state);
   const std::size_t before = text_.text.size();
-  if (std::exchange(blank_, false)) text_.text += ' ';
+  text_.text += std::exchange(blank_, {});
   const std::size_t begin = text_.text.size();
   text_.text.append(word);
   written_ += word.size();
@@ -78,17 +88,28 @@ void BlockWriter::Append(std::string_view text, const WritingState& state) {
   }
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
-    while (end < text.size() && !IsBlank(text[end])) ++end;
+    while (end < text.size() && !IsBlank(text[end]) && WideBlank(text.substr(end, 3)) == 0) ++end;
     if (end > at) Put(text.substr(at, end - at), state);
     at = end;
-    while (at < text.size() && IsBlank(text[at])) ++at;
-    if (at > end && !text_.text.empty() && text_.text.back() != '\n') blank_ = true;
+    while (at < text.size()) {
+      const std::size_t length = IsBlank(text[at]) ? std::size_t{1} : WideBlank(text.substr(at, 3));
+      if (length == 0) break;
+      PutBlank(text.substr(at, length));
+      at += length;
+    }
   }
+}
+
+// One wide space alone stays what it is; several are a space.
+void BlockWriter::PutBlank(std::string_view blank) {
+  if (text_.text.empty() || text_.text.back() == '\n') return;
+  const bool wide = blank_.empty() && blank.size() > 1;
+  blank_ = wide ? blank : " ";
 }
 
 void BlockWriter::Break() {
   if (text_.text.empty()) return;
-  blank_ = false;
+  blank_.clear();
   if (text_.text.back() == '\n' && !verbatim_) {
     End();
   } else {
@@ -98,7 +119,7 @@ void BlockWriter::Break() {
 
 void BlockWriter::Point(MarkKind kind, std::string_view value, const WritingState& state) {
   if (text_.text.empty() && kind == MarkKind::kPicture) Begin(state);
-  if (!text_.text.empty() && std::exchange(blank_, false)) text_.text += ' ';
+  if (!text_.text.empty()) text_.text += std::exchange(blank_, {});
   text_.marks.push_back({kind, text_.text.size(), text_.text.size(), std::string(value)});
 }
 

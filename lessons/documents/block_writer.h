@@ -29,8 +29,8 @@ struct DocumentPlace {
 };
 
 /// Writes text into the blocks of a document as it comes, word by word. Blanks become one space
-/// each, as in HTML, except in verbatim text; a block without text does not come to be. Throws
-/// InputError (`name` and cause) for more than kMostBlocks.
+/// each, also wide and hard ones that stand side by side, except in verbatim text; a block without
+/// text does not come to be. Throws InputError (`name` and cause) for more than kMostBlocks.
 class BlockWriter {
  public:
   /// Keeps a reference to the document.
@@ -54,7 +54,7 @@ class BlockWriter {
   std::size_t Add(Block block);
 
   /// Whether the block that is being written ends with it so far.
-  bool EndsWith(char c) const { return !blank_ && text_.text.ends_with(c); }
+  bool EndsWith(char c) const { return blank_.empty() && text_.text.ends_with(c); }
   DocumentPlace place() const { return {document_.blocks.size(), text_.text.size()}; }
   /// Bytes that were written so far, blanks apart.
   std::size_t written() const { return written_; }
@@ -63,6 +63,7 @@ class BlockWriter {
 
  private:
   void Put(std::string_view word, const WritingState& state);
+  void PutBlank(std::string_view blank);
   void PutVerbatim(std::string_view text, const WritingState& state);
   void Begin(const WritingState& state);
   void Extend(const WritingState& state, std::size_t before, std::size_t begin);
@@ -72,7 +73,7 @@ class BlockWriter {
   std::string name_;
   Block text_;  // the block that is being written
   std::string label_;
-  bool blank_ = false;  // blanks came behind its last word
+  std::string blank_;  // that stands behind its last word, if another follows
   bool verbatim_ = false;
   struct OpenMark {
     std::size_t index = 0;

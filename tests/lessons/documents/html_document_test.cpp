@@ -233,5 +233,16 @@ TEST_F(HtmlDocument, ScriptsStayUnreadWhereverTheyEnd) {
       << "not well-formed: an empty title is empty";
 }
 
+TEST_F(HtmlDocument, SpacesThatOnlyMoveWordsAreNone) {
+  EXPECT_EQ(TextOf("<p>a<p>&nbsp;<p>&nbsp; &emsp;<p>b"), "a\n\nb\n") << "empty lines of Word";
+  EXPECT_EQ(TextOf("<p>1.<span>&nbsp;&nbsp; </span>first, one.&nbsp; Two 5&nbsp;m&nbsp;"),
+            "1. first, one. Two 5\xC2\xA0m\n");
+  EXPECT_EQ(TextOf("<p>\xE3\x80\x80\xE3\x80\x80\xE6\x9C\x88\xE3\x80\x80x"),
+            "\xE6\x9C\x88\xE3\x80\x80x\n");
+  EXPECT_EQ(TextOf("<pre>a&nbsp;&nbsp;b</pre>"),
+            "a\xC2\xA0\xC2\xA0"
+            "b\n");
+}
+
 }  // namespace
 }  // namespace moontrace
