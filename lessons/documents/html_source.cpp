@@ -66,6 +66,15 @@ bool IsRaw(std::string_view name) {
   return IsAmong(name, kNames);
 }
 
+/// Text for browsers that are older than frames, which nobody is shown.
+bool IsOutdated(std::string_view name) { return name == "iframe" || name == "noembed"; }
+
+/// What an element is called for the parser. Frames are not read, what stands in for them is.
+std::string WrittenName(const std::string& name) {
+  if (IsLook(name)) return "span";
+  return name == "frameset" || name == "noframes" ? "div" : name;
+}
+
 class Tamer {
  public:
   Tamer(std::string_view html, const std::string& name, bool xhtml)
@@ -190,7 +199,7 @@ class Tamer {
       }
       Push(name);
     }
-    const std::string written = IsLook(name) ? "span" : name;
+    const std::string written = WrittenName(name);
     tamed_.html += '<';
     tamed_.html += written;
     tamed_.html += attributes;
@@ -208,10 +217,12 @@ class Tamer {
     for (std::size_t end = at_;; end += 2) {
       end = html_.find("</", end);
       if (end == kNone) {
-        Keep(html_.size());
+        if (!IsOutdated(name)) Keep(html_.size());
+        at_ = html_.size();
         return;
       }
       if (LowerCase(html_.substr(end + 2, name.size())) == name) {
+        if (IsOutdated(name)) at_ = end;
         Keep(std::min(html_.find('>', end), html_.size() - 1) + 1);
         return;
       }
@@ -235,7 +246,7 @@ class Tamer {
       if (found != last) open_.erase(std::prev(found.base()), open_.end());
     }
     tamed_.html += "</";
-    tamed_.html += IsLook(name) ? "span" : name;
+    tamed_.html += WrittenName(name);
     tamed_.html += '>';
   }
 

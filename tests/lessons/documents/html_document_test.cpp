@@ -244,5 +244,14 @@ TEST_F(HtmlDocument, SpacesThatOnlyMoveWordsAreNone) {
             "b\n");
 }
 
+// HTML, 13.2.6.4.7: what stands in them is text of older browsers.
+TEST_F(HtmlDocument, WhatStandsInFramesIsNoText) {
+  EXPECT_EQ(TextOf("<p>a<iframe src=x><p>Your browser</p></iframe>b<noembed><i>no</i></noembed>"),
+            "ab\n");
+  EXPECT_EQ(TextOf("<html><frameset><frame src=a.html><noframes><body><p>Go <a href=a.html>there"
+                   "</a></body></noframes></frameset></html>"),
+            "Go [there](a.html)\n");
+}
+
 }  // namespace
 }  // namespace moontrace
