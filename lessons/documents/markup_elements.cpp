@@ -123,6 +123,8 @@ bool FitsInSwitch(std::string_view name, const MarkupAttributes& attributes,
 }
 
 bool IsHiddenElement(std::string_view name, const MarkupAttributes& attributes) {
+  // MediaWiki's style sheet shows it to readers who do not see, and hides the picture of it.
+  if (HasWord(attributes["class"], "mwe-math-mathml-a11y")) return false;
   if (attributes.Has("hidden") || attributes["aria-hidden"] == "true") return true;
   if (name == "dialog" && !attributes.Has("open")) return true;
   if (name == "input" && LowerCase(attributes["type"]) == "hidden") return true;

@@ -604,11 +604,13 @@ void MarkupReader::OpenMedia(Frame& frame, std::string_view name,
 void MarkupReader::OpenMath(Frame& frame, const MarkupAttributes& attributes) {
   ValueOf(frame.state, MarkKind::kMath) = writer_.Value("");
   const std::string_view words = attributes["alttext"];
-  if (!IsBlank(words)) {
+  const bool tex = words.find('\\') != std::string_view::npos;  // for programs, not to be said
+  if (!IsBlank(words) && !tex) {
     Say(words, frame.state);
     frame.silent = true;
     return;
   }
+  math_words_ = words;
   math_.emplace();
   math_depth_ = 0;
 }
@@ -744,7 +746,7 @@ void MarkupReader::Close() {
     return;
   }
   if (math_) {
-    const std::string words = math_->text();
+    const std::string words = IsBlank(math_->text()) ? math_words_ : math_->text();
     math_.reset();
     Say(words, frame.state);
     return;

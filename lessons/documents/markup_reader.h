@@ -118,6 +118,7 @@ class MarkupReader : public MarkupSink {
   std::vector<TableReader> tables_;
   std::optional<MathText> math_;
   std::size_t math_depth_ = 0;
+  std::string math_words_;  // where the formula has no other
   std::string title_, language_, page_name_;
   std::string drawing_title_;  // of the drawing that is open
   bool has_title_ = false;

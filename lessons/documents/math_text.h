@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,9 @@ class MathText {
   struct Element {
     std::string name;
     int children = 0;
-    bool bracket = false;  // a parenthesis closes behind it
+    bool bracket = false;   // a parenthesis closes behind it, if it has several parts
+    std::size_t begin = 0;  // of its text
+    int leaves = 0;         // numbers, names and operators in it
   };
   bool InLeaf() const;
   std::vector<Element> open_;

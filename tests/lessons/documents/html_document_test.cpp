@@ -233,6 +233,31 @@ TEST_F(HtmlDocument, ScriptsStayUnreadWhereverTheyEnd) {
       << "not well-formed: an empty title is empty";
 }
 
+// MathML as converters write it: single signs in rows, signs that print does not show.
+TEST_F(HtmlDocument, FormulasHaveTheSignsOfPrintOnly) {
+  const auto read = [](const std::string& formula) { return TextOf("<p><math>" + formula); };
+  EXPECT_EQ(read("<msup><mi>c</mi><mrow><mn>2</mn></mrow></msup>"), "c^2\n");
+  EXPECT_EQ(read("<msup><mi>c</mi><mrow><mi>n</mi><mo>+</mo><mn>2</mn></mrow></msup>"),
+            "c^(n+2)\n");
+  EXPECT_EQ(read("<mn>2</mn><mo>&InvisibleTimes;</mo><mi>sin</mi><mo>&ApplyFunction;</mo><mi>x"),
+            "2sin x\n");
+  EXPECT_EQ(read("<msup><mi>f</mi><mo>&prime;</mo></msup>"), "f\xE2\x80\xB2\n");
+  EXPECT_EQ(read("<mmultiscripts><mi>C</mi><mn>6</mn><none></none></mmultiscripts>"), "C_6\n");
+  EXPECT_EQ(read("<mi>f</mi><mfenced><mi>a</mi><mi>b</mi></mfenced>"), "f(a, b)\n");
+}
+
+TEST_F(HtmlDocument, AFormulasSourceIsReadOnlyWhereItHasNothingElse) {
+  EXPECT_EQ(TextOf("<p><math alttext='\\frac{a}{b}'><mfrac><mi>a</mi><mi>b</mi></mfrac></math>"),
+            "a/b\n");
+  EXPECT_EQ(TextOf("<p><math alttext='\\pi'></math>"), "\\pi\n");
+  // as Wikipedia writes it
+  EXPECT_EQ(TextOf("<p>so <span class='mwe-math-mathml-inline mwe-math-mathml-a11y' "
+                   "style='display: none;'><math alttext='{\\displaystyle x}'><semantics><mi>x</mi>"
+                   "<annotation>{\\displaystyle x}</annotation></semantics></math></span><img "
+                   "src=x.svg aria-hidden=true alt='{\\displaystyle x}'> is"),
+            "so x is\n");
+}
+
 TEST_F(HtmlDocument, SpacesThatOnlyMoveWordsAreNone) {
   EXPECT_EQ(TextOf("<p>a<p>&nbsp;<p>&nbsp; &emsp;<p>b"), "a\n\nb\n") << "empty lines of Word";
   EXPECT_EQ(TextOf("<p>1.<span>&nbsp;&nbsp; </span>first, one.&nbsp; Two 5&nbsp;m&nbsp;"),
