@@ -56,48 +56,91 @@ std::map<LineKind, Reach> ReachOf(const TextPage& page, const Script& script,
   return reach;
 }
 
-/// Height of a capital, and where it stands below the base line [m].
-struct Print {
-  double height = 0, below = 0;
-};
+bool HasRulesAcross(const TypeStyle& style) {
+  return style.rules.lines && style.lines != LineDirection::kVertical;
+}
 
-Print PrintOf(const Reach& reach, double scale, const TypeStyle& style) {
+/// From the base line, without a raised margin.
+PrintRoom RoomOf(const Reach& reach, double scale, const TypeStyle& style) {
+  const double pitch = scale * style.line_pitch;
+  if (!HasRulesAcross(style)) return {reach.low, reach.high - pitch};
+  const double rule = RuleGap(style) + RuleProfile(style).width;
+  return {reach.ridge_low - rule, reach.ridge_high + rule - pitch};
+}
+
+/// Of a capital [m]; between rules what fits there, which may be nothing.
+double HeightOf(const PrintRoom& room, double scale, const TypeStyle& style) {
   const double gap = style.line_pitch - style.size;
   const double wanted =
       scale * std::clamp(kShare * style.size, kSmallest, std::max(kSmallest, 0.5 * gap));
+  const double fitting = std::min(wanted, (room.top - room.bottom) / kBlock);
+  return HasRulesAcross(style) ? fitting : std::max(0.5 * wanted, fitting);
+}
+
+void CheckHeight(double height, const PrintRoom& room, double scale, const TypeStyle& style) {
+  if (height >= kSmallest - 1e-9) return;
   const double pitch = scale * style.line_pitch;
-  const auto fitting = [&](double room) { return std::min(wanted, room / kBlock); };
-  if (style.rules.lines && style.lines != LineDirection::kVertical) {
-    const double rule = RuleGap(style) + RuleProfile(style).width;
-    const double room = pitch - (reach.ridge_high - reach.ridge_low) - 2 * rule;
-    const double height = fitting(room);
-    if (height < kSmallest - 1e-9) {
-      throw InputError(
-          fmt::format("line pitch {:.4g} mm leaves no room for print between the rules: choose "
-                      "{:.4g} mm or more",
-                      InMillimetres(pitch),
-                      std::ceil(InMillimetres(pitch - room + kBlock * kSmallest) * 100) / 100));
-    }
-    return {height, rule - reach.ridge_low + (kGap + 1) * height};
+  const double least = pitch - (room.top - room.bottom) + kBlock * kSmallest;
+  throw InputError(
+      fmt::format("line pitch {:.4g} mm leaves no room for print between the rules: choose "
+                  "{:.4g} mm or more",
+                  InMillimetres(pitch), std::ceil(InMillimetres(least) * 100) / 100));
+}
+
+/// The lower edge of a raised margin, from rim to rim; without one far below.
+PrintRoom LowerMargin(const TextPage& page, const Script& script, const TypeStyle& style) {
+  PrintRoom ridge{-HUGE_VAL, -HUGE_VAL};
+  if (!style.rules.margin) return ridge;
+  Box box;
+  for (const Piece& piece : RaisedLinesOf(page, script, style).margin) {
+    Include(box, BoundsOf(piece));
   }
-  const double height = std::max(0.5 * wanted, fitting(pitch - (reach.high - reach.low)));
-  return {height, -reach.low + (kGap + 1) * height};
+  const double half = 0.5 * MarginProfile(style).width;
+  if (box.min.y <= box.max.y) ridge = {box.min.y + half, box.min.y - half};
+  return ridge;
 }
 
 }  // namespace
 
+std::vector<PrintRoom> PrintRooms(const TextPage& page, const Script& script,
+                                  const TypeStyle& style) {
+  const std::map<LineKind, Reach> reach = ReachOf(page, script, style);
+  const PrintRoom margin = LowerMargin(page, script, style);
+  std::vector<PrintRoom> rooms;
+  for (const PlacedGlyph& placed : page.glyphs) {
+    const double scale = ScaleOf(placed.kind, style);
+    const auto own = reach.find(placed.kind);  // guide lines may be alone
+    const PrintRoom room = RoomOf(own == reach.end() ? Reach() : own->second, scale, style);
+    const double needed = kBlock * std::max(HeightOf(room, scale, style), kSmallest);
+    PrintRoom& there = rooms.emplace_back(
+        PrintRoom{placed.origin_P.y + room.top, placed.origin_P.y + room.bottom});
+    if (margin.top <= there.bottom || margin.bottom >= there.top) continue;
+    if (there.top - margin.top >= needed) {
+      there.bottom = margin.top;
+    } else {
+      there = {margin.bottom, page.sheet_P.min.y};
+    }
+  }
+  return rooms;
+}
+
 std::vector<Mark> PrintMarks(const TextPage& page, const Script& script, const TypeStyle& style,
                              std::string_view source) {
   const std::map<LineKind, Reach> reach = ReachOf(page, script, style);
+  const std::vector<PrintRoom> rooms = PrintRooms(page, script, style);
   std::vector<Mark> marks;
-  for (const PlacedGlyph& placed : page.glyphs) {
+  for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
+    const PlacedGlyph& placed = page.glyphs[i];
     if (placed.source_begin == placed.source_end) continue;
     const double scale = ScaleOf(placed.kind, style);
-    const Print print = PrintOf(reach.at(placed.kind), scale, style);
-    const glm::dvec2 foot(scale * style.size * FootShift(style.form), -print.below);
+    const PrintRoom room = RoomOf(reach.at(placed.kind), scale, style);
+    const double height = HeightOf(room, scale, style);
+    CheckHeight(height, room, scale, style);
     TextMark mark;
-    mark.height = kMillimetres * print.height;
-    mark.at = kMillimetres * (placed.origin_P + foot);
+    mark.height = kMillimetres * height;
+    mark.at =
+        kMillimetres * glm::dvec2(placed.origin_P.x + scale * style.size * FootShift(style.form),
+                                  rooms[i].top - (kGap + 1) * height);
     mark.text = source.substr(placed.source_begin, placed.source_end - placed.source_begin);
     mark.color = palette::kTip;
     marks.emplace_back(std::move(mark));

@@ -103,6 +103,34 @@ TEST(PrintMarks, NeverStandOnARule) {
   EXPECT_GE(refused, 1);
 }
 
+// A line at the foot of the text area has the margin's ridge below it, and beyond that the paper.
+TEST(PrintMarks, NeverStandOnARaisedMargin) {
+  const Script moon = FindScript("moon");
+  for (const bool lines : {false, true}) {
+    for (const double height_mm : {70.0, 75.0, 80.0, 85.0, 90.0}) {
+      TypeStyle style = StyleFor(moon);
+      style.line_pitch = 0.024;
+      style.rules.margin = true;
+      style.rules.lines = lines;
+      const std::string text = "one two three four five";
+      const PageSpec sheet{"custom", 0.16, 1e-3 * height_mm, 0.015};
+      const Typeset set = SetText(text, moon, style, sheet);
+      const TextPage& page = set.pages.front();
+      double low = 1e9;
+      for (const Piece& piece : RaisedLinesOf(page, moon, style).margin) {
+        low = std::min(low, 1e3 * BoundsOf(piece).min.y);
+      }
+      const double half = 0.5e3 * MarginProfile(style).width;
+      for (const Mark& mark : PrintMarks(page, moon, style, text)) {
+        const auto& print = std::get<TextMark>(mark);
+        const double top = print.at.y + print.height, foot = print.at.y - 0.2 * print.height;
+        EXPECT_TRUE(foot > low + half || top < low - half) << height_mm << " " << print.text;
+        EXPECT_GT(foot, 0) << height_mm;
+      }
+    }
+  }
+}
+
 TEST(PrintMarks, MoveWithTheFootOfLettersThatLean) {
   const Script moon = FindScript("moon");
   TypeStyle style = StyleFor(moon);
