@@ -117,6 +117,10 @@ void BlockWriter::Break() {
   }
 }
 
+void BlockWriter::BeginLine() {
+  if (!text_.text.empty() && text_.text.back() != '\n') Break();
+}
+
 void BlockWriter::Point(MarkKind kind, std::string_view value, const WritingState& state) {
   if (text_.text.empty() && kind == MarkKind::kPicture) Begin(state);
   if (!text_.text.empty()) text_.text += std::exchange(blank_, {});

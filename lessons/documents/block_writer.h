@@ -42,6 +42,8 @@ class BlockWriter {
   void Append(std::string_view text, const WritingState& state);
   /// A line's end within the block; a second one ends the block.
   void Break();
+  /// A line of its own within the block, if one has begun.
+  void BeginLine();
   /// Ends the block, if one has begun.
   void End();
   /// Of the next block that begins.

@@ -86,11 +86,17 @@ bool IsNote(const MarkupAttributes& attributes) {
 }
 
 bool IsVerse(const MarkupAttributes& attributes) {
-  static constexpr std::array<std::string_view, 5> kWords = {"verse", "poem", "poetry", "stanza",
-                                                             "line-block"};
+  static constexpr std::array<std::string_view, 6> kWords = {"verse",  "poem",       "poetry",
+                                                             "stanza", "line-block", "linegroup"};
   return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
     return HasWord(attributes["class"], word) || HasWord(attributes["epub:type"], word);
   });
+}
+
+/// Lines of verse that stand together, each an element of its own.
+bool IsStanza(std::string_view name, const MarkupAttributes& attributes) {
+  return name == "linegroup" || HasWord(attributes["class"], "stanza") ||
+         HasWord(attributes["class"], "linegroup") || HasWord(attributes["epub:type"], "stanza");
 }
 
 /// Digits and signs small and raised or lowered, as Unicode has them, so that 10 and 2 stay apart;
@@ -188,7 +194,7 @@ bool IsArrow(std::string_view text) {
       U" \n^\u2191\u21A9\u21B5\u21B0\u21D1\u23CE\u2934\u2B06\uFE0E\uFE0F";
   const std::u32string signs = ToCodePoints(text);
   return std::all_of(signs.begin(), signs.end(),
-                     [](char32_t c) { return kArrows.find(c) != kArrows.npos; });
+                     [](char32_t c) { return kArrows.find(c) != std::u32string_view::npos; });
 }
 
 /// Whether a part of a drawing's text begins a line of its own.
@@ -315,7 +321,7 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
   if (!frames_.empty()) {
     frame = frames_.back();
     frame.label = 0;
-    frame.taken = frame.labelled = frame.apart = false;
+    frame.taken = frame.labelled = frame.apart = frame.line = false;
   }
   frame.silent = frame.silent || passed_over;
   frame.role = RoleOf(name, attributes);
@@ -340,7 +346,13 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
     frames_.push_back(frame);
     return;
   }
-  if (IsBlock(frame.role)) writer_.End();
+  frame.line = IsLineOfVerse(frame, attributes);
+  frame.stanza = IsStanza(name, attributes);
+  if (frame.line) {
+    writer_.BeginLine();
+  } else if (IsBlock(frame.role)) {
+    writer_.End();
+  }
   SetLanguage(frame, attributes);
   if (HasType(attributes, "footnote") || HasType(attributes, "endnote") ||
       HasType(attributes, "rearnote")) {
@@ -353,6 +365,13 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
   NoteAnchor(attributes);
   if (HasType(attributes, "pagebreak")) OpenPrintPage(frame, attributes);
   frames_.push_back(frame);
+}
+
+/// A line of verse is no paragraph: it stands below the one before. `frame` is not yet open.
+bool MarkupReader::IsLineOfVerse(const Frame& frame, const MarkupAttributes& attributes) const {
+  if (frame.role != Role::kBlock && frame.role != Role::kParagraph) return false;
+  if (frames_.empty() || frames_.back().state.kind != BlockKind::kVerse) return false;
+  return frames_.back().stanza || HasWord(attributes["class"], "line");
 }
 
 void MarkupReader::OpenPrintPage(Frame& frame, const MarkupAttributes& attributes) {
@@ -646,15 +665,13 @@ void MarkupReader::Text(std::string_view utf8) {
     if (!IsBlank(utf8) && utf8 != "(" && utf8 != ")") {
       NoteLeftOut(writer_.document(), LeftOut::kReading, utf8);
     }
-  } else if (frame.silent) {
+  } else if (frame.silent || (frame.back && IsArrow(utf8))) {
     return;
   } else if (math_) {
     math_->Text(utf8);
   } else if (frame.drawing && frame.role == Role::kTitle) {
     if (drawing_title_.empty()) drawing_title_ = utf8;
     Say(utf8, frame.state);
-  } else if (frame.back && IsArrow(utf8)) {
-    return;
   } else if (frame.shift == Role::kLowered) {
     Say(Shifted(utf8, false), frame.state);
   } else if (frame.shift == Role::kRaised || ValueOf(frame.state, MarkKind::kNoteCall) != 0) {
@@ -758,7 +775,7 @@ void MarkupReader::Close() {
   }
   if (frame.role == Role::kTitle && frame.in_head) has_title_ = true;
   if (frame.silent || frame.page) return;
-  if (IsBlock(frame.role)) writer_.End();
+  if (IsBlock(frame.role) && !frame.line) writer_.End();
   if (frame.role == Role::kItem || frame.role == Role::kDefinition) writer_.SetLabel("");
   if (frame.role == Role::kList || frame.role == Role::kOrderedList) CloseList();
   if (frame.role == Role::kTable) CloseTable();

@@ -63,6 +63,8 @@ class MarkupReader : public MarkupSink {
     bool labelled = false;  // of a drawing: its title would say the same again
     bool apart = false;     // words of their own in a drawing
     bool contents = false;  // in a table of contents of EPUB: its lists have no numbers
+    bool line = false;      // of verse, and no paragraph
+    bool stanza = false;    // its blocks are such lines
     bool back = false;      // leads from a note to its call
     ElementRole shift = ElementRole::kInline;  // kRaised or kLowered, of all that is in it
 
@@ -85,6 +87,7 @@ class MarkupReader : public MarkupSink {
 
   bool PassedOver(std::string_view name, const MarkupAttributes& attributes);
   bool OpenSilent(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
+  bool IsLineOfVerse(const Frame& frame, const MarkupAttributes& attributes) const;
   void OpenPrintPage(Frame& frame, const MarkupAttributes& attributes);
   void OpenText(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   void OpenGroup(Frame& frame, std::string_view name, const MarkupAttributes& attributes);

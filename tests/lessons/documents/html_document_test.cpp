@@ -278,5 +278,16 @@ TEST_F(HtmlDocument, WhatStandsInFramesIsNoText) {
             "Go [there](a.html)\n");
 }
 
+// As Project Gutenberg and DAISY's books write verse: each line an element.
+TEST_F(HtmlDocument, LinesOfAStanzaStandTogether) {
+  EXPECT_EQ(TextOf("<div class=poetry><div class=stanza><div class='verse indent0'>Roses,</div>"
+                   "<div class='verse indent2'>violets.</div></div><div class=stanza>"
+                   "<div class='verse indent0'>Sugar,</div></div></div><p>End"),
+            "Roses,\nviolets.\n\nSugar,\n\nEnd\n");
+  EXPECT_EQ(TextOf("<blockquote class=poem><p class=line>a</p><p class=line>b</p></blockquote>"),
+            "> a\n> b\n");
+  EXPECT_EQ(TextOf("<div class=poem><p>a<br>b</p><p>c<br>d</p></div>"), "a\nb\n\nc\nd\n");
+}
+
 }  // namespace
 }  // namespace moontrace
