@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "sim/app/messages.h"
 #include "sim/picture/link_marks.h"
@@ -14,7 +13,6 @@
 #include "sim/picture/sheet_marks.h"
 #include "sim/picture/sheet_messages.h"
 #include "textures/base/units.h"
-#include "textures/typeset/rules.h"
 
 namespace moontrace {
 
@@ -45,19 +43,6 @@ std::vector<Mark> TipTracks(const std::vector<PathPoint>& path, glm::dvec2 from_
   return marks;
 }
 
-/// Rules and margin, placed in millimetres of the sheet, on a drawing that begins at `from_P` [m].
-std::vector<Mark> RulesFrom(const TextPage& page, const Script& script, const TypeStyle& style,
-                            glm::dvec2 from_P) {
-  std::vector<Mark> marks = RuleMarks(page, script, style);
-  for (Mark& mark : marks) {
-    auto& path = std::get<PathMark>(mark);
-    for (std::vector<Piece>& subpath : path.subpaths) {
-      for (Piece& piece : subpath) piece = Placed(piece, 1, -kMillimetres * from_P);
-    }
-  }
-  return marks;
-}
-
 /// What is drawn is within: strokes, rules, margin, the tip's path.
 Box Drawn(const TextPage& page, const Script& script, const TypeStyle& style, bool blank,
           const TrialResult& result) {
@@ -65,13 +50,7 @@ Box Drawn(const TextPage& page, const Script& script, const TypeStyle& style, bo
   for (const PathPoint& point : result.path) {
     if (point.in_contact) Include(box, glm::dvec2(point.tip_P));
   }
-  if (blank) return box;
-  const RaisedLines raised = RaisedLinesOf(page, script, style);
-  for (const Line& rule : raised.rules) {
-    Include(box, rule.from);
-    Include(box, rule.to);
-  }
-  for (const Piece& piece : raised.margin) Include(box, StartOf(piece));
+  if (!blank) Include(box, RuleBounds(page, script, style));
   return box;
 }
 
@@ -127,7 +106,7 @@ Drawing TracePicture(const TextPage& page, const Script& script, const TypeStyle
 
   const glm::dvec2 from_P = ink.min - glm::dvec2(border, border + words_height) / kMillimetres;
   if (!blank) {
-    Append(drawing.marks, RulesFrom(page, script, style, from_P));
+    Append(drawing.marks, RuleMarks(page, script, style, from_P));
     Append(drawing.marks, LinkMarks(*links, script, style, from_P, palette::kLink));
   }
   Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)

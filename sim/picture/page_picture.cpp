@@ -46,7 +46,7 @@ Drawing PagePicture(const TextPage& text_page, PageNumber number, const Typeset&
   drawing.description += say::SheetWords(set.style, paper) + say::HeadingWords(set.style);
   for (Mark& mark : TextureMarks(rough.paper)) drawing.marks.push_back(std::move(mark));
   drawing.marks.emplace_back(Edge(drawing.width, drawing.height));
-  for (Mark& mark : RuleMarks(text_page, script, set.style)) {
+  for (Mark& mark : RuleMarks(text_page, script, set.style, {0, 0})) {
     drawing.marks.push_back(std::move(mark));
   }
   const std::shared_ptr<const GrooveLinks> links = LinksOf(text_page, script, set.style);

@@ -85,8 +85,6 @@ void AddPatch(const PaperPatch& patch, std::vector<Mark>& marks) {
   }
 }
 
-Piece InMillimetres(const Piece& piece) { return Placed(piece, kMillimetres, {0, 0}); }
-
 }  // namespace
 
 bool CanDraw(const PaperPatch& patch) {
@@ -102,22 +100,34 @@ std::vector<Mark> TextureMarks(const std::vector<PaperPatch>& patches) {
   return marks;
 }
 
-std::vector<Mark> RuleMarks(const TextPage& page, const Script& script, const TypeStyle& style) {
+std::vector<Mark> RuleMarks(const TextPage& page, const Script& script, const TypeStyle& style,
+                            glm::dvec2 from_P) {
+  const auto in_drawing = [from_P](const Piece& piece) {
+    return Placed(piece, kMillimetres, -kMillimetres * from_P);
+  };
   const RaisedLines raised = RaisedLinesOf(page, script, style);
   std::vector<Mark> marks;
   PathMark rules;
   rules.stroke = palette::kRidge;
   rules.width = kMillimetres * RuleProfile(style).width;
-  for (const Line& rule : raised.rules) rules.subpaths.push_back({InMillimetres(Piece(rule))});
+  for (const Line& rule : raised.rules) rules.subpaths.push_back({in_drawing(Piece(rule))});
   if (!rules.subpaths.empty()) marks.emplace_back(std::move(rules));
   if (raised.margin.empty()) return marks;
   PathMark margin;
   margin.stroke = palette::kRidge;
   margin.width = kMillimetres * MarginProfile(style).width;
   std::vector<Piece>& path = margin.subpaths.emplace_back();
-  for (const Piece& piece : raised.margin) path.push_back(InMillimetres(piece));
+  for (const Piece& piece : raised.margin) path.push_back(in_drawing(piece));
   marks.emplace_back(std::move(margin));
   return marks;
+}
+
+Box RuleBounds(const TextPage& page, const Script& script, const TypeStyle& style) {
+  const RaisedLines raised = RaisedLinesOf(page, script, style);
+  Box box;
+  for (const Line& rule : raised.rules) Include(box, BoundsOf(Piece(rule)));
+  for (const Piece& piece : raised.margin) Include(box, BoundsOf(piece));
+  return box;
 }
 
 }  // namespace moontrace

@@ -14,7 +14,12 @@ namespace moontrace {
 std::vector<Mark> TextureMarks(const std::vector<PaperPatch>& patches);
 bool CanDraw(const PaperPatch& patch);
 
-/// Line rules and the raised margin in their true width.
-std::vector<Mark> RuleMarks(const TextPage& page, const Script& script, const TypeStyle& style);
+/// Line rules and the raised margin in their true width. `from_P` [m] is where the drawing's origin
+/// lies on the page.
+std::vector<Mark> RuleMarks(const TextPage& page, const Script& script, const TypeStyle& style,
+                            glm::dvec2 from_P);
+
+/// Box around the middles of these ridges [m]; empty where there are none.
+Box RuleBounds(const TextPage& page, const Script& script, const TypeStyle& style);
 
 }  // namespace moontrace

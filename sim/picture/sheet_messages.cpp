@@ -73,10 +73,10 @@ std::string SheetTexture(const TypeStyle& style) {
 std::string SheetWords(const TypeStyle& style, PaperDrawn drawn) {
   std::string words;
   if (style.rules.lines) {
-    words += fmt::format(" Line rules {} wide.", Mm(RuleProfile(style).width));
+    words += fmt::format(" Line rules {} wide, green.", Mm(RuleProfile(style).width));
   }
   if (style.rules.margin) {
-    words += fmt::format(" Raised margin {} wide.", Mm(MarginProfile(style).width));
+    words += fmt::format(" Raised margin {} wide, green.", Mm(MarginProfile(style).width));
   }
   if (style.texture.paper) {
     const PaperTexture& paper = *style.texture.paper;

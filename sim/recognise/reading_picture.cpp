@@ -5,11 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "sim/console/wording.h"
+#include "sim/picture/link_marks.h"
+#include "sim/picture/link_messages.h"
 #include "sim/picture/moon_marks.h"
+#include "sim/picture/sheet_marks.h"
+#include "sim/picture/sheet_messages.h"
 #include "sim/reading/read_text.h"
 #include "sim/reading/reading_setup.h"
 #include "sim/recognise/recognise_messages.h"
@@ -57,12 +63,13 @@ std::vector<Mark> PrintOf(const ReadingResult& result, const Script& script, glm
   return marks;
 }
 
-Box Drawn(const TextPage& page, const Script& script, const TypeStyle& style,
+Box Drawn(const TextPage& page, const Script& script, const TypeStyle& style, bool blank,
           const ReadingResult& result) {
   Box box = InkBounds(page, script, style);
   for (const PathPoint& point : result.path) {
     if (point.in_contact) Include(box, glm::dvec2(point.tip_P));
   }
+  if (!blank) Include(box, RuleBounds(page, script, style));
   return box;
 }
 
@@ -77,21 +84,29 @@ Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeSty
   const double size = kMillimetres * style.size;
   const double border = std::max(4.0, 0.4 * size);
   const double print = std::clamp(0.15 * size, 1.2, 2.4);
-  const Box ink = Drawn(page, script, style, result);
+  const Box ink = Drawn(page, script, style, blank, result);
   Drawing drawing;
   drawing.width = std::max(80.0, kMillimetres * (ink.max.x - ink.min.x) + 2 * border);
   drawing.title = say::ReadingPictureTitle(script, style);
   std::string read = TextRead(result.tokens, script);
   while (!read.empty() && read.back() == '\n') read.pop_back();
   drawing.description = say::ReadingPictureWords(text, say::Unbroken(read));
-  const std::string words =
-      fmt::format("{}. {} {}", drawing.title, drawing.description,
-                  say::ReadingPictureLegend(style, IsFollowed(style, script), blank));
+  const std::shared_ptr<const GrooveLinks> links = LinksOf(page, script, style);
+  std::string legend = say::ReadingPictureLegend(style, IsFollowed(style, script), blank);
+  if (!blank) {
+    drawing.description += say::SheetWords(style, say::PaperDrawn::kLeftOut);
+    legend += say::LinksTraced(links->links.size(), std::nullopt);
+  }
+  const std::string words = fmt::format("{}. {} {}", drawing.title, drawing.description, legend);
   std::vector<TextMark> lines =
       TextBlock(words, {border, 0}, drawing.width - 2 * border, print, palette::kInk);
   const double words_height = (lines.empty() ? 0 : -lines.back().at.y) + border;
   drawing.height = kMillimetres * (ink.max.y - ink.min.y) + 2 * border + words_height;
   const glm::dvec2 from_P = ink.min - glm::dvec2(border, border + words_height) / kMillimetres;
+  if (!blank) {
+    Append(drawing.marks, RuleMarks(page, script, style, from_P));
+    Append(drawing.marks, LinkMarks(*links, script, style, from_P, palette::kLink));
+  }
   Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)
                               : MoonMarks(page, script, style, from_P, palette::kGroove));
   const double width = std::clamp(0.12 * kMillimetres * style.width, 0.08, 0.5);

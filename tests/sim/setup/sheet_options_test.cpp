@@ -134,7 +134,8 @@ TEST_F(SheetOptionsOf, PicturesShowThemAndSaySo) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   std::ifstream file(picture);
   const std::string svg{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_NE(svg.find("Line rules 1.2 mm wide. Raised margin 1.2 mm wide. Paper rough with waves"),
+  EXPECT_NE(svg.find("Line rules 1.2 mm wide, green. Raised margin 1.2 mm wide, green. Paper rough "
+                     "with waves"),
             std::string::npos);
   EXPECT_NE(svg.find("its crests shaded"), std::string::npos);
 }
