@@ -10,6 +10,7 @@
 #include "lessons/documents/epub_package.h"
 #include "lessons/documents/html_source.h"
 #include "lessons/documents/html_tree.h"
+#include "lessons/documents/markup_elements.h"
 #include "lessons/documents/markup_reader.h"
 #include "lessons/documents/xml_markup.h"
 #include "textures/base/error.h"
@@ -287,15 +288,14 @@ class EpubReader {
     }
     for (const EpubTarget& page : pages) {
       const DocumentPlace place = PlaceOf(page);
-      if (place.block == kNoBlock || page.title.empty() || !known.insert(page.title).second) {
-        continue;
-      }
+      const std::string name = PageName(page.title).empty() ? page.title : PageName(page.title);
+      if (place.block == kNoBlock || name.empty() || !known.insert(name).second) continue;
       Block& block = document_.blocks[place.block];
       const std::size_t at = std::min(place.offset, block.text.size());
       const auto behind = std::upper_bound(
           block.marks.begin(), block.marks.end(), at,
           [](std::size_t offset, const DocumentMark& mark) { return offset < mark.begin; });
-      block.marks.insert(behind, {MarkKind::kPrintPage, at, at, page.title});
+      block.marks.insert(behind, {MarkKind::kPrintPage, at, at, name});
     }
   }
 

@@ -137,6 +137,31 @@ bool IsHiddenElement(std::string_view name, const MarkupAttributes& attributes) 
          packed.find("visibility:hidden") != std::string::npos;
 }
 
+std::string PageName(std::string_view said) {
+  constexpr std::size_t kLongest = 12;  // characters of a page's name, as "viii" or "A-12"
+  std::string name;
+  for (std::size_t at = 0; at < said.size() && name.size() < 64; ++at) {
+    const bool hard = said.substr(at, 2) == "\xC2\xA0";
+    if (hard) ++at;
+    name += hard || std::string_view("\t\r\n[](){}|").find(said[at]) != std::string_view::npos
+                ? ' '
+                : said[at];
+  }
+  const auto trim = [&name](std::string_view what) {
+    name.erase(0, std::min(name.find_first_not_of(what), name.size()));
+    name.erase(name.find_last_not_of(what) + 1);
+  };
+  trim(" .,:;");
+  for (const std::string_view word : {"page", "pg.", "pg", "p."}) {
+    if (LowerCase(name.substr(0, word.size())) != word) continue;
+    name.erase(0, word.size());
+    break;
+  }
+  trim(" .,:;");
+  const bool sound = name.size() <= kLongest && name.find(' ') == std::string::npos;
+  return sound ? name : std::string();
+}
+
 bool HasWord(std::string_view words, std::string_view word) {
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t end = std::min(words.find_first_of(" \t\n\r\f", at), words.size());

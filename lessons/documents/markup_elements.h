@@ -99,6 +99,10 @@ bool FitsInSwitch(std::string_view name, const MarkupAttributes& attributes,
 /// Whether its author made it invisible to everybody, or to readers who do not see.
 bool IsHiddenElement(std::string_view name, const MarkupAttributes& attributes);
 
+/// What a printed page is called, of what an author says of it: "12" of "[Pg 12]", "Page 12" and
+/// "12."; empty: that is no name of a page.
+std::string PageName(std::string_view said);
+
 /// A word among others, apart by blanks, without regard to capitals.
 bool HasWord(std::string_view words, std::string_view word);
 

@@ -93,6 +93,25 @@ bool IsVerse(const MarkupAttributes& attributes) {
   });
 }
 
+/// Of the number of a printed page by its look: as Project Gutenberg and DAISY's books have it.
+bool IsPageNumber(ElementRole role, std::string_view name, const MarkupAttributes& attributes) {
+  static constexpr std::array<std::string_view, 4> kWords = {"pagenum", "pageno", "pagenumber",
+                                                             "page-number"};
+  const bool holds_words = role == Role::kInline || role == Role::kBlock ||
+                           role == Role::kParagraph ||
+                           (role == Role::kLink && !attributes.Has("href"));
+  return holds_words && (name == "pagenum" ||
+                         std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
+                           return HasWord(attributes["class"], word);
+                         }));
+}
+
+/// Arabic or Roman.
+bool IsNumber(std::string_view name) {
+  return !name.empty() && (name.find_first_of("0123456789") != std::string_view::npos ||
+                           LowerCase(name).find_first_not_of("ivxlcdm") == std::string::npos);
+}
+
 /// Lines of verse that stand together, each an element of its own.
 bool IsStanza(std::string_view name, const MarkupAttributes& attributes) {
   return name == "linegroup" || HasWord(attributes["class"], "stanza") ||
@@ -328,6 +347,10 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
   if (frame.role == Role::kRaised || frame.role == Role::kLowered) frame.shift = frame.role;
   frame.written = writer_.written();
   if (frame.silent || frame.page) {
+    if (!frame.silent) {
+      NoteAnchor(attributes);
+      NotePageAnchor(attributes);
+    }
     if (frame.role == Role::kMeta && frame.in_head && LowerCase(attributes["name"]) == "author") {
       writer_.document().authors.emplace_back(attributes["content"]);
     }
@@ -363,7 +386,15 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
   OpenGroup(frame, name, attributes);
   OpenText(frame, name, attributes);
   NoteAnchor(attributes);
-  if (HasType(attributes, "pagebreak")) OpenPrintPage(frame, attributes);
+  if (HasType(attributes, "pagebreak")) {
+    OpenPrintPage(frame, attributes);
+  } else if (IsPageNumber(frame.role, name, attributes)) {
+    frame.page = frame.maybe_page = true;
+    page_name_.clear();
+    page_title_.clear();
+    page_placed_ = name == "pagenum";
+    NotePageAnchor(attributes);
+  }
   frames_.push_back(frame);
 }
 
@@ -375,15 +406,36 @@ bool MarkupReader::IsLineOfVerse(const Frame& frame, const MarkupAttributes& att
 }
 
 void MarkupReader::OpenPrintPage(Frame& frame, const MarkupAttributes& attributes) {
-  std::string_view name = attributes["title"];
-  if (name.empty()) name = attributes["aria-label"];
-  if (name.empty()) {
+  std::string_view said = attributes["title"];
+  if (IsBlank(said)) said = attributes["aria-label"];
+  if (IsBlank(said)) {
     frame.page = true;
     page_name_.clear();
+    page_title_.clear();
   } else {
-    writer_.Point(MarkKind::kPrintPage, name, frame.state);
+    const std::string name = PageName(said);
+    writer_.Point(MarkKind::kPrintPage, name.empty() ? said : name, frame.state);
     frame.silent = true;
   }
+}
+
+/// What tells of a number that it is a page's: indexes and notes lead to it.
+void MarkupReader::NotePageAnchor(const MarkupAttributes& attributes) {
+  if (!attributes["id"].empty() || !attributes["name"].empty()) page_placed_ = true;
+  if (page_title_.empty()) page_title_ = attributes["title"];
+}
+
+/// What only looks like a page's number is text: a table of contents has such numbers.
+void MarkupReader::ClosePrintPage(const Frame& frame) {
+  const std::string& said = IsBlank(page_name_) ? page_title_ : page_name_;
+  const std::string name = PageName(said);
+  const bool marked = page_placed_ || said.find('[') != std::string::npos;
+  if (frame.maybe_page && !(marked && IsNumber(name))) {
+    Say(page_name_, frame.state);
+  } else if (!IsBlank(said)) {
+    writer_.Point(MarkKind::kPrintPage, name.empty() ? said : name, frame.state);
+  }
+  if (IsBlock(frame.role)) writer_.End();
 }
 
 /// What holds blocks.
@@ -769,10 +821,7 @@ void MarkupReader::Close() {
     return;
   }
   const bool outer_page = !frames_.empty() && frames_.back().page;
-  if (frame.page && !outer_page) {
-    if (!IsBlank(page_name_)) writer_.Point(MarkKind::kPrintPage, page_name_, frame.state);
-    return;
-  }
+  if (frame.page && !outer_page) return ClosePrintPage(frame);
   if (frame.role == Role::kTitle && frame.in_head) has_title_ = true;
   if (frame.silent || frame.page) return;
   if (IsBlock(frame.role) && !frame.line) writer_.End();

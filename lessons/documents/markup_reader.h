@@ -58,14 +58,15 @@ class MarkupReader : public MarkupSink {
     ElementRole role = ElementRole::kInline;
     WritingState state;
     bool silent = false, hidden = false, drawing = false, in_head = false;
-    bool page = false;      // its text is the name of a print page
-    bool taken = false;     // of a switch: one of its children is read
-    bool labelled = false;  // of a drawing: its title would say the same again
-    bool apart = false;     // words of their own in a drawing
-    bool contents = false;  // in a table of contents of EPUB: its lists have no numbers
-    bool line = false;      // of verse, and no paragraph
-    bool stanza = false;    // its blocks are such lines
-    bool back = false;      // leads from a note to its call
+    bool page = false;        // its text is the name of a print page
+    bool maybe_page = false;  // by its look only
+    bool taken = false;       // of a switch: one of its children is read
+    bool labelled = false;    // of a drawing: its title would say the same again
+    bool apart = false;       // words of their own in a drawing
+    bool contents = false;    // in a table of contents of EPUB: its lists have no numbers
+    bool line = false;        // of verse, and no paragraph
+    bool stanza = false;      // its blocks are such lines
+    bool back = false;        // leads from a note to its call
     ElementRole shift = ElementRole::kInline;  // kRaised or kLowered, of all that is in it
 
     std::uint32_t label = 0;  // of a link, in labels_
@@ -89,6 +90,8 @@ class MarkupReader : public MarkupSink {
   bool OpenSilent(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   bool IsLineOfVerse(const Frame& frame, const MarkupAttributes& attributes) const;
   void OpenPrintPage(Frame& frame, const MarkupAttributes& attributes);
+  void NotePageAnchor(const MarkupAttributes& attributes);
+  void ClosePrintPage(const Frame& frame);
   void OpenText(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   void OpenGroup(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   void PutLabel(const WritingState& state);
@@ -122,7 +125,8 @@ class MarkupReader : public MarkupSink {
   std::optional<MathText> math_;
   std::size_t math_depth_ = 0;
   std::string math_words_;  // where the formula has no other
-  std::string title_, language_, page_name_;
+  std::string title_, language_, page_name_, page_title_;
+  bool page_placed_ = false;   // something leads to the page's number
   std::string drawing_title_;  // of the drawing that is open
   bool has_title_ = false;
   bool hidden_noted_ = false;

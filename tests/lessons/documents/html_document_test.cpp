@@ -289,5 +289,40 @@ TEST_F(HtmlDocument, LinesOfAStanzaStandTogether) {
   EXPECT_EQ(TextOf("<div class=poem><p>a<br>b</p><p>c<br>d</p></div>"), "a\nb\n\nc\nd\n");
 }
 
+/// "name@words behind it" of each printed page.
+std::vector<std::string> PagesOf(const std::string& html) {
+  const Transcription written = Transcribe(ReadHtml(html, "page.html"));
+  std::vector<std::string> pages;
+  for (const TranscribedPage& page : written.pages) {
+    pages.push_back(page.name + "@" + written.text.substr(page.begin, 5));
+  }
+  return pages;
+}
+
+// As Project Gutenberg's books have them, by hand and by ppgen, and as DAISY's have.
+TEST_F(HtmlDocument, NumbersOfPrintedPagesAreNoText) {
+  const std::string page =
+      "<p>The quick <span class='pagenum'><a id='Page_12'></a>[Pg 12]</span>brown fox "
+      "jum<span class=pagenum><a name='p13'>[13]</a></span>ped<span class=pageno id=Page_xiv>xiv"
+      "</span> over <span class='pagenum' id='Page_15' title='15'> </span>it.<p>See <a "
+      "href='#Page_12'>12</a>.<pagenum id=p16 page=normal>16</pagenum> End";
+  EXPECT_EQ(TextOf(page), "The quick brown fox jumped over it.\n\nSee [12](#Page_12). End\n");
+  EXPECT_EQ(PagesOf(page), (std::vector<std::string>{"12@brown", "13@ped o", "xiv@ over",
+                                                     "15@it.\n\n", "16@ End\n"}));
+  EXPECT_FALSE(ReadHtml(page, "x").blocks.at(1).marks.at(0).missing) << "indexes lead there";
+  EXPECT_EQ(TextOf("<p>Tides <span class=pagenum>12</span><p><span class=pagenum id=a>old number"),
+            "Tides 12\n\nold number\n");
+  EXPECT_EQ(TextOf("<table><tr><td>Tides<td class=pagenum id=q>12</table>"),
+            "table of 1 row and 2 columns\nrow 1, column 1: Tides\nrow 1, column 2: 12\n");
+}
+
+// Names as the Accessible Publishing Knowledge Base has them: "Page 12", " 12. ".
+TEST_F(HtmlDocument, APrintedPageIsCalledByItsNumberAlone) {
+  EXPECT_EQ(PagesOf("<p>a <span role=doc-pagebreak aria-label=' 12. '></span>b <span "
+                    "role=doc-pagebreak aria-label='Page xvi'></span>c <span role=doc-pagebreak "
+                    "title='A-3'></span>d <span role=doc-pagebreak>page 4</span>e"),
+            (std::vector<std::string>{"12@b c d", "xvi@c d e", "A-3@d e\n", "4@e\n"}));
+}
+
 }  // namespace
 }  // namespace moontrace
