@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "textures/base/utf8.h"
+
 namespace moontrace {
 namespace {
 
@@ -65,6 +67,14 @@ void InsertLink(const DocumentMark& mark, std::size_t of, const std::string& tex
   }
 }
 
+/// Whether a picture is the first letter of a word, large and adorned: it is read as that letter.
+bool IsInitial(const DocumentMark& mark, std::string_view text) {
+  char32_t letter = 0, next = 0;
+  const std::size_t length = Decode(text.substr(mark.begin, mark.end - mark.begin), letter);
+  if (length == 0 || length != mark.end - mark.begin || !IsLetter(letter)) return false;
+  return Decode(text.substr(mark.end), next) > 0 && IsLetter(next);
+}
+
 std::vector<Insertion> InsertionsOf(const Block& block) {
   std::vector<Insertion> insertions;
   for (std::size_t i = 0; i < block.marks.size(); ++i) {
@@ -75,7 +85,7 @@ std::vector<Insertion> InsertionsOf(const Block& block) {
       insertions.push_back({mark.begin, kPage, mark.value, true, i});
     } else if (mark.kind == MarkKind::kPicture && mark.begin == mark.end) {
       insertions.push_back({mark.begin, kAlone, "(picture without description)", false});
-    } else if (mark.kind == MarkKind::kPicture) {
+    } else if (mark.kind == MarkKind::kPicture && !IsInitial(mark, block.text)) {
       insertions.push_back({mark.begin, kBeginPicture, "(picture: ", false});
       insertions.push_back({mark.end, kEndPicture, ")", false});
     }

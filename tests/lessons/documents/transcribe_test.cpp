@@ -78,6 +78,17 @@ TEST(Transcribe, LinksAreMarkedOnEachOfTheirLines) {
             "[[1](x)] a[b]c\n");
 }
 
+// Adorned letters at the beginnings of chapters, as Project Gutenberg's books have them.
+TEST(Transcribe, APictureThatBeginsAWordIsItsLetter) {
+  EXPECT_EQ(Transcribe(Of({Paragraph("There was", {{MarkKind::kPicture, 0, 1, "t.png"}})})).text,
+            "There was\n");
+  EXPECT_EQ(
+      Transcribe(Of({Paragraph("\xC3\x89t\xC3\xA9", {{MarkKind::kPicture, 0, 2, "e.png"}})})).text,
+      "\xC3\x89t\xC3\xA9\n");
+  EXPECT_EQ(Transcribe(Of({Paragraph("A door", {{MarkKind::kPicture, 0, 1, "a.png"}})})).text,
+            "(picture: A) door\n");
+}
+
 TEST(Transcribe, TellsWhereEachBlockBegins) {
   Block heading = Paragraph("Title");
   heading.kind = BlockKind::kHeading;
