@@ -58,12 +58,28 @@ void RefusePacked(std::string_view bytes, const std::string& name) {
                    ", and read what that gives");
 }
 
+/// A page and its files as one message (RFC 2557): as browsers save it.
+bool IsWebArchive(std::string_view bytes) {
+  const std::string head = LowerCase(bytes.substr(0, 4096));
+  const std::size_t part = head.find("content-type: multipart/related");
+  const std::size_t version = head.rfind("mime-version:", part);
+  return part != std::string::npos && version != std::string::npos && head.find("\n\n") > part &&
+         head.find("\r\n\r\n") > part;
+}
+
+bool IsFictionBook(std::string_view bytes) {
+  return bytes.substr(0, 4096).find("<FictionBook") != std::string_view::npos &&
+         BeginsWith(bytes.substr(bytes.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0), "<?xml");
+}
+
 /// Kinds that people try, by how they begin.
 void RefuseKnown(std::string_view bytes, const std::string& name) {
   const char* kind = BeginsWith(bytes, "%PDF-")              ? "a PDF"
                      : BeginsWith(bytes, "{\\rtf")           ? "a document in RTF"
                      : BeginsWith(bytes, "\xD0\xCF\x11\xE0") ? "a document of an older Word"
                      : BeginsWith(bytes, "ITSF")             ? "a CHM help file"
+                     : IsWebArchive(bytes)                   ? "a web archive (MHTML)"
+                     : IsFictionBook(bytes)                  ? "a FictionBook"
                      : BeginsWith(bytes, "PK\x07\x08")       ? "a piece of a split zip archive"
                      : bytes.size() > 68 && bytes.substr(60, 8) == "BOOKMOBI" ? "a Kindle book"
                      : IsBinary(bytes)                                        ? "no text"

@@ -53,6 +53,16 @@ TEST_F(OpenDocumentFile, RefusesInOneLineWhatItCannotRead) {
   EXPECT_EQ(Refused(Write("a.pdf", "%PDF-1.7 x")), "is a PDF; save it as EPUB, HTML or plain text");
   EXPECT_EQ(Refused(Write("a.doc", "\xD0\xCF\x11\xE0 x")),
             "is a document of an older Word; save it as EPUB, HTML or plain text");
+  // as Chromium saves a page as one file
+  EXPECT_EQ(Refused(Write("a.mhtml",
+                          "From: <Saved by Blink>\r\nSubject: T\r\nMIME-Version: 1.0\r\n"
+                          "Content-Type: multipart/related;\r\n\ttype=\"text/html\";\r\n\r\n--b\r\n"
+                          "Content-Transfer-Encoding: quoted-printable\r\n\r\n<p>caf=C3=A9</p>")),
+            "is a web archive (MHTML); save it as EPUB, HTML or plain text");
+  EXPECT_EQ(Refused(Write("a.fb2",
+                          "<?xml version='1.0'?><FictionBook><body><section><title><p>One</p>"
+                          "</title><p>x</p></section></body></FictionBook>")),
+            "is a FictionBook; save it as EPUB, HTML or plain text");
   EXPECT_EQ(Refused(Write("a.bin", std::string("\x7f"
                                                "ELF\0\0\0",
                                                7))),
