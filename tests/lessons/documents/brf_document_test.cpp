@@ -7,6 +7,7 @@
 #include "lessons/documents/zip_archive.h"
 #include "tests/lessons/documents/stored_book.h"
 #include "textures/base/error.h"
+#include "textures/base/utf8.h"
 #include "textures/typeset/louis.h"
 
 namespace moontrace {
@@ -52,6 +53,57 @@ TEST(BrfDocument, JoinsLinesAndTellsHeadings) {
   print.blocks.push_back({});
   print.blocks[0].text = "the sign ⠁ is a";
   EXPECT_FALSE(IsBraille(print));
+}
+
+/// The text of blocks, by the cells' characters.
+std::vector<std::string> CellsOf(const Document& document) {
+  std::vector<std::string> texts;
+  for (const Block& block : document.blocks) {
+    std::string cells;
+    for (const char32_t c : ToCodePoints(block.text)) {
+      static constexpr std::string_view kLetters =
+          " A1B'K2L@CIF/MSP\"E3H9O6R^DJG>NTQ,*5<-U8V.%[$+X!&;:4\\0Z7(_?W]#Y)=";
+      cells += c == U' ' ? ' ' : kLetters.at(c - 0x2800);
+    }
+    texts.push_back(cells);
+  }
+  return texts;
+}
+
+/// A line of 40 cells, a number at its right margin.
+std::string Numbered(const std::string& text, const std::string& number) {
+  return text + std::string(40 - text.size() - number.size(), ' ') + number + "\r\n";
+}
+
+// BANA, Braille Formats 2016, 1.6, 1.11 and 1.12: a running head and a number at the right of the
+// first or the last line of each sheet; a line of hyphens where a print page begins.
+TEST(BrfDocument, NumbersAndHeadsOfSheetsAreNoText) {
+  const std::string head = "              TIDES";
+  const Document book =
+      ReadBrf(Numbered("", "#I") + "  HE WENT UP\r\nAND\r\nUP\r\n\f" + Numbered(head, "#AJ") +
+                  "AND DOWN\r\nTHE\r\nSTAIR\r\n\f" + Numbered(head, "#AA") + "AND UP\r\n" +
+                  Numbered(std::string(37, '-'), "#AB") + "AGAIN\r\n\f",
+              "x");
+  ASSERT_EQ(book.blocks.size(), 1U);
+  EXPECT_EQ(CellsOf(book).front(), "HE WENT UP AND UP AND DOWN THE STAIR AND UP AGAIN");
+  ASSERT_EQ(book.blocks[0].marks.size(), 1U);
+  EXPECT_EQ(book.blocks[0].marks[0].kind, MarkKind::kPrintPage);
+  EXPECT_EQ(book.blocks[0].marks[0].value, "12");
+}
+
+TEST(BrfDocument, ABottomLineKeepsItsTextBesideTheNumber) {
+  const std::string first = "  SIX SHIPS\n" + Numbered("LAY SIX DAYS IN THE HAR-", "#A") + "\f";
+  const Document book = ReadBrf(first + "BOUR OF THE TOWN\n" + Numbered("AND LEFT", "#B"), "x");
+  EXPECT_EQ(CellsOf(book), std::vector<std::string>{
+                               "SIX SHIPS LAY SIX DAYS IN THE HAR-BOUR OF THE TOWN AND LEFT"});
+  const Document prices = ReadBrf(Numbered("TEA", "#D") + "\f" + Numbered("OIL", "#A"), "x");
+  EXPECT_NE(CellsOf(prices).front().find("#D"), std::string::npos) << "counts no sheets";
+}
+
+// A new part begins on a new sheet, though its first line is not set in.
+TEST(BrfDocument, ASheetThatIsNotFullEndsItsParagraph) {
+  EXPECT_EQ(CellsOf(ReadBrf("A\nB\nC\n\fD\n\fE\nF\nG\n", "x")),
+            (std::vector<std::string>{"A B C D", "E F G"}));
 }
 
 TEST(BrailleText, IsReadAsPrintWithItsMarks) {
