@@ -340,15 +340,15 @@ bool Reader::CrossBetween(const SignGuess& best, const SignGuess& other) {
     for (const FeltPoint& felt : evidence_.flats) {
       room = std::min(room, 2 * glm::distance(felt.p, p) / other.place.size);
     }
-    // signs that follow lie ahead
-    const double end = leftwards_ ? GapOf(best.sign) : knowledge_.shapes->Advance(best.sign);
-    const double beyond = Ahead(best.place, p) - (end - kOwn);
-    const double score = std::min(room, 0.3) - 0.1 * (leftwards_ ? -point.p.x : point.p.x) -
-                         kBeyondCost * std::max(0.0, beyond);
-    if (room < 0.17 || score <= most) continue;
     const glm::dvec2 normal(-point.tangent.y, point.tangent.x);
     const glm::dvec2 a = FromEm(other.place, point.p + reach * normal);
     const glm::dvec2 b = FromEm(other.place, point.p - reach * normal);
+    // signs that follow lie ahead: a way that reaches one would meet it in place of this
+    const double end = leftwards_ ? GapOf(best.sign) : knowledge_.shapes->Advance(best.sign);
+    const double beyond = std::max(Ahead(best.place, a), Ahead(best.place, b)) - (end - kOwn);
+    const double score = std::min(room, 0.3) - 0.1 * (leftwards_ ? -point.p.x : point.p.x) -
+                         kBeyondCost * std::max(0.0, beyond);
+    if (room < 0.17 || score <= most) continue;
     const double free_a = knowledge_.shapes->Distance(best.sign, ToEm(best.place, a));
     const double free_b = knowledge_.shapes->Distance(best.sign, ToEm(best.place, b));
     if (std::max(free_a, free_b) < 0.12) continue;
