@@ -265,10 +265,7 @@ void MarkupReader::NoteAnchor(const MarkupAttributes& attributes) {
 }
 
 const DocumentPlace* MarkupReader::Find(std::string_view path, std::string_view id) const {
-  if (found_.size() != anchors_.size()) {
-    found_.clear();
-    for (std::size_t i = 0; i < anchors_.size(); ++i) found_.emplace(anchors_[i].key, i);
-  }
+  for (; known_ < anchors_.size(); ++known_) found_.emplace(anchors_[known_].key, known_);
   const auto found = found_.find(std::string(path) + "#" + std::string(id));
   return found == found_.end() ? nullptr : &anchors_[found->second].place;
 }

@@ -133,7 +133,8 @@ class MarkupReader : public MarkupSink {
   std::vector<std::string> labels_{""};
   std::vector<Anchor> anchors_;
   std::vector<std::size_t> table_anchors_;  // how many there were when each table began
-  mutable std::unordered_map<std::string, std::size_t> found_;  // by key, in anchors_
+  mutable std::unordered_map<std::string, std::size_t> found_;  // by key, the first in anchors_
+  mutable std::size_t known_ = 0;                               // anchors that are in it
 };
 
 }  // namespace moontrace
