@@ -160,7 +160,8 @@ void TakeNumbers(std::vector<BrfLines>& sheets, bool first, std::size_t width) {
     ++heads[cells];
   }
   for (const Edge& edge : edges) {
-    if (heads[edge.line->cells] > 1 || edge.line->cells.empty()) edge.line->cells = kTaken;
+    if (heads[edge.line->cells] > 1 || edge.line->cells.empty())
+      edge.line->cells = std::string(kTaken);
   }
 }
 
