@@ -1,6 +1,8 @@
 #include "lessons/documents/text_document.h"
 
 #include <algorithm>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "lessons/documents/block_writer.h"
@@ -67,15 +69,113 @@ bool BeginsItem(std::string_view line) {
           (blank == 2 && mark.back() == ')'));
 }
 
-/// Whether the ends of the lines say nothing.
+/// The width of one paragraph, which may have been broken to less than others.
+std::size_t WidthIn(const Lines& lines, std::size_t first, std::size_t end, std::size_t width) {
+  std::size_t longest = 0;
+  for (std::size_t i = first; i < end; ++i) longest = std::max(longest, CountCharacters(lines[i]));
+  return longest * 5 < width * 4 ? width : std::min(longest, width);
+}
+
+/// Whether the ends of the lines say nothing. In prose a line may end early, before a long word or
+/// a dash that was set without blanks, but hardly ever; in verse most do.
 bool IsRunning(const Lines& lines, std::size_t first, std::size_t end, std::size_t width) {
   if (end - first < 2 || width < kNarrow) return false;
+  width = WidthIn(lines, first, end, width);
+  std::size_t early = 0;
   for (std::size_t i = first; i + 1 < end; ++i) {
-    if (BeginsItem(lines[i]) || BeginsItem(lines[i + 1]) || IsIndented(lines[i + 1])) return false;
-    if (CountCharacters(lines[i]) + 1 + FirstWord(lines[i + 1]) <= width) return false;
+    if (BeginsItem(lines[i + 1]) || IsIndented(lines[i + 1])) return false;
+    const std::size_t length = CountCharacters(lines[i]);
+    if (length + 1 + FirstWord(lines[i + 1]) > width) continue;
+    if (length * 4 < width * 3) return false;
+    ++early;
   }
-  return true;
+  return early * 4 < end - first;
 }
+
+/// Where paragraphs end that only their first lines, set in, part, as in older books; nothing where
+/// the lines are no such paragraphs.
+std::vector<std::size_t> IndentedEnds(const Lines& lines, std::size_t first, std::size_t end,
+                                      std::size_t width) {
+  std::vector<std::size_t> ends;
+  std::size_t begin = first;
+  bool running = false;
+  for (std::size_t i = first + 1; i <= end; ++i) {
+    const bool ends_here = i == end || lines[i][0] == ' ' || lines[i][0] == '\t';
+    if (!ends_here) continue;
+    const bool one_line = i == begin + 1 && CountCharacters(lines[begin]) <= width;
+    if (!one_line && !IsRunning(lines, begin, i, width)) return {};
+    running = running || !one_line;
+    ends.push_back(i);
+    begin = i;
+  }
+  return running ? ends : std::vector<std::size_t>();
+}
+
+bool IsAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+/// Of a word: letters, and all characters above ASCII.
+bool IsOfWord(char c) { return IsAsciiLetter(c) || (static_cast<unsigned char>(c) & 0x80U) != 0; }
+
+/// Hyphens at the ends of lines: whether they part a word only there. The text itself tells, where
+/// it has the word elsewhere; otherwise whether many of its lines end so.
+class LineHyphens {
+ public:
+  explicit LineHyphens(const Lines& lines) {
+    std::size_t broken = 0, hyphens = 0;
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+      if (IsBlank(lines[i]) || IsBlank(lines[i + 1])) continue;
+      ++broken;
+      const std::string word = WordAt(lines[i], lines[i + 1]);
+      if (word.empty()) continue;
+      ++hyphens;
+      seen_[word] = false;
+    }
+    constexpr std::size_t kHyphenated = 25;  // one line in so many; compounds end fewer
+    hyphenated_ = hyphens * kHyphenated > broken;
+    if (!seen_.empty()) {
+      for (const std::string_view line : lines) LookFor(line);
+    }
+  }
+
+  /// A hyphen with a word's parts on both sides.
+  static bool Between(std::string_view line, std::string_view next) {
+    const std::size_t begin = next.find_first_not_of(' ');
+    return line.size() >= 2 && line.back() == '-' && IsOfWord(line[line.size() - 2]) &&
+           begin != std::string_view::npos && IsOfWord(next[begin]) &&
+           !(next[begin] >= 'A' && next[begin] <= 'Z');
+  }
+
+  /// Whether a hyphen between them is none within a line.
+  bool Parts(std::string_view line, std::string_view next) const {
+    const auto found = seen_.find(WordAt(line, next));
+    return found != seen_.end() && (found->second || hyphenated_);
+  }
+
+ private:
+  /// The word of both lines' parts; empty: none is parted.
+  static std::string WordAt(std::string_view line, std::string_view next) {
+    if (!Between(line, next)) return {};
+    line.remove_suffix(1);
+    std::size_t begin = line.size();
+    while (begin > 0 && IsOfWord(line[begin - 1])) --begin;
+    next.remove_prefix(next.find_first_not_of(' '));
+    std::size_t end = 0;
+    while (end < next.size() && IsOfWord(next[end])) ++end;
+    return LowerCase(line.substr(begin)) + LowerCase(next.substr(0, end));
+  }
+
+  void LookFor(std::string_view line) {
+    for (std::size_t at = 0; at < line.size(); ++at) {
+      const std::size_t begin = at;
+      while (at < line.size() && IsOfWord(line[at])) ++at;
+      if (at == begin) continue;
+      const auto found = seen_.find(LowerCase(line.substr(begin, at - begin)));
+      if (found != seen_.end()) found->second = true;
+    }
+  }
+
+  std::unordered_map<std::string, bool> seen_;  // of each parted word: it stands whole elsewhere
+  bool hyphenated_ = false;
+};
 
 /// Characters of "# " to "### " or "> " at the beginning; 0 for others.
 std::size_t MarkAt(std::string_view line, char& mark) {
@@ -89,16 +189,41 @@ std::size_t MarkAt(std::string_view line, char& mark) {
   return sound ? at : 0;
 }
 
-void WriteLines(const Lines& lines, std::size_t first, std::size_t end, std::size_t width,
-                BlockWriter& writer) {
-  const bool running = IsRunning(lines, first, end, width);
-  WritingState state;
-  if (!running && end - first > 1) {
-    state.kind = BlockKind::kVerse;
-    state.verbatim = true;
-  }
+/// A paragraph whose line ends say nothing.
+void WriteRunning(const Lines& lines, std::size_t first, std::size_t end,
+                  const LineHyphens& hyphens, BlockWriter& writer) {
   for (std::size_t i = first; i < end; ++i) {
-    if (i > first) running ? writer.Append(" ", state) : writer.Append("\n", state);
+    const bool next = i + 1 < end;
+    const bool hyphen = next && LineHyphens::Between(lines[i], lines[i + 1]);
+    const bool parts = hyphen && hyphens.Parts(lines[i], lines[i + 1]);
+    std::string_view line = lines[i];
+    if (parts) line.remove_suffix(1);
+    if (i > first && LineHyphens::Between(lines[i - 1], line)) {
+      line.remove_prefix(line.find_first_not_of(' '));
+    }
+    writer.Append(line, {});
+    if (next && !hyphen) writer.Append(" ", {});
+  }
+  writer.End();
+}
+
+void WriteLines(const Lines& lines, std::size_t first, std::size_t end, std::size_t width,
+                const LineHyphens& hyphens, BlockWriter& writer) {
+  if (end - first == 1 || IsRunning(lines, first, end, width)) {
+    WriteRunning(lines, first, end, hyphens, writer);
+    return;
+  }
+  const std::vector<std::size_t> ends = IndentedEnds(lines, first, end, width);
+  for (std::size_t begin = first; const std::size_t one : ends) {
+    WriteRunning(lines, begin, one, hyphens, writer);
+    begin = one;
+  }
+  if (!ends.empty()) return;
+  WritingState state;
+  state.kind = BlockKind::kVerse;
+  state.verbatim = true;
+  for (std::size_t i = first; i < end; ++i) {
+    if (i > first) writer.Append("\n", state);
     writer.Append(lines[i], state);
   }
   writer.End();
@@ -124,6 +249,7 @@ Document ReadPlainText(std::string_view text, const std::string& name, bool mark
   BlockWriter writer(document, name);
   const Lines lines = LinesOf(text);
   const std::size_t width = WidthOf(lines);
+  const LineHyphens hyphens(lines);
   for (std::size_t i = 0; i < lines.size();) {
     if (IsBlank(lines[i])) {
       ++i;
@@ -135,7 +261,7 @@ Document ReadPlainText(std::string_view text, const std::string& name, bool mark
            (!marks || MarkAt(lines[end], mark) == 0)) {
       ++end;
     }
-    if (end > i) WriteLines(lines, i, end, width, writer);
+    if (end > i) WriteLines(lines, i, end, width, hyphens, writer);
     i = end;
     if (i < lines.size() && !IsBlank(lines[i])) {
       const std::size_t length = MarkAt(lines[i], mark);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "lessons/documents/open_document.h"
 #include "tests/lessons/documents/document_file.h"
 #include "tests/source_path.h"
@@ -27,6 +30,84 @@ TEST(ReadPlainText, JoinsLinesThatWereBrokenForWantOfRoomOnly) {
             "This paragraph was broken at some seventy characters, as mail and old books are, so "
             "that its lines are one paragraph that runs on to the end of it.");
   EXPECT_EQ(document.blocks[3].text, "- a list\n- of things");
+}
+
+std::vector<std::string> TextsOf(const std::string& text) {
+  std::vector<std::string> texts;
+  for (const Block& block : ReadPlainText(text, "t", false).blocks) texts.push_back(block.text);
+  return texts;
+}
+
+// Carroll, Through the Looking-Glass, as Project Gutenberg's books are broken: before a dash that
+// stands without blanks a line ends early.
+TEST(ReadPlainText, ALineThatEndsEarlyIsProseAllTheSame) {
+  EXPECT_EQ(TextsOf("One thing was certain, that the white kitten had had nothing to do with it:\n"
+                    "--it was the black kitten's fault entirely. For the white kitten had\n"
+                    "been having its face washed by the old cat for the last quarter of an hour--\n"
+                    "and bearing it pretty well, considering; so you see that it could not have\n"
+                    "had any hand in the mischief.\n")
+                .size(),
+            1U);
+  EXPECT_EQ(TextsOf("One thing was certain, that the white kitten had had nothing to do with it:\n"
+                    "--it was the black kitten's fault entirely. For the white kitten had\n"
+                    "been having its face washed by the old cat for the last quarter of an hour--\n"
+                    "and bearing it pretty well, considering; so you see that it could not have\n"
+                    "had any hand in the mischief.\n")
+                .front()
+                .find('\n'),
+            std::string::npos);
+}
+
+// GNU General Public License 2, preamble: its paragraphs were broken to different widths.
+TEST(ReadPlainText, AParagraphThatWasBrokenToLessIsProseToo) {
+  EXPECT_EQ(
+      TextsOf("  The licenses for most software are designed to take away your freedom to share,\n"
+              "and to change it.  By contrast, the General Public License is intended to keep.\n"
+              "\n"
+              "  When we speak of free software, we are referring to freedom, not\n"
+              "price.  Our General Public Licenses are designed to make sure that you\n"
+              "have the freedom to distribute copies of free software (and charge for\n"
+              "this service if you wish), that you receive source code or can get it\n"
+              "if you want it, that you can change the software or use pieces of it\n"
+              "in new free programs; and that you know you can do these things.\n")
+          .at(1)
+          .find('\n'),
+      std::string::npos);
+}
+
+TEST(ReadPlainText, ParagraphsThatOnlyTheirFirstLinesPartArePartedThere) {
+  EXPECT_EQ(TextsOf("   The keeper went up the narrow stair of his tower every evening in winter,\n"
+                    "and lit the lamp that the ships at sea looked out for in the long nights.\n"
+                    "   \"Good night,\" he said.\n"
+                    "   Nobody answered him, since nobody else lived on the island, and the sea\n"
+                    "was loud.\n"),
+            (std::vector<std::string>{
+                "The keeper went up the narrow stair of his tower every evening in winter, and lit "
+                "the lamp that the ships at sea looked out for in the long nights.",
+                "\"Good night,\" he said.",
+                "Nobody answered him, since nobody else lived on the island, and the sea was "
+                "loud."}));
+  EXPECT_EQ(TextsOf("How doth the little crocodile\n    Improve his shining tail,\nAnd pour the "
+                    "waters of the Nile\n    On every golden scale!\n")
+                .front()
+                .find("\n    Improve"),
+            29U);
+}
+
+TEST(ReadPlainText, HyphensThatOnlyALinesEndHasAreNoSigns) {
+  const std::string wide = "It was the keeper of the light who went up to the lamp each evening of";
+  EXPECT_EQ(TextsOf(wide + " light-\nhouses and lamps, and no lighthouses without a lamp were "
+                           "ever of use to well-\nknown ships of theirs, nor were those that had\n"
+                           "\nThe end"),
+            (std::vector<std::string>{wide + " lighthouses and lamps, and no lighthouses without a "
+                                             "lamp were ever of use to wellknown ships of theirs, "
+                                             "nor were those that had",
+                                      "The end"}))
+      << "one line in two ends so: the text is hyphenated";
+  std::string long_text = wide + " well-\nknown";
+  for (int i = 0; i < 60; ++i)
+    long_text += " ships, which passed by in the night and in the morning too, and\nthen";
+  EXPECT_EQ(TextsOf(long_text).front().substr(wide.size(), 11), " well-known");
 }
 
 TEST(ReadPlainText, ReadsMarksWhereAskedTo) {
