@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/picture/print_marks.h"
+
 namespace moontrace {
 
 namespace {
@@ -33,8 +35,13 @@ std::shared_ptr<const ViewPage> MakeViewPage(const Typeset& set, std::size_t ind
   view->sheet_P = {{0, 0}, {set.page.width, set.page.height}};
   view->width = style.width;
   view->letters.reserve(page.glyphs.size());
-  for (const PlacedGlyph& placed : page.glyphs) {
-    view->letters.push_back(LetterOf(placed, script, style, source));
+  const std::vector<PrintRoom> rooms = PrintRooms(page, script, style);
+  const bool ruled = style.rules.lines && style.lines != LineDirection::kVertical;
+  for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
+    ViewPage::Letter letter = LetterOf(page.glyphs[i], script, style, source);
+    letter.print_top = rooms[i].top;
+    if (!blank && (ruled || style.rules.margin)) letter.print_bottom = rooms[i].bottom;
+    view->letters.push_back(std::move(letter));
   }
   if (!blank) view->strokes = IntendedStrokes(page, script, style);
   return view;

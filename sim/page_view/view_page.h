@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -27,6 +28,9 @@ struct ViewPage {
   struct Letter {
     Box box_P;          ///< its em box [m]
     std::string print;  ///< the characters it stands for; empty: none
+    /// Up the page [m], where its print keeps clear of its line's strokes, of rules and of a
+    /// raised margin; without these only at its top.
+    double print_top = 0, print_bottom = -HUGE_VAL;
   };
   std::vector<Letter> letters;  ///< one a glyph of the page, in its order
   /// In writing order; IntendedStroke::glyph is an index into `letters`. None on a blank page.

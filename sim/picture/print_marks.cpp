@@ -106,6 +106,8 @@ std::vector<PrintRoom> PrintRooms(const TextPage& page, const Script& script,
                                   const TypeStyle& style) {
   const std::map<LineKind, Reach> reach = ReachOf(page, script, style);
   const PrintRoom margin = LowerMargin(page, script, style);
+  std::size_t last = 0;
+  for (const PlacedGlyph& placed : page.glyphs) last = std::max(last, placed.line);
   std::vector<PrintRoom> rooms;
   for (const PlacedGlyph& placed : page.glyphs) {
     const double scale = ScaleOf(placed.kind, style);
@@ -114,6 +116,7 @@ std::vector<PrintRoom> PrintRooms(const TextPage& page, const Script& script,
     const double needed = kBlock * std::max(HeightOf(room, scale, style), kSmallest);
     PrintRoom& there = rooms.emplace_back(
         PrintRoom{placed.origin_P.y + room.top, placed.origin_P.y + room.bottom});
+    if (placed.line == last) there.bottom = page.sheet_P.min.y;
     if (margin.top <= there.bottom || margin.bottom >= there.top) continue;
     if (there.top - margin.top >= needed) {
       there.bottom = margin.top;

@@ -10,8 +10,9 @@
 namespace moontrace {
 
 /// Where the print of a sign may stand, up the page [m]: `top` is below its line's strokes and
-/// lower rule, `bottom` above the strokes and the upper rule of a next line. Where the lower edge
-/// of a raised margin leaves too little of that, it lies below this, as far as the sheet goes.
+/// lower rule, `bottom` above the strokes and the upper rule of a next line, or the sheet's edge.
+/// Where the lower edge of a raised margin leaves too little of that, it lies below this, as far as
+/// the sheet goes.
 struct PrintRoom {
   double top = 0, bottom = 0;
 };

@@ -16,6 +16,7 @@ namespace {
 constexpr double kUnitsPerNewton = 8;  // of a drawn arrow, in hundredths of the picture
 constexpr double kLeastArrow = 0.02;   // forces below are not drawn [N]
 constexpr double kPaper = 0.6;         // how little is seen through what print stands on
+constexpr double kPaperEdge = 1;       // of that, over and under the letters [points]
 constexpr double kLift = 0.2;          // of lines over the surface [hundredths of the picture]
 
 const ViewModel::Label& PageOf(const ViewModel& model) { return model.labels[model.page]; }
@@ -193,8 +194,13 @@ void ModelPart::Draw(const ViewPage* page, const ViewHistory& history, const Vie
       constexpr double kSlant = 0.3;  // of what is turned farther away nothing is read
       if (glm::dot(glm::normalize(above_W), sight.ToEye(p_W)) < kSlant) continue;
       if (HiddenBy(*model_, scene_.data(), PageOf(*model_), sight.eye_W, p_W) >= 0) continue;
-      const auto share = sight.ShareOf(p_W);
-      if (share) print_.push_back({*share, std::move(print.text), print.big});
+      const double half = 0.5 * (print.big ? letters.big : letters.small);
+      const glm::dvec2 edge_P = print.at_P + glm::dvec2(0, half * flat.height / box.height);
+      const auto share = sight.ShareOf(p_W), edge = sight.ShareOf(OnLabel({edge_P, 0}));
+      if (!share || !edge) continue;
+      const glm::dvec2 picture(box.width, box.height);
+      const glm::dvec2 at = UprightPrint(*share * picture, *edge * picture, half + kPaperEdge);
+      print_.push_back({at / picture, std::move(print.text), print.big});
     }
   }
   scene_.Draw(MarksInWorld(marks, sight), box.x, box.y, box.width, box.height);
@@ -210,7 +216,7 @@ void ModelPart::DrawPrint(const PixelBox& box, Canvas& canvas) const {
                         y + height <= box.y + box.height;
     if (!inside) continue;
     // whatever the colour of the geom
-    const glm::dvec2 low(x - 2, y - 1), high(x + width + 2, y + height + 1);
+    const glm::dvec2 low(x - 2, y - kPaperEdge), high(x + width + 2, y + height + kPaperEdge);
     canvas.Shape({low, {high.x, low.y}, high, {low.x, high.y}}, {1, 1, 1}, kPaper);
     canvas.Text(print.text, x, y, print.big, view_color::kPrint);
   }

@@ -14,4 +14,9 @@ ViewMarks MarksOf(const ViewPage& page, const ViewHistory& history, const PageCa
                   double aspect, bool print, double picture_height, double print_height,
                   double big_print_height);
 
+/// Where the middle of upright print stands that is `half` a letter high to either side, where its
+/// middle and the middle of its upper edge would be seen on a face that leans away: clear of what
+/// is above that edge. Any one unit; on a face that is read from the side the middle stays.
+glm::dvec2 UprightPrint(glm::dvec2 middle, glm::dvec2 top, double half);
+
 }  // namespace moontrace
