@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 #include <utility>
 
 #include "sim/model_view/visibility.h"
 #include "sim/physics/felt_object.h"
+#include "sim/physics/mujoco_compat.h"
 #include "textures/base/text_file.h"
 
 namespace moontrace {
@@ -97,9 +99,27 @@ std::string StandInWords(const Sight& sight) {
   return side;
 }
 
+/// The geoms that stand foremost somewhere in the picture, by rays through it: of a large one the
+/// middle may lie beside it.
+std::set<int> ForemostIn(const ViewModel& model, const mjData& d, const Sight& sight) {
+  constexpr int kAcross = 24, kUp = 14;
+  std::set<int> foremost;
+  for (int i = 0; i < kAcross; ++i) {
+    for (int k = 0; k < kUp; ++k) {
+      const Sight::Ray ray = sight.RayUnder({(i + 0.5) / kAcross, (k + 0.5) / kUp});
+      const double from[3] = {ray.from_W.x, ray.from_W.y, ray.from_W.z};
+      const double along[3] = {ray.along_W.x, ray.along_W.y, ray.along_W.z};
+      const int geom = FirstOnRay(*model.m, d, from, along).geom;
+      if (geom >= 0) foremost.insert(geom);
+    }
+  }
+  return foremost;
+}
+
 /// Geoms that can be named and are in the picture, without those that carry labels.
 std::string OthersInWords(const ViewModel& model, const mjData& d, const Sight& sight) {
   const mjModel& m = *model.m;
+  const std::set<int> foremost = ForemostIn(model, d, sight);
   std::vector<std::string> told;
   std::size_t more = 0;
   for (int geom = 0; geom < static_cast<int>(m.ngeom); ++geom) {
@@ -110,10 +130,10 @@ std::string OthersInWords(const ViewModel& model, const mjData& d, const Sight& 
                                       });
     if (labelled || body == model.proxy_body || body == model.handle_body) continue;
     if (m.geom_group[geom] > 2) continue;  // not drawn
-    const glm::dvec3 p_W = PoseOfGeom(d, geom).p;
-    const auto at = sight.ShareOf(p_W);
-    const bool plane = m.geom_type[geom] == mjGEOM_PLANE;
-    if (!plane && (!at || at->x < 0 || at->y < 0 || at->x > 1 || at->y > 1)) continue;
+    const auto at = sight.ShareOf(PoseOfGeom(d, geom).p);
+    const bool inside = at && at->x >= 0 && at->y >= 0 && at->x <= 1 && at->y <= 1;
+    const bool plane = m.geom_type[geom] == mjGEOM_PLANE;  // its middle is any place
+    if (!foremost.contains(geom) && (plane || !inside)) continue;
     if (NameOf(m, mjOBJ_GEOM, geom).empty() || told.size() >= kMostOthers) {
       ++more;
     } else {

@@ -49,6 +49,18 @@ TEST_F(ModelWordsTest, TellWhereEachLabelIsSeenOrWhyNot) {
   EXPECT_EQ(Words("reader")[1], "Not seen: moon on can, a cylinder: hidden behind wall, a box.");
 }
 
+// The reader sees 0.124 m to either side of its middle where the wall slides, 0.2 m away: of the
+// wall, 0.12 m wide, a strip is seen where its middle is not.
+TEST_F(ModelWordsTest, TellWhatReachesIntoThePictureFromBesideIt) {
+  const auto with_wall_at = [&](double x) {
+    d_->qpos[kInserted + 1] = x - 0.3;
+    mj_forward(labelled_.model->m.get(), d_.get());
+    return Words("reader").back();
+  };
+  EXPECT_EQ(with_wall_at(0.17), "Beside: wall, a box.");
+  EXPECT_EQ(with_wall_at(0.20), "Not seen: sea on plate, a box: turned away.");
+}
+
 TEST_F(ModelWordsTest, TellWhereTheTipIs) {
   EXPECT_EQ(Words("reader", SeenTip{{0, -0.04, 0.05}, 0, true}).back(),
             "The tip touches can, a cylinder, in the middle.");
