@@ -368,6 +368,7 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
   }
   frame.line = IsLineOfVerse(frame, attributes);
   frame.stanza = IsStanza(name, attributes);
+  frame.stand_in = frame.stand_in || name == "noscript";
   if (frame.line) {
     writer_.BeginLine();
   } else if (IsBlock(frame.role)) {
@@ -621,15 +622,23 @@ void MarkupReader::OpenImage(const Frame& frame, const MarkupAttributes& attribu
   if (words.empty()) words = attributes["alt"];
   if (words.empty()) words = attributes["title"];
   const std::string_view file = FileName(attributes["src"]);
+  const bool again = frame.stand_in && picture_end_ == writer_.written() && picture_ == words;
+  if (again) return;
+  const auto note = [&] {
+    picture_ = words;
+    picture_end_ = writer_.written();
+  };
   if (!IsBlank(words)) {
     WritingState state = frame.state;
     ValueOf(state, MarkKind::kPicture) = writer_.Value(file);
     state.verbatim = false;
     Say(words, state);
+    note();
     const bool drawing = LowerCase(file).ends_with(".svg");
     if (drawing) NoteLeftOut(writer_.document(), LeftOut::kDrawing, words);
   } else if (!attributes.Has("alt")) {  // an empty one says that it only decorates
     writer_.Point(MarkKind::kPicture, file, frame.state);
+    note();
     NoteLeftOut(writer_.document(), LeftOut::kPicture, file);
   }
 }

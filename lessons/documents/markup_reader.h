@@ -65,6 +65,7 @@ class MarkupReader : public MarkupSink {
     bool apart = false;       // words of their own in a drawing
     bool contents = false;    // in a table of contents of EPUB: its lists have no numbers
     bool line = false;        // of verse, and no paragraph
+    bool stand_in = false;    // for browsers without scripts
     bool stanza = false;      // its blocks are such lines
     bool back = false;        // leads from a note to its call
     ElementRole shift = ElementRole::kInline;  // kRaised or kLowered, of all that is in it
@@ -126,8 +127,10 @@ class MarkupReader : public MarkupSink {
   std::size_t math_depth_ = 0;
   std::string math_words_;  // where the formula has no other
   std::string title_, language_, page_name_, page_title_;
-  bool page_placed_ = false;   // something leads to the page's number
-  std::string drawing_title_;  // of the drawing that is open
+  bool page_placed_ = false;     // something leads to the page's number
+  std::string picture_;          // words of the last one
+  std::size_t picture_end_ = 0;  // bytes that were written up to its end
+  std::string drawing_title_;    // of the drawing that is open
   bool has_title_ = false;
   bool hidden_noted_ = false;
   std::vector<std::string> labels_{""};

@@ -340,5 +340,13 @@ TEST_F(HtmlDocument, AnchorsThatAreNamedTwiceCostNoTime) {
   EXPECT_EQ(page.blocks[19999].marks.at(0).target, 19999U);
 }
 
+// As newspapers load pictures late: a script shows the first, browsers without one the second.
+TEST_F(HtmlDocument, APictureAndItsStandInAreOne) {
+  EXPECT_EQ(TextOf("<figure><img data-src=a.jpg alt='Fire'><noscript><img src=a.jpg alt='Fire'>"
+                   "</noscript><figcaption>Hill</figcaption></figure><noscript>Text <img src=b.jpg "
+                   "alt='Sea'></noscript>"),
+            "(picture: Fire)\n\nHill\n\nText (picture: Sea)\n");
+}
+
 }  // namespace
 }  // namespace moontrace
