@@ -14,11 +14,13 @@
 #include "sim/picture/link_marks.h"
 #include "sim/picture/link_messages.h"
 #include "sim/picture/moon_marks.h"
+#include "sim/picture/print_marks.h"
 #include "sim/picture/sheet_marks.h"
 #include "sim/picture/sheet_messages.h"
 #include "sim/reading/read_text.h"
 #include "sim/reading/reading_setup.h"
 #include "sim/recognise/recognise_messages.h"
+#include "textures/base/text_file.h"
 #include "textures/base/units.h"
 
 namespace moontrace {
@@ -46,20 +48,52 @@ std::vector<Mark> Tracks(const std::vector<PathPoint>& path, glm::dvec2 from_P, 
   return marks;
 }
 
+/// White behind a line of print, so that it can be read where the tip's path passes.
+PathMark PlateOf(const TextMark& print) {
+  constexpr double kWide = 0.95;  // a letter, in its heights, about
+  const double h = print.height;
+  const double width = kWide * h * static_cast<double>(CountCharacters(print.text));
+  const glm::dvec2 low = print.at - glm::dvec2(0.15 * h, 0.3 * h);
+  const glm::dvec2 high = print.at + glm::dvec2(width + 0.15 * h, 1.15 * h);
+  PathMark plate;
+  plate.fill = Color{1, 1, 1};
+  plate.subpaths = {{Line{low, {high.x, low.y}}, Line{{high.x, low.y}, high},
+                     Line{high, {low.x, high.y}}, Line{{low.x, high.y}, low}}};
+  return plate;
+}
+
+/// Where print stands, from the base line down: clear of strokes and of a lower rule [em].
+double BelowOf(const TextPage& page, const Script& script, const TypeStyle& style, double height) {
+  constexpr double kLeast = 0.35, kGap = 0.3;  // the gap in heights of the print
+  const std::vector<PrintRoom> rooms = PrintRooms(page, script, style);
+  double strokes = HUGE_VAL;  // [m]
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const PlacedGlyph& placed = page.glyphs[i];
+    if (placed.kind == LineKind::kHeading) continue;
+    strokes = std::min(strokes, placed.origin_P.y - rooms[i].top);
+  }
+  if (!std::isfinite(strokes)) return kLeast;
+  return std::max(kLeast, (strokes + (1 + kGap) * height / kMillimetres) / style.size);
+}
+
 std::vector<Mark> PrintOf(const ReadingResult& result, const Script& script, glm::dvec2 from_P,
-                          double height) {
-  std::vector<Mark> marks;
+                          double height, double below) {
+  std::vector<TextMark> print;
   for (const ReadToken& token : result.tokens) {
     const bool known = token.kind == ReadToken::Kind::kSign;
     if (!known && token.kind != ReadToken::Kind::kUnknown) continue;
-    const glm::dvec2 at = kMillimetres * (FromEm(token.place, {0, -0.35}) - from_P);
-    marks.emplace_back(
+    const glm::dvec2 at = kMillimetres * (FromEm(token.place, {0, -below}) - from_P);
+    print.push_back(
         TextMark{at, height, known ? TextOfSign(token.glyph, script) : "unknown", palette::kInk});
-    if (!known || token.probability >= 0.99) continue;
-    const double percent = std::round(100 * token.probability);
-    marks.emplace_back(TextMark{at - glm::dvec2(0, 1.2 * height), 0.8 * height,
-                                fmt::format("{} %", percent), palette::kInk});
+    const double percent = std::floor(100 * token.probability);  // 99 would not be below 99
+    if (!known || percent >= 99) continue;
+    print.push_back(TextMark{at - glm::dvec2(0, 1.2 * height), 0.8 * height,
+                             fmt::format("{} %", percent), palette::kInk});
   }
+  std::vector<Mark> marks;
+  marks.reserve(2 * print.size());
+  for (const TextMark& line : print) marks.emplace_back(PlateOf(line));
+  for (TextMark& line : print) marks.emplace_back(std::move(line));
   return marks;
 }
 
@@ -109,9 +143,13 @@ Drawing ReadingPicture(const TextPage& page, const Script& script, const TypeSty
   }
   Append(drawing.marks, blank ? CentreLineMarks(page, script, style, from_P, palette::kPaperEdge)
                               : MoonMarks(page, script, style, from_P, palette::kGroove));
-  const double width = std::clamp(0.12 * kMillimetres * style.width, 0.08, 0.5);
+  // a hand that goes over a line leaves far more of it there
+  const double share = IsFollowed(style, script) ? 0.12 : 0.06;
+  const double width = std::clamp(share * kMillimetres * style.width, 0.08, 0.5);
   Append(drawing.marks, Tracks(result.path, from_P, width));
-  Append(drawing.marks, PrintOf(result, script, from_P, print));
+  const double below =
+      blank ? BelowOf(TextPage(), script, style, print) : BelowOf(page, script, style, print);
+  Append(drawing.marks, PrintOf(result, script, from_P, print, below));
   for (TextMark& mark : lines) {
     mark.at.y += words_height;
     drawing.marks.emplace_back(std::move(mark));

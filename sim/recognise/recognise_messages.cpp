@@ -143,7 +143,8 @@ std::string ReadingPictureTitle(const Script& script, const TypeStyle& style) {
 }
 
 std::string ReadingPictureWords(std::string_view text, std::string_view read) {
-  return fmt::format("Text: {}. Read: {}.", OneLine(Unbroken(text)), OneLine(Spoken(read)));
+  return fmt::format("Text: {}. Read: {}.", OneLine(Unbroken(text)),
+                     read.empty() ? "nothing" : OneLine(Spoken(read)));
 }
 
 std::string ReadingPictureLegend(const TypeStyle& style, bool followed, bool blank) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
@@ -61,6 +63,79 @@ TEST(ReadingPicture, OfABlankPageHasLettersAloneThatWouldBeThere) {
   EXPECT_TRUE(WidthsIn(drawing, palette::kRidge).empty());
   EXPECT_TRUE(WidthsIn(drawing, palette::kLink).empty());
   EXPECT_EQ(drawing.description.find("Line rules"), std::string::npos);
+}
+
+/// A page whose first sign was read where it stands.
+Drawing FirstRead(const char* name, bool rules, double probability = 1) {
+  const Script script = FindScript(name);
+  TypeStyle style = DefaultStyle(script.size, Relief::kEngraved, script);
+  style.rules.lines = rules;
+  const Typeset set = SetText("lu", script, style, FindPage("120x60"));
+  const PlacedGlyph& first = set.pages.front().glyphs.front();
+  ReadToken token;
+  token.glyph = first.glyph;
+  token.probability = probability;
+  token.place.origin = first.origin_P;
+  token.place.size = style.size;
+  ReadingResult result;
+  result.tokens = {token};
+  return ReadingPicture(set.pages.front(), script, set.style, false, "lu", result);
+}
+
+/// The lowest of all filled or stroked shapes, stroke widths included [mm].
+double LowestShape(const Drawing& drawing) {
+  double low = HUGE_VAL;
+  for (const Mark& mark : drawing.marks) {
+    const auto* path = std::get_if<PathMark>(&mark);
+    const bool plate = path != nullptr && path->fill && Same(*path->fill, {1, 1, 1});
+    if (path == nullptr || plate) continue;
+    for (const std::vector<Piece>& pieces : path->subpaths) {
+      for (const Piece& piece : pieces) {
+        low = std::min(low, BoundsOf(piece).min.y - (path->stroke ? 0.5 * path->width : 0));
+      }
+    }
+  }
+  return low;
+}
+
+TEST(ReadingPicture, PrintStandsBelowDotsAndRulesOnPaperOfItsOwn) {
+  for (const char* script : {"moon", "braille"}) {
+    for (const bool rules : {false, true}) {
+      const Drawing drawing = FirstRead(script, rules);
+      const double lowest = LowestShape(drawing);
+      std::size_t at = 0, plate = 0;
+      for (std::size_t i = 0; i < drawing.marks.size(); ++i) {
+        const auto* path = std::get_if<PathMark>(&drawing.marks[i]);
+        if (path != nullptr && path->fill && Same(*path->fill, {1, 1, 1})) plate = i;
+        const auto* text = std::get_if<TextMark>(&drawing.marks[i]);
+        if (text == nullptr || at != 0) continue;
+        at = i;
+        EXPECT_LT(text->at.y + text->height, lowest) << script << " " << rules;
+        EXPECT_GT(text->at.y, lowest - 3 * text->height) << script << " " << rules;
+      }
+      EXPECT_GT(plate, 0U);
+      EXPECT_LT(plate, at);  // painted before what stands on it
+    }
+  }
+}
+
+// The legend: "how sure it is where that is below 99 percent".
+TEST(ReadingPicture, TellsHowSureItIsBelowNinetyNinePercent) {
+  const auto told = [](double probability) {
+    const Drawing drawing = FirstRead("moon", false, probability);
+    for (const Mark& mark : drawing.marks) {
+      const auto* text = std::get_if<TextMark>(&mark);
+      if (text != nullptr && text->text.ends_with(" %")) return text->text;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(told(0.97), "97 %");
+  EXPECT_EQ(told(0.988), "98 %");
+  EXPECT_EQ(told(0.992), "");
+}
+
+TEST(ReadingPicture, SaysThatNothingWasRead) {
+  EXPECT_NE(PictureOf(true).description.find("Read: nothing."), std::string::npos);
 }
 
 }  // namespace
