@@ -67,7 +67,7 @@ void LoopTick::Run(double time, bool late) noexcept {
   input.time = time;
   const bool usable = device_ != nullptr && begun_ && AllFinite(state_);
   const TickResult felt = usable ? Feel() : TickResult{};
-  if (felt.through && !last_.through) Report(LoopEventKind::kThrough);
+  if (felt.through && !last_.through && !let_go_) Report(LoopEventKind::kThrough);
   last_ = felt;
   flowing_ = usable && !felt.fault;
   if (!usable) Restart();
@@ -87,7 +87,7 @@ void LoopTick::Run(double time, bool late) noexcept {
   // a hand cannot jump: the proxy must not be dragged along
   if ((safe.events & (1U << static_cast<unsigned>(SafetyEvent::kJump))) != 0) Restart();
   ReportSafety(safe.events);
-  if (was_stopped_ && !safe.stopped) Report(LoopEventKind::kWentOn);
+  if (was_stopped_ && !safe.stopped) GoOn();
   was_stopped_ = safe.stopped;
   Publish(felt, safe, PushFelt(wanted, safe));
 }
@@ -250,17 +250,33 @@ TickResult LoopTick::Feel() noexcept {
     tip = Pressed(tip, base, flowing_ ? &last_ : nullptr,
                   pressing_.PressOf(state_.p_D.z, limits_.stiffness), scene_.options(), *field_);
   }
-  if (options_.on_page) {
-    const PagePoint point = scene_.PointOn(tip.p_D);
-    moves_ = point.moves;
-    tip.p_D = point.p_W;
-    tip.v_D = moves_ * tip.v_D;
-  }
+  if (options_.on_page) GoAlong(tip);
   return scene_.Tick(tip, delivered_);
 }
 
+/// From the page's coordinates to the world, wherever the page has gone. From one that flees the
+/// hand lets go, and rests where it was: pressing on would carry both off ever faster.
+void LoopTick::GoAlong(DeviceState& tip) noexcept {
+  if (!let_go_ && flowing_ && scene_.page_goes()) {
+    const glm::dvec3 gone_to_W = scene_.PointOn(along_P_).p_W;
+    let_go_ = glm::distance(gone_to_W, along_W_) > kFastestPage * tick_;
+    if (let_go_) Report(LoopEventKind::kPageGone);
+  }
+  if (let_go_) {
+    moves_ = glm::dmat3(0.0);
+    tip.p_D = along_W_;
+    tip.v_D = {0, 0, 0};
+    return;
+  }
+  along_P_ = tip.p_D;
+  const PagePoint point = scene_.PointOn(along_P_);
+  moves_ = point.moves;
+  tip.p_D = along_W_ = point.p_W;
+  tip.v_D = moves_ * tip.v_D;
+}
+
 void LoopTick::HandleButtons(double time, SafetyInput& input) noexcept {
-  input.stop = mail_.stop.exchange(false, std::memory_order_relaxed);
+  input.stop = mail_.stop.exchange(false, std::memory_order_relaxed) || (let_go_ && !was_stopped_);
   input.go_on = mail_.go_on.exchange(false, std::memory_order_relaxed);
   const std::uint32_t held = begun_ && device_ != nullptr ? state_.buttons : 0;
   input.hold = options_.hold_to_feel && (held & 1U) == 0;
@@ -300,6 +316,12 @@ void LoopTick::Restart() noexcept {
   tip_.Restart();
   push_.Pause();
   flowing_ = false;
+}
+
+/// After a stop. A hand that let go of its page comes back to it, wherever that is.
+void LoopTick::GoOn() noexcept {
+  if (std::exchange(let_go_, false)) Restart();
+  Report(LoopEventKind::kWentOn);
 }
 
 /// Whether the tip feels neither the page as it lies nor the page back in its place: it is in the

@@ -84,12 +84,14 @@ class LoopTick {
   void Tilt(double tilt) noexcept;
   DeviceStatus Read() noexcept;
   TickResult Feel() noexcept;
+  void GoAlong(DeviceState& tip) noexcept;
   bool IsSilent(const SafetyInput& input) const noexcept;
   Wanted Want(const TickResult& felt, bool silent) noexcept;
   void HandleButtons(double time, SafetyInput& input) noexcept;
   void Write(glm::dvec3 f_D) noexcept;
   void Lose() noexcept;
   void Restart() noexcept;
+  void GoOn() noexcept;
   bool FeelsNothing(const TickResult& felt) const noexcept;
   void ReturnPage(const TickResult& felt) noexcept;
   void Report(LoopEventKind kind) noexcept;
@@ -110,6 +112,9 @@ class LoopTick {
   glm::dvec2 target_P_{0, 0};  ///< of the push [m]
   glm::dvec3 v_P_{0, 0, 0};    ///< of the tip [m/s]
   glm::dmat3 moves_{1.0};      ///< PagePoint::moves at the tip, where LoopOptions::on_page
+  /// The tip of the last tick there, on the page and in the world [m].
+  glm::dvec3 along_P_{0, 0, 0}, along_W_{0, 0, 0};
+  bool let_go_ = false;  ///< the page went away under the hand: until it goes on
   Pressing pressing_;
   Safety safety_;
   double tick_ = 0.001;  ///< [s]

@@ -35,6 +35,10 @@ inline glm::dvec3 ForceToDevice(const DevicePlace& place, glm::dvec3 f_W) noexce
   return f_W * place.R_WD;
 }
 
+/// A hand that traces moves by 0.1 m/s, and by 0.6 where it is lifted from below a page. What
+/// carries it off faster is a page that turns or slides away under its press. Ours [m/s].
+inline constexpr double kFastestPage = 1.5;
+
 /// What a loop depends on besides scene, page and device.
 struct LoopOptions {
   double rate = 1000;  ///< kSlowestRate to kFastestRate [Hz]; the scene's tick is its inverse
@@ -57,6 +61,7 @@ enum class LoopEventKind : std::uint8_t {
   kThrough,      ///< the tip was pressed through the paper
   kPageBack,     ///< after a change under the hand: the page lies where it lay, the tip is lifted
   kModelMoved,   ///< the label that is felt now was out of the device's reach
+  kPageGone,     ///< the page went away under the hand, faster than kFastestPage: a stop follows
 };
 struct LoopEvent {
   LoopEventKind kind = LoopEventKind::kSafety;

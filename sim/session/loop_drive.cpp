@@ -109,6 +109,7 @@ class Driver : private LoopListener {
   /// What nobody asked for is left out by --quiet, but not what takes the force away.
   void Report(const LoopEvent& event, const std::string& line) {
     const bool asked = event.kind == LoopEventKind::kBookmark ||
+                       event.kind == LoopEventKind::kPageGone ||
                        (event.kind == LoopEventKind::kSafety && TakesForceAway(event.safety));
     if (line.empty()) return;
     if (asked) {

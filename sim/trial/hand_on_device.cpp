@@ -7,6 +7,7 @@
 
 #include "devices/hand/simulated_stylus.h"
 #include "sim/loop/device_feel.h"
+#include "sim/loop/loop_types.h"
 #include "sim/loop/pressing.h"
 
 namespace moontrace {
@@ -18,10 +19,6 @@ constexpr double kRestStiffness = 2000;  // [N/m]
 constexpr double kRestDamping = 20;      // [N s/m]
 /// Higher than this above the paper the hand has let the press go: half of what a plan lifts.
 constexpr double kLetGo = 0.001;  // [m]
-
-/// A hand that traces moves by 0.1 m/s, and by 0.6 where it is lifted from below a page. What
-/// carries it off faster is a page that turns or slides away under its press. Ours [m/s].
-constexpr double kFastestPage = 1.5;
 
 /// The delay is the profile's.
 HandModel WithoutDelay(HandModel hand, const DeviceProfile* profile) {

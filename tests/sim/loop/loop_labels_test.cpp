@@ -148,5 +148,46 @@ TEST_F(LoopLabels, ADeviceOnThePageIsLaidOnTheNextOne) {
   }
 }
 
+// A sheet that nothing holds falls from rest: at 9.81 m/s^2 it is faster than 1.5 m/s after 153 ms.
+TEST_F(LoopLabels, AHandLetsGoOfAPageThatFlees) {
+  constexpr const char* kSheet = R"(
+<mujoco>
+  <custom><text name="moontrace:sheet" data="{text='O', middle_mm=[0,0]}"/></custom>
+  <worldbody>
+    <body>
+      <joint type="slide" axis="0 0 1"/>
+      <geom name="sheet" type="box" size="0.05 0.05 0.01" pos="0 0 -0.01" mass="0.02"/>
+    </body>
+  </worldbody>
+</mujoco>)";
+  constexpr double kOver = 0.001;  // the sheet, which the hand does not touch
+  LoopOptions options;
+  options.on_page = true;
+  tick_ = std::make_unique<LoopTick>(Scene::FromXml(kSheet, "sheet", {}), field_,
+                                     std::make_unique<ScriptedDevice>(log_, HoldAt({0, 0, kOver})),
+                                     DevicePlace{}, options, mail_);
+  const auto height_W = [this] { return tick_->scene().X_WP().p.z; };
+  while (ticks_ < 200 && !Told(LoopEventKind::kPageGone)) Run(1);
+  EXPECT_NEAR(ticks_, 154, 2);
+  LoopSnapshot now = Newest();
+  EXPECT_TRUE(now.stopped);
+  // the hand rests where it was, over a sheet that fell 1.5 mm in each tick since
+  EXPECT_GT(now.tip_P.z, kOver + 0.0015);
+  EXPECT_LT(now.tip_P.z, kOver + 2 * 0.0016);
+  const double rests_W = now.tip_P.z + height_W();
+  Run(100);
+  now = Newest();
+  EXPECT_NEAR(now.tip_P.z + height_W(), rests_W, 0.0015);  // how far it falls in a tick more
+  EXPECT_EQ(log_.last(), glm::dvec3(0));
+  EXPECT_FALSE(Told(LoopEventKind::kPageGone));  // once
+  // a hand that goes on is back over the page, which still flees
+  mail_.go_on = true;
+  Run(2);
+  EXPECT_NEAR(Newest().tip_P.z, kOver, 2 * 0.0026);  // it has fallen 0.2 m since
+  Run(1);
+  EXPECT_TRUE(Told(LoopEventKind::kPageGone));
+  EXPECT_TRUE(Newest().stopped);
+}
+
 }  // namespace
 }  // namespace moontrace
