@@ -113,6 +113,11 @@ void ReadPage(const RecogniseOptions& options, std::size_t page,
   const auto field = std::make_shared<const TextureField>(
       PageField(set, text.script, text.set.style, options.blank));
   ReadingSetup setup = SetupOf(options, reading, page, shapes, *field, console);
+  if (page == 0) {
+    // done as asked, with a warning where the hand cannot hold it quiet
+    const auto buzz = BuzzOfDirect(setup.scene, *field, setup.hand, setup.hand.press);
+    if (buzz) console.Remark(say::DirectWillBuzz(*buzz));
+  }
   if (shown.view != nullptr) Watch(setup, *shown.view, options, text, page, field);
   const double done = static_cast<double>(page) / static_cast<double>(text.set.pages.size());
   setup.alive = [&console, done] { console.Alive(done); };

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "devices/catalogue/catalogue.h"
-#include "devices/hand/simulated_stylus.h"
 #include "lessons/guide/guidance.h"
 #include "sim/app/messages.h"
 #include "sim/app/trace_picture.h"
@@ -140,11 +139,8 @@ void WarnOfDirect(const TraceOptions& options, const Trace& trace, Console& cons
   const TextureField field = PageField(trace.text.set.pages.front(), trace.text.script,
                                        trace.text.set.style, options.blank);
   const TrialSetup setup = SetupOf(options, trace, 0, console);
-  const auto stylus =
-      MakeSimulatedStylus(setup.hand, {{HandPoint{}}}, setup.scene.tick, setup.seed);
-  const DirectBound bound = BoundOfDirect(field, setup.scene.surface, setup.plan.press,
-                                          stylus->Limits(), setup.scene.tick);
-  if (!bound.Holds()) console.Remark(say::DirectWillBuzz(bound));
+  const auto buzz = BuzzOfDirect(setup.scene, field, setup.hand, setup.plan.press);
+  if (buzz) console.Remark(say::DirectWillBuzz(*buzz));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "devices/hand/simulated_stylus.h"
 #include "lessons/guide/guidance_path.h"
 #include "lessons/measure/link_meter.h"
 #include "sim/physics/coupling.h"
@@ -256,6 +257,15 @@ DirectBound BoundOfDirect(const TextureField& field, const Surface& surface, dou
   const double acts_after = tick * (1.0 + 2.0 * limits.late_ticks);
   bound.held = 2.0 * limits.damping / acts_after;
   return bound;
+}
+
+std::optional<DirectBound> BuzzOfDirect(const SceneOptions& scene, const TextureField& field,
+                                        const HandModel& hand, double press) {
+  if (scene.rendering != Rendering::kDirect) return std::nullopt;
+  const DeviceLimits limits =
+      MakeSimulatedStylus(hand, {{HandPoint{}}}, scene.tick, /*seed=*/0)->Limits();
+  const DirectBound bound = BoundOfDirect(field, scene.surface, press, limits, scene.tick);
+  return bound.Holds() ? std::nullopt : std::optional(bound);
 }
 
 }  // namespace moontrace

@@ -100,5 +100,8 @@ struct DirectBound {
 };
 DirectBound BoundOfDirect(const TextureField& field, const Surface& surface, double press,
                           const DeviceLimits& limits, double tick);
+/// The same of a simulated hand on a page that is rendered directly, if it does not stay quiet.
+std::optional<DirectBound> BuzzOfDirect(const SceneOptions& scene, const TextureField& field,
+                                        const HandModel& hand, double press);
 
 }  // namespace moontrace

@@ -152,6 +152,13 @@ TEST_F(RecogniseCommand, SaysBeforehandWhereItGetsLost) {
   }
 }
 
+// On paper without letters there is nothing that could buzz.
+TEST_F(RecogniseCommand, WarnsOfDirectRendering) {
+  const Outcome outcome = RunLine({"recognise", "i", "--render", "direct"});
+  EXPECT_NE(outcome.err.find("Direct rendering will buzz"), std::string::npos) << outcome.err;
+  EXPECT_EQ(RunLine({"recognise", "i", "--render", "direct", "--blank"}).err, "");
+}
+
 TEST_F(RecogniseCommand, ReadsLinesHoweverTheyRun) {
   for (const char* lines : {"alternate", "right-to-left", "vertical"}) {
     const Outcome outcome =
