@@ -163,7 +163,10 @@ std::string SurestAndLeast(const std::vector<ReadingStudyCell>& cells,
 
 std::string ReadingPlotWords(const ReadingSummary& summary, std::size_t shown) {
   if (summary.cells.empty()) return "No page was read.";
-  std::string words = "Dots: values; bars: their 95 percent intervals.";
+  const bool spread = std::any_of(summary.cells.begin(), summary.cells.end(),
+                                  [](const ReadingStudyCell& cell) { return cell.pages > 1; });
+  std::string words = spread ? "Dots: values; bars: their 95 percent intervals."
+                             : "Dots: values; one page of a kind has no interval.";
   if (summary.best) words += SurestAndLeast(summary.cells, summary.cells[*summary.best]);
   if (shown < summary.cells.size()) {
     words +=

@@ -69,6 +69,32 @@ TEST(ReadingPlot, OnePageHasNoInterval) {
   EXPECT_EQ(Dots(drawing).size(), Dots(two).size());
   EXPECT_EQ(drawing.marks.size() + 4, two.marks.size());
   EXPECT_EQ(say::ReadingCellLine(one.cells[0]), "sure: 98 percent right; 5.00 s a sign");
+  EXPECT_EQ(drawing.description.find("bars"), std::string::npos) << drawing.description;
+  one.cells[0].pages = 2;
+  EXPECT_NE(ReadingPlot("T", one).description.find("bars"), std::string::npos);
+}
+
+// A digit of DejaVu Sans is 0.636 of the font's size wide, a text's height 0.72 of it.
+TEST(ReadingPlot, NumbersStandBelowTheMiddleOfTheirLines) {
+  const Drawing drawing = ReadingPlot("T", Two());
+  std::vector<double> lines;
+  for (const Mark& mark : drawing.marks) {
+    const auto* track = std::get_if<TrackMark>(&mark);
+    if (track != nullptr && track->points[0].x == track->points[1].x) {
+      lines.push_back(track->points[0].x);
+    }
+  }
+  std::size_t numbers = 0;
+  for (const Mark& mark : drawing.marks) {
+    const auto* text = std::get_if<TextMark>(&mark);
+    if (text == nullptr || text->text.find_first_not_of("0123456789") != std::string::npos)
+      continue;
+    const double width = static_cast<double>(text->text.size()) * 0.636 / 0.72 * text->height;
+    ASSERT_LT(numbers, lines.size());
+    EXPECT_NEAR(text->at.x + 0.5 * width, lines[numbers], 0.1) << text->text;
+    ++numbers;
+  }
+  EXPECT_EQ(numbers, lines.size());
 }
 
 // The share never lies outside its interval, and is 100 only where all is right.
