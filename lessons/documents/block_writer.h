@@ -22,6 +22,13 @@ struct WritingState {
   std::array<std::uint32_t, 6> marks{};
 };
 
+inline std::uint32_t& ValueOf(WritingState& state, MarkKind kind) {
+  return state.marks[static_cast<std::size_t>(kind)];
+}
+inline std::uint32_t ValueOf(const WritingState& state, MarkKind kind) {
+  return state.marks[static_cast<std::size_t>(kind)];
+}
+
 /// A place in the document: a block, and bytes of its text.
 struct DocumentPlace {
   std::size_t block = kNoBlock;

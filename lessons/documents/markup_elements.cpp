@@ -162,6 +162,10 @@ std::string PageName(std::string_view said) {
   return sound ? name : std::string();
 }
 
+bool IsOnlyBlanks(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n\f") == std::string_view::npos;
+}
+
 bool HasWord(std::string_view words, std::string_view word) {
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t end = std::min(words.find_first_of(" \t\n\r\f", at), words.size());

@@ -103,6 +103,9 @@ bool IsHiddenElement(std::string_view name, const MarkupAttributes& attributes);
 /// "12."; empty: that is no name of a page.
 std::string PageName(std::string_view said);
 
+/// Of nothing but blanks, or empty.
+bool IsOnlyBlanks(std::string_view text);
+
 /// A word among others, apart by blanks, without regard to capitals.
 bool HasWord(std::string_view words, std::string_view word);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 #include "lessons/documents/epub_package.h"
@@ -15,8 +14,6 @@ namespace {
 using Role = ElementRole;
 
 constexpr std::size_t kDeepest = 5000;  // frames; deeper elements are read as their parent
-constexpr std::int16_t kMostLevels = 100;
-constexpr int kNoNumber = std::numeric_limits<int>::min();
 
 bool IsBlock(Role role) {
   switch (role) {
@@ -58,17 +55,6 @@ bool IsBlock(Role role) {
       return true;
   }
   return false;
-}
-
-std::uint32_t& ValueOf(WritingState& state, MarkKind kind) {
-  return state.marks[static_cast<std::size_t>(kind)];
-}
-std::uint32_t ValueOf(const WritingState& state, MarkKind kind) {
-  return state.marks[static_cast<std::size_t>(kind)];
-}
-
-bool IsBlank(std::string_view text) {
-  return text.find_first_not_of(" \t\r\n\f") == std::string_view::npos;
 }
 
 /// What it is by `epub:type` or `role`, in which "doc-" begins the same words.
@@ -139,73 +125,6 @@ std::string Shifted(std::string_view text, bool raised) {
   return shifted;
 }
 
-/// 1 is "a", 27 is "aa"; `first` is the small letter or the capital.
-std::string InLetters(int number, char first) {
-  std::string letters;
-  for (; number > 0; number = (number - 1) / 26) {
-    letters.insert(letters.begin(), static_cast<char>(first + (number - 1) % 26));
-  }
-  return letters;
-}
-
-/// 4 is "iv".
-std::string InRoman(int number, bool capitals) {
-  static constexpr std::array<std::pair<int, const char*>, 13> kParts = {{{1000, "m"},
-                                                                          {900, "cm"},
-                                                                          {500, "d"},
-                                                                          {400, "cd"},
-                                                                          {100, "c"},
-                                                                          {90, "xc"},
-                                                                          {50, "l"},
-                                                                          {40, "xl"},
-                                                                          {10, "x"},
-                                                                          {9, "ix"},
-                                                                          {5, "v"},
-                                                                          {4, "iv"},
-                                                                          {1, "i"}}};
-  std::string roman;
-  for (const auto& [value, letters] : kParts) {
-    for (; number >= value; number -= value) roman += letters;
-  }
-  if (!capitals) return roman;
-  for (char& c : roman) c = static_cast<char>(c - 'a' + 'A');
-  return roman;
-}
-
-/// As the list's type has it (HTML, 4.4.5); `kBare`: without.
-constexpr char kBare = ' ';
-std::string NumberLabel(int number, char type) {
-  constexpr int kMostRoman = 3999;
-  if (type == kBare) return {};
-  std::string label = std::to_string(number);
-  if ((type == 'a' || type == 'A') && number > 0) label = InLetters(number, type);
-  const bool roman = type == 'i' || type == 'I';
-  if (roman && number > 0 && number <= kMostRoman) label = InRoman(number, type == 'I');
-  return label + ".";
-}
-
-/// How the items of a list are numbered, by its own style or its attribute.
-char NumberType(const MarkupAttributes& attributes) {
-  static constexpr std::array<std::pair<std::string_view, char>, 7> kStyles = {
-      {{"lower-alpha", 'a'},
-       {"lower-latin", 'a'},
-       {"upper-alpha", 'A'},
-       {"upper-latin", 'A'},
-       {"lower-roman", 'i'},
-       {"upper-roman", 'I'},
-       {"none", kBare}}};
-  const std::string style = LowerCase(attributes["style"].substr(0, 4096));
-  if (const std::size_t at = style.find("list-style"); at != std::string::npos) {
-    const std::string value = style.substr(at, style.find(';', at) - at);
-    for (const auto& [name, type] : kStyles) {
-      if (value.find(name) != std::string::npos) return type;
-    }
-  }
-  const std::string_view type = attributes["type"];
-  return type.size() == 1 && std::string_view("aAiI").find(type) != std::string::npos ? type[0]
-                                                                                      : '1';
-}
-
 /// Arrows up and back, by which a note leads to its call: no words, and no script has a sign for
 /// them.
 bool IsArrow(std::string_view text) {
@@ -214,20 +133,6 @@ bool IsArrow(std::string_view text) {
   const std::u32string signs = ToCodePoints(text);
   return std::all_of(signs.begin(), signs.end(),
                      [](char32_t c) { return kArrows.find(c) != std::u32string_view::npos; });
-}
-
-/// Whether a part of a drawing's text begins a line of its own.
-bool BeginsLine(std::string_view name, const MarkupAttributes& attributes) {
-  return name == "tspan" && (attributes.Has("y") ||
-                             attributes["dy"].find_first_of("123456789") != std::string_view::npos);
-}
-
-/// "a/b/cover.jpg?x" is "cover.jpg".
-std::string_view FileName(std::string_view address) {
-  if (address.substr(0, 5) == "data:") return "";
-  address = address.substr(0, address.find_first_of("?#"));
-  const std::size_t slash = address.find_last_of('/');
-  return slash == std::string_view::npos ? address : address.substr(slash + 1);
 }
 
 }  // namespace
@@ -405,8 +310,8 @@ bool MarkupReader::IsLineOfVerse(const Frame& frame, const MarkupAttributes& att
 
 void MarkupReader::OpenPrintPage(Frame& frame, const MarkupAttributes& attributes) {
   std::string_view said = attributes["title"];
-  if (IsBlank(said)) said = attributes["aria-label"];
-  if (IsBlank(said)) {
+  if (IsOnlyBlanks(said)) said = attributes["aria-label"];
+  if (IsOnlyBlanks(said)) {
     frame.page = true;
     page_name_.clear();
     page_title_.clear();
@@ -425,12 +330,12 @@ void MarkupReader::NotePageAnchor(const MarkupAttributes& attributes) {
 
 /// What only looks like a page's number is text: a table of contents has such numbers.
 void MarkupReader::ClosePrintPage(const Frame& frame) {
-  const std::string& said = IsBlank(page_name_) ? page_title_ : page_name_;
+  const std::string& said = IsOnlyBlanks(page_name_) ? page_title_ : page_name_;
   const std::string name = PageName(said);
   const bool marked = page_placed_ || said.find('[') != std::string::npos;
   if (frame.maybe_page && !(marked && IsNumber(name))) {
     Say(page_name_, frame.state);
-  } else if (!IsBlank(said)) {
+  } else if (!IsOnlyBlanks(said)) {
     writer_.Point(MarkKind::kPrintPage, name.empty() ? said : name, frame.state);
   }
   if (IsBlock(frame.role)) writer_.End();
@@ -530,78 +435,6 @@ void MarkupReader::OpenText(Frame& frame, std::string_view name,
   }
 }
 
-void MarkupReader::BeginList(Frame& frame, const MarkupAttributes& attributes) {
-  frame.state.level = 0;
-  OpenList list;
-  list.ordered = frame.role == Role::kOrderedList && !frame.contents;
-  const bool reversed = attributes.Has("reversed");
-  list.step = reversed ? -1 : 1;
-  list.next = WholeNumber(attributes["start"], reversed ? kNoNumber : 1);
-  list.from_end = list.next == kNoNumber;
-  if (list.from_end) list.next = 0;
-  list.type = NumberType(attributes);
-  PutLabel(frames_.empty() ? frame.state : frames_.back().state);
-  Block block;
-  block.kind = BlockKind::kList;
-  block.level = static_cast<int>(std::min<std::size_t>(lists_.size() + 1, kMostLevels));
-  block.quotation = frame.state.quotation;
-  list.block = writer_.Add(std::move(block));
-  lists_.push_back(std::move(list));
-}
-
-/// The number of an item that begins with a list or a table: it would be lost, or be taken for the
-/// first number in it.
-void MarkupReader::PutLabel(const WritingState& state) {
-  Block item;
-  item.label = writer_.TakeLabel();
-  if (item.label.empty() || item.label == "-") return;
-  item.kind = BlockKind::kListItem;
-  item.level = state.level;
-  item.quotation = state.quotation;
-  item.note = state.note;
-  writer_.Add(std::move(item));
-}
-
-void MarkupReader::OpenItem(Frame& frame, const MarkupAttributes& attributes) {
-  frame.state.kind = BlockKind::kListItem;
-  frame.state.level =
-      static_cast<std::int16_t>(std::clamp<std::size_t>(lists_.size(), 1, kMostLevels));
-  if (lists_.empty()) {
-    writer_.SetLabel("-");
-    return;
-  }
-  OpenList& list = lists_.back();
-  if (frame.role != Role::kDefinition) ++list.items;
-  if (frame.role == Role::kTerm) return;
-  if (!list.ordered) {
-    writer_.SetLabel("-");
-    return;
-  }
-  const int own = WholeNumber(attributes["value"], kNoNumber);
-  if (own != kNoNumber) list.from_end = false;
-  const int number = own != kNoNumber ? own : list.next;
-  const bool bare = NumberType(attributes) == kBare;
-  const std::string label = NumberLabel(number, bare ? kBare : list.type);
-  if (list.from_end) list.counted.push_back({writer_.place().block, number});
-  writer_.SetLabel(label);
-  list.next = number + list.step;
-}
-
-void MarkupReader::OpenCell(Frame& frame, const MarkupAttributes& attributes) {
-  TableCell cell;
-  cell.header = frame.role == Role::kHeaderCell;
-  const std::string scope = LowerCase(attributes["scope"]);
-  cell.names_row = scope == "row" || scope == "rowgroup";
-  cell.names_column = scope == "col" || scope == "colgroup";
-  cell.columns = static_cast<std::uint32_t>(std::max(WholeNumber(attributes["colspan"], 1), 1));
-  cell.first_block = cell.end_block = writer_.place().block;
-  cell.rows =
-      static_cast<std::uint32_t>(std::clamp(WholeNumber(attributes["rowspan"], 1), 1, 65534));
-  tables_.back().BeginCell(cell);
-  frame.state.kind = BlockKind::kParagraph;
-  frame.state.level = 0;
-}
-
 void MarkupReader::OpenLink(Frame& frame, const MarkupAttributes& attributes) {
   if (!attributes.Has("href")) return;
   const bool note = HasType(attributes, "noteref");
@@ -615,58 +448,6 @@ void MarkupReader::OpenLink(Frame& frame, const MarkupAttributes& attributes) {
   frame.label = static_cast<std::uint32_t>(labels_.size() - 1);
 }
 
-void MarkupReader::OpenImage(const Frame& frame, const MarkupAttributes& attributes) {
-  const std::string_view role = attributes["role"];
-  if (role == "presentation" || role == "none") return;
-  std::string_view words = attributes["aria-label"];
-  if (words.empty()) words = attributes["alt"];
-  if (words.empty()) words = attributes["title"];
-  const std::string_view file = FileName(attributes["src"]);
-  const bool again = frame.stand_in && picture_end_ == writer_.written() && picture_ == words;
-  if (again) return;
-  const auto note = [&] {
-    picture_ = words;
-    picture_end_ = writer_.written();
-  };
-  if (!IsBlank(words)) {
-    WritingState state = frame.state;
-    ValueOf(state, MarkKind::kPicture) = writer_.Value(file);
-    state.verbatim = false;
-    Say(words, state);
-    note();
-    const bool drawing = LowerCase(file).ends_with(".svg");
-    if (drawing) NoteLeftOut(writer_.document(), LeftOut::kDrawing, words);
-  } else if (!attributes.Has("alt")) {  // an empty one says that it only decorates
-    writer_.Point(MarkKind::kPicture, file, frame.state);
-    note();
-    NoteLeftOut(writer_.document(), LeftOut::kPicture, file);
-  }
-}
-
-void MarkupReader::OpenDrawing(Frame& frame, const MarkupAttributes& attributes) {
-  const bool inner = frame.drawing;
-  frame.drawing = true;
-  if (!inner) {
-    ValueOf(frame.state, MarkKind::kPicture) = writer_.Value("");
-    drawing_title_.clear();
-  }
-  OpenDrawn(frame, "svg", attributes);
-}
-
-/// An element in a drawing: its words stand apart from those of others, as they do on paper.
-void MarkupReader::OpenDrawn(Frame& frame, std::string_view name,
-                             const MarkupAttributes& attributes) {
-  const std::string_view label = attributes["aria-label"];
-  frame.labelled = !IsBlank(label);
-  frame.apart = frame.labelled || name == "title" || name == "desc" || name == "text" ||
-                BeginsLine(name, attributes);
-  if (frame.apart) Say(" ", frame.state);
-  if (!frame.labelled) return;
-  if (drawing_title_.empty()) drawing_title_ = label;
-  Say(label, frame.state);
-  Say(" ", frame.state);
-}
-
 void MarkupReader::OpenMedia(Frame& frame, std::string_view name,
                              const MarkupAttributes& attributes) {
   std::string_view address = attributes["src"];
@@ -678,32 +459,6 @@ void MarkupReader::OpenMedia(Frame& frame, std::string_view name,
   if (!frame.silent) NoteLeftOut(writer_.document(), LeftOut::kMedia, name);
 }
 
-void MarkupReader::OpenMath(Frame& frame, const MarkupAttributes& attributes) {
-  ValueOf(frame.state, MarkKind::kMath) = writer_.Value("");
-  const std::string_view words = attributes["alttext"];
-  const bool tex = words.find('\\') != std::string_view::npos;  // for programs, not to be said
-  if (!IsBlank(words) && !tex) {
-    Say(words, frame.state);
-    frame.silent = true;
-    return;
-  }
-  math_words_ = words;
-  math_.emplace();
-  math_depth_ = 0;
-}
-
-void MarkupReader::OpenInput(const Frame& frame, const MarkupAttributes& attributes) {
-  const std::string type = LowerCase(attributes["type"]);
-  if (type == "checkbox" || type == "radio" || type == "password") return;
-  for (const char* name : {"value", "alt", "placeholder", "aria-label"}) {
-    if (IsBlank(attributes[name])) continue;
-    Say(" ", frame.state);
-    Say(attributes[name], frame.state);
-    Say(" ", frame.state);
-    return;
-  }
-}
-
 void MarkupReader::Text(std::string_view utf8) {
   if (frames_.empty()) {
     Say(utf8, {});
@@ -713,14 +468,14 @@ void MarkupReader::Text(std::string_view utf8) {
   if (frame.page) {
     page_name_ += utf8;
   } else if (frame.hidden) {
-    if (!hidden_noted_ && !IsBlank(utf8)) {
+    if (!hidden_noted_ && !IsOnlyBlanks(utf8)) {
       NoteLeftOut(writer_.document(), LeftOut::kHiddenPart, utf8);
       hidden_noted_ = true;
     }
   } else if (frame.in_head && frame.role == Role::kTitle && !has_title_) {
     title_ += utf8;
   } else if (frame.role == Role::kReading) {
-    if (!IsBlank(utf8) && utf8 != "(" && utf8 != ")") {
+    if (!IsOnlyBlanks(utf8) && utf8 != "(" && utf8 != ")") {
       NoteLeftOut(writer_.document(), LeftOut::kReading, utf8);
     }
   } else if (frame.silent || (frame.back && IsArrow(utf8))) {
@@ -748,63 +503,10 @@ void MarkupReader::Fault(std::string_view what) {
   NoteLeftOut(writer_.document(), LeftOut::kFaultyPart, what);
 }
 
-void MarkupReader::CloseTable() {
-  const TableReader table = std::move(tables_.back());
-  tables_.pop_back();
-  const std::size_t first = table.first_block();
-  const std::vector<std::size_t> now = table.Finish(writer_.document());
-  for (std::size_t i = table_anchors_.back(); i < anchors_.size(); ++i) {
-    DocumentPlace& place = anchors_[i].place;
-    const std::size_t moved = place.block - first < now.size() ? now[place.block - first] : 0;
-    if (moved == place.block || moved == 0) continue;
-    place = {moved, 0};
-  }
-  table_anchors_.pop_back();
-}
-
-/// Items of a reversed list without a start, which were counted down from 0: now their number is
-/// known (HTML, 4.4.5). An item without text has no block that bears its label; it is not sought
-/// far, since lists may be nested deep.
-void MarkupReader::CountDown(const OpenList& list) {
-  std::vector<Block>& blocks = writer_.document().blocks;
-  for (std::size_t i = 0; i < list.counted.size(); ++i) {
-    constexpr std::size_t kNear = 8;
-    const auto [first, number] = list.counted[i];
-    const std::size_t end = i + 1 < list.counted.size() ? list.counted[i + 1].first : blocks.size();
-    const std::string label = NumberLabel(number, list.type);
-    for (std::size_t b = first; b < std::min({end, blocks.size(), first + kNear}); ++b) {
-      if (blocks[b].label != label) continue;
-      blocks[b].label = NumberLabel(number + static_cast<int>(list.items), list.type);
-      break;
-    }
-  }
-}
-
-void MarkupReader::CloseList() {
-  const OpenList list = std::move(lists_.back());
-  lists_.pop_back();
-  CountDown(list);
-  std::vector<Block>& blocks = writer_.document().blocks;
-  if (list.block + 1 == blocks.size()) {
-    blocks.pop_back();  // a list of nothing
-  } else {
-    blocks[list.block].row = list.items;
-  }
-}
-
 void MarkupReader::CloseLink(const Frame& frame) {
   if (frame.label != 0 && writer_.written() == frame.written) {
     Say(labels_[frame.label], frame.state);
   }
-}
-
-void MarkupReader::CloseDrawing(const Frame& frame) {
-  if (!frames_.empty() && frames_.back().drawing) return;  // within another
-  if (writer_.written() != frame.written) {
-    return NoteLeftOut(writer_.document(), LeftOut::kDrawing, drawing_title_);
-  }
-  writer_.Point(MarkKind::kPicture, "", frame.state);
-  NoteLeftOut(writer_.document(), LeftOut::kPicture, "svg");
 }
 
 void MarkupReader::Close() {
@@ -821,7 +523,7 @@ void MarkupReader::Close() {
     return;
   }
   if (math_) {
-    const std::string words = IsBlank(math_->text()) ? math_words_ : math_->text();
+    const std::string words = IsOnlyBlanks(math_->text()) ? math_words_ : math_->text();
     math_.reset();
     Say(words, frame.state);
     return;

@@ -54,6 +54,7 @@ class MarkupReader : public MarkupSink {
   const DocumentPlace* Find(std::string_view path, std::string_view id) const;
 
  private:
+  static constexpr std::int16_t kMostLevels = 100;  // of lists and quotations
   struct Frame {
     ElementRole role = ElementRole::kInline;
     WritingState state;
