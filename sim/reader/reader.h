@@ -39,6 +39,8 @@ class Reader final : public PageReader {
   /// Where the next sign is looked for, from where it is expected: it begins there and so much
   /// further at most [em]. Ours, chosen on seeds 1 to 20.
   static constexpr double kBefore = 0.25, kBeyond = 1.15;
+  /// Left of a line's first sign another may lie so far off [em].
+  static constexpr double kLookBack = 3.2;
   struct SignRead {
     SignGuess guess;
     double time = 0;
@@ -185,10 +187,10 @@ class Reader final : public PageReader {
   std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign
   std::vector<SignRead> line_;      ///< as it runs
   bool leftwards_ = false;          ///< the line runs so
-  bool far_ = false;                ///< looks for its next sign beyond a space
+  int far_ = 0;                     ///< spaces beyond one, behind which it looks for its next sign
   double farthest_ = -HUGE_VAL;     ///< to the right, where a line has ended [m]
   bool guided_ = false;             ///< lines end in guides
-  bool wide_gaps_ = false;          ///< some signs stand two spaces apart
+  int widest_gap_ = 0;              ///< most spaces beyond one between two signs so far
   double guide_gap_ = 0;            ///< between guides and signs [em]
   double size_ = 0;
   std::vector<double> sizes_;       ///< that are tried [m]

@@ -49,11 +49,12 @@ PlacePrior Reader::PriorNow() const {
   if (!line_.empty() && errand_ == Errand::kNextSign) {
     const SignPlace next = Expected();
     prior.leftwards = leftwards_;
-    prior.origins = {next.origin, AtAhead(next, knowledge_.space, 0)};
+    const double spaces = std::floor((Ahead(next, entry_) - kWide) / knowledge_.space);
+    const bool far = spaces >= 1;
+    const double from = far ? spaces * knowledge_.space : 0;
+    prior.origins = {AtAhead(next, from, 0), AtAhead(next, from + knowledge_.space, 0)};
     prior.along = signs_ < 4 ? 0.15 : 0.08;
     prior.across = signs_ < 4 ? 0.10 : 0.04;
-    const bool far = Ahead(next, entry_) > knowledge_.space + kWide;
-    if (far) prior.origins = {prior.origins.back(), AtAhead(next, 2 * knowledge_.space, 0)};
     if (line_.back().guide) prior.along = 0.3;
     if (far) prior.along = 0.5;
     if (unknowns_ > 0) {  // it may have lost its place
@@ -64,9 +65,13 @@ PlacePrior Reader::PriorNow() const {
     prior.along = std::hypot(prior.along, knowledge_.unsure / size_);
     prior.across = std::hypot(prior.across, knowledge_.unsure / size_);
   } else if (!line_.empty()) {
-    prior.origins = {line_.front().guess.place.origin};
-    prior.along = 2;
-    prior.across = 0.10;
+    const SignPlace& first = line_.front().guess.place;
+    const double back = std::abs(ToEm(first, entry_).x);
+    prior.origins = {first.origin};
+    prior.along = std::max(2.0, back);
+    // farther back a turn that is hardly known carries the line up or down
+    const double turned = signs_ < 4 ? 0.5 * kTurnSpread * std::max(0.0, back - kLookBack) : 0;
+    prior.across = std::hypot(0.10, turned);
   } else if (line_starts_.size() > 1) {
     const glm::dvec2 pitch = (line_starts_.back().origin - line_starts_.front().origin) /
                              static_cast<double>(line_starts_.size() - 1);
@@ -170,7 +175,7 @@ void Reader::LearnFrame() {
   const SignGuess& read = line_.back().guess;
   if (read.sign == SignGuess::kUnknown) return;
   ++signs_;
-  wide_gaps_ = wide_gaps_ || far_;
+  widest_gap_ = std::max(widest_gap_, far_);
   LearnLineSize(read.place.size);
   if (const std::optional<double> size = FeltSize(read)) LearnSize(*size);
   if (line_.size() < 2 || line_[line_.size() - 2].guide) return;
@@ -446,7 +451,8 @@ void Reader::EndLine() {
   }
   farthest_ = std::max(farthest_, Along(Expected().origin));
   line_.clear();
-  leftwards_ = far_ = straight_ = false;
+  leftwards_ = straight_ = false;
+  far_ = 0;
   skips_ = 0;
   skipped_ = Skipped::kUnknown;
   evidence_.flats.clear();

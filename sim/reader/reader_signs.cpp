@@ -12,13 +12,13 @@ namespace {
 // Ours, chosen on seeds 1 to 20; in em.
 constexpr double kBandLow = 0.14, kBandHigh = 0.62;  ///< of the weave over a line
 constexpr double kWeave = 0.145;                     ///< half its period
-constexpr double kLookBack = 3.2;    ///< left of a line's first sign another may lie so far off
-constexpr double kDotWithin = 0.35;  ///< dots at a sign's left edge are met by then
-constexpr double kGapFrom = -0.15;   ///< a dot may stick out at a sign's left edge
+constexpr double kDotWithin = 0.35;                  ///< dots at a sign's left edge are met by then
+constexpr double kGapFrom = -0.15;                   ///< a dot may stick out at a sign's left edge
 constexpr double kGapStep = 0.12;
 constexpr double kLowEdge = 0.05, kHighEdge = 0.91;  ///< where marks and bars are
 constexpr double kEdge = 0.12;                       ///< swept to either side of an edge
 constexpr double kRoomForASign = 0.75;               ///< without a groove
+constexpr int kMostFar = 2;                          ///< far_ at most
 
 }  // namespace
 
@@ -90,7 +90,7 @@ std::vector<glm::dvec2> Reader::WeaveFrom(const SignPlace& place, double from, d
 /// The next sign; after something unknown, beyond all that was felt of it.
 void Reader::SearchNext() {
   gap_to_ = kGapFrom;
-  far_ = false;
+  far_ = 0;
   if (unknowns_ > 0) return SearchBeyond(unknown_);
   SweepAlong(Weave(-kBefore, knowledge_.space + kBeyond), Errand::kNextSign);
 }
@@ -156,17 +156,18 @@ bool Reader::LeftAGap(glm::dvec2 entry) {
 
 /// Behind a line's last sign, where one of dots and bars may stand after a space.
 void Reader::LookThroughLineEnd() {
-  LookThroughGap(gap_to_, gap_to_ + knowledge_.space + kDotWithin - (far_ ? 0 : kGapFrom),
-                 AfterGap::kLineEnd);
+  LookThroughGap(gap_to_, (far_ + 1) * knowledge_.space + kDotWithin, AfterGap::kLineEnd);
 }
 
-/// Whether the line may go on behind two spaces. It looks where most words would have room, or once
-/// one such gap was met wherever lines go so far; and where only a guide ends a line.
+/// Whether the line may go on behind two spaces, or three. It looks where most words would have
+/// room, or once one such gap was met wherever lines go so far; in the first line, of which no
+/// margin is known, and behind two spaces where only a guide ends a line.
 bool Reader::MayGoOn() const {
   constexpr double kWord = 5;  // [em]
-  if (far_) return false;
-  if (guided_ || line_starts_.empty()) return true;
-  const double there = 2 * knowledge_.space + (wide_gaps_ ? 0 : kWord);
+  if (far_ == kMostFar) return false;
+  if (line_starts_.empty()) return true;
+  if (guided_) return far_ == 0;
+  const double there = (far_ + 2) * knowledge_.space + (widest_gap_ > far_ ? 0 : kWord);
   return Along(AtAhead(Expected(), there, 0)) < farthest_;
 }
 
@@ -177,9 +178,9 @@ void Reader::LeaveGap() {
       return;
     case AfterGap::kLineEnd:
       if (MayGoOn()) {
-        far_ = true;
-        SweepAlong(Weave(gap_to_ + kBeyond - kDotWithin, gap_to_ + knowledge_.space + kBeyond),
-                   Errand::kNextSign);
+        ++far_;
+        const double from = far_ * knowledge_.space + kBeyond;
+        SweepAlong(Weave(from, from + knowledge_.space), Errand::kNextSign);
         return;
       }
       LeaveLine();
@@ -190,10 +191,14 @@ void Reader::LeaveGap() {
   }
 }
 
-/// Whether signs stand left of the line's first.
+/// Whether signs stand left of the line's first; of the page's first line, as far as from where the
+/// hand was put: words may stand several spaces apart.
 void Reader::SearchLineStart() {
+  constexpr double kPutWithin = 0.5;  // [em]
   const SignPlace first{line_.front().guess.place.origin, size_, turn_};
-  SweepAlong(WeaveFrom(first, -kLookBack, -kBefore - kWeave), Errand::kLineStart);
+  double back = kLookBack;
+  if (line_starts_.empty()) back = std::max(back, kPutWithin - ToEm(first, start_).x);
+  SweepAlong(WeaveFrom(first, -back, -kBefore - kWeave), Errand::kLineStart);
 }
 
 void Reader::LookThroughLineBegin() { LookThroughGap(-kLookBack, -kBefore, AfterGap::kLineBegin); }

@@ -260,6 +260,24 @@ TEST(Reading, GoesOnBehindTwoSpaces) {
   EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "so. the sea\nis. go\n");
 }
 
+// By these seeds it met the first line's second word first, and did not look back over two spaces
+// and a stop's end.
+TEST(Reading, FindsTheFirstWordBeforeTwoSpaces) {
+  for (const std::uint64_t seed : {6U, 9U, 11U}) {
+    const Desk desk("so.  The sea\nis.  Go", 0.006, seed);
+    EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), "so. the sea\nis. go\n")
+        << seed;
+  }
+}
+
+// In the first line, of which no margin is known, and once it has met such a gap.
+TEST(Reading, GoesOnBehindThreeSpaces) {
+  for (const std::uint64_t seed : {22U, 23U, 24U}) {
+    const Desk desk("so.   the sea\nis.   go\nand on", 0.006, seed);
+    EXPECT_EQ(TextRead(RunReading(desk.setup).tokens, desk.script), TextOn(desk)) << seed;
+  }
+}
+
 // What stands in the middle of a page's width, or farther in than the lines around it.
 TEST(Reading, FindsLinesThatAreSetIn) {
   for (const char* text : {"   so we go", "we go\n   to sea\nand so\n    on\nit is"}) {
