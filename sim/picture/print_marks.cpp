@@ -68,6 +68,28 @@ PrintRoom RoomOf(const Reach& reach, double scale, const TypeStyle& style) {
   return {reach.ridge_low - rule, reach.ridge_high + rule - pitch};
 }
 
+std::size_t LastLine(const TextPage& page) {
+  std::size_t last = 0;
+  for (const PlacedGlyph& placed : page.glyphs) last = std::max(last, placed.line);
+  return last;
+}
+
+/// By kinds of line; below one that stands on the last line only there is nothing.
+std::map<LineKind, PrintRoom> RoomsOfKinds(const TextPage& page, const Script& script,
+                                           const TypeStyle& style) {
+  std::map<LineKind, PrintRoom> rooms;
+  for (const auto& [kind, reach] : ReachOf(page, script, style)) {
+    rooms[kind] = RoomOf(reach, ScaleOf(kind, style), style);
+    const bool alone =
+        std::none_of(page.glyphs.begin(), page.glyphs.end(),
+                     [kind = kind, last = LastLine(page)](const PlacedGlyph& placed) {
+                       return placed.kind == kind && placed.line != last;
+                     });
+    if (alone) rooms[kind].bottom = -HUGE_VAL;
+  }
+  return rooms;
+}
+
 /// Of a capital [m]; between rules what fits there, which may be nothing.
 double HeightOf(const PrintRoom& room, double scale, const TypeStyle& style) {
   const double gap = style.line_pitch - style.size;
@@ -104,15 +126,13 @@ PrintRoom LowerMargin(const TextPage& page, const Script& script, const TypeStyl
 
 std::vector<PrintRoom> PrintRooms(const TextPage& page, const Script& script,
                                   const TypeStyle& style) {
-  const std::map<LineKind, Reach> reach = ReachOf(page, script, style);
+  std::map<LineKind, PrintRoom> kinds = RoomsOfKinds(page, script, style);
   const PrintRoom margin = LowerMargin(page, script, style);
-  std::size_t last = 0;
-  for (const PlacedGlyph& placed : page.glyphs) last = std::max(last, placed.line);
+  const std::size_t last = LastLine(page);
   std::vector<PrintRoom> rooms;
   for (const PlacedGlyph& placed : page.glyphs) {
     const double scale = ScaleOf(placed.kind, style);
-    const auto own = reach.find(placed.kind);  // guide lines may be alone
-    const PrintRoom room = RoomOf(own == reach.end() ? Reach() : own->second, scale, style);
+    const PrintRoom room = kinds[placed.kind];  // guide lines may be alone
     const double needed = kBlock * std::max(HeightOf(room, scale, style), kSmallest);
     PrintRoom& there = rooms.emplace_back(
         PrintRoom{placed.origin_P.y + room.top, placed.origin_P.y + room.bottom});
@@ -129,14 +149,14 @@ std::vector<PrintRoom> PrintRooms(const TextPage& page, const Script& script,
 
 std::vector<Mark> PrintMarks(const TextPage& page, const Script& script, const TypeStyle& style,
                              std::string_view source) {
-  const std::map<LineKind, Reach> reach = ReachOf(page, script, style);
+  const std::map<LineKind, PrintRoom> kinds = RoomsOfKinds(page, script, style);
   const std::vector<PrintRoom> rooms = PrintRooms(page, script, style);
   std::vector<Mark> marks;
   for (std::size_t i = 0; i < page.glyphs.size(); ++i) {
     const PlacedGlyph& placed = page.glyphs[i];
     if (placed.source_begin == placed.source_end) continue;
     const double scale = ScaleOf(placed.kind, style);
-    const PrintRoom room = RoomOf(reach.at(placed.kind), scale, style);
+    const PrintRoom& room = kinds.at(placed.kind);
     const double height = HeightOf(room, scale, style);
     CheckHeight(height, room, scale, style);
     TextMark mark;

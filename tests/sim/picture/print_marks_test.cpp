@@ -103,6 +103,18 @@ TEST(PrintMarks, NeverStandOnARule) {
   EXPECT_GE(refused, 1);
 }
 
+// Below a single line there is no other whose rule the print would have to keep away from.
+TEST(PrintMarks, OfASingleLineBetweenRulesAreAsHighAsWithout) {
+  const Script moon = FindScript("moon");
+  TypeStyle style = StyleFor(moon);
+  style.rules.makes_room = true;
+  const Printed open("one", moon, style);
+  style.rules.lines = true;
+  const Printed ruled("one", moon, style);
+  EXPECT_NEAR(ruled.marks[0].height, open.marks[0].height, 1e-9);
+  ExpectBelow(ruled);
+}
+
 // A line at the foot of the text area has the margin's ridge below it, and beyond that the paper.
 TEST(PrintMarks, NeverStandOnARaisedMargin) {
   const Script moon = FindScript("moon");
