@@ -1,8 +1,10 @@
 #include "lessons/documents/text_document.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "lessons/documents/block_writer.h"
@@ -177,6 +179,42 @@ class LineHyphens {
   bool hyphenated_ = false;
 };
 
+/// A word by which chapters are counted, before their number.
+bool CountsChapters(std::string_view line) {
+  static constexpr std::array<std::string_view, 16> kWords = {
+      "chapter", "book",     "part",  "act",    "scene", "canto",    "volume",    "section",
+      "kapitel", "chapitre", "livre", "partie", "buch",  "capitolo", "hoofdstuk", "teil"};
+  const std::size_t end = line.find(' ');
+  if (end == std::string_view::npos) return false;
+  const std::string word = LowerCase(line.substr(0, end));
+  if (std::find(kWords.begin(), kWords.end(), word) == kWords.end()) return false;
+  std::string number = LowerCase(line.substr(end + 1));
+  number.resize(std::min(number.find_first_of(" .:,-"), number.size()));
+  return !number.empty() && (number.find_first_not_of("ivxlcdm") == std::string::npos ||
+                             number.find_first_not_of("0123456789") == std::string::npos);
+}
+
+bool IsCapitals(std::string_view line) {
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  return line[0] != '*' && line[0] != '[' && line.back() != ',' &&
+         std::count_if(line.begin(), line.end(), is_capital) > 2 &&
+         std::none_of(line.begin(), line.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+}
+
+/// Whether lines that stand apart by more than one blank line are the heading of a chapter, as
+/// Project Gutenberg's texts have them: counted, or in capitals.
+bool IsHeading(const Lines& lines, std::size_t first, std::size_t end) {
+  constexpr std::size_t kMostLines = 3, kLongest = 60;  // lines, characters; ours
+  if (end - first > kMostLines) return false;
+  for (std::size_t i = first; i < end; ++i) {
+    if (CountCharacters(lines[i]) > kLongest) return false;
+  }
+  std::string_view line = lines[first];
+  line.remove_prefix(line.find_first_not_of(" \t"));
+  line = line.substr(0, line.find_last_not_of(" \t\r\v") + 1);
+  return CountsChapters(line) || (end - first == 1 && IsCapitals(line));
+}
+
 /// Characters of "# " to "### " or "> " at the beginning; 0 for others.
 std::size_t MarkAt(std::string_view line, char& mark) {
   std::size_t at = 0;
@@ -229,6 +267,17 @@ void WriteLines(const Lines& lines, std::size_t first, std::size_t end, std::siz
   writer.End();
 }
 
+void WriteHeading(const Lines& lines, std::size_t first, std::size_t end, BlockWriter& writer) {
+  WritingState state;
+  state.kind = BlockKind::kHeading;
+  state.level = 1;
+  for (std::size_t i = first; i < end; ++i) {
+    writer.Append(lines[i], state);
+    writer.Append(" ", state);
+  }
+  writer.End();
+}
+
 void WriteMarked(std::string_view line, std::size_t length, char mark, BlockWriter& writer) {
   WritingState state;
   if (mark == '#') {
@@ -250,18 +299,25 @@ Document ReadPlainText(std::string_view text, const std::string& name, bool mark
   const Lines lines = LinesOf(text);
   const std::size_t width = WidthOf(lines);
   const LineHyphens hyphens(lines);
+  std::size_t blank = 0;  // lines before this one
   for (std::size_t i = 0; i < lines.size();) {
     if (IsBlank(lines[i])) {
+      ++blank;
       ++i;
       continue;
     }
+    const bool apart = std::exchange(blank, 0) > 1;
     std::size_t end = i;
     char mark = ' ';
     while (end < lines.size() && !IsBlank(lines[end]) &&
            (!marks || MarkAt(lines[end], mark) == 0)) {
       ++end;
     }
-    if (end > i) WriteLines(lines, i, end, width, hyphens, writer);
+    if (apart && !marks && IsHeading(lines, i, end)) {
+      WriteHeading(lines, i, end, writer);
+    } else if (end > i) {
+      WriteLines(lines, i, end, width, hyphens, writer);
+    }
     i = end;
     if (i < lines.size() && !IsBlank(lines[i])) {
       const std::size_t length = MarkAt(lines[i], mark);

@@ -110,6 +110,19 @@ TEST(ReadPlainText, HyphensThatOnlyALinesEndHasAreNoSigns) {
   EXPECT_EQ(TextsOf(long_text).front().substr(wide.size(), 11), " well-known");
 }
 
+// Project Gutenberg's texts: four blank lines before a chapter, two behind its heading.
+TEST(ReadPlainText, HeadingsOfChaptersStandApart) {
+  const Document book = ReadPlainText(
+      "Title\n\n\n\n\nCHAPTER I.\nDown the Rabbit-Hole\n\n\nAlice was beginning.\n\nSTOP!\n\n"
+      "she said.\n\n\n\n  Chapter 2: The Pool\n\nText.\n\n\nTHE POOL OF TEARS\n\nText.\n\n\n"
+      "Part of it was\n\n\n*** END OF THE BOOK ***\n",
+      "t", false);
+  std::vector<std::string> headings;
+  for (const ContentsEntry& entry : ContentsOf(book)) headings.push_back(entry.title);
+  EXPECT_EQ(headings, (std::vector<std::string>{"CHAPTER I. Down the Rabbit-Hole",
+                                                "Chapter 2: The Pool", "THE POOL OF TEARS"}));
+}
+
 TEST(ReadPlainText, ReadsMarksWhereAskedTo) {
   const char* text = "# Title\nwords\n> quoted\n>\n#no heading\n";
   const Document plain = ReadPlainText(text, "t", false);
