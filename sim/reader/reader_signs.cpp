@@ -154,9 +154,13 @@ bool Reader::LeftAGap(glm::dvec2 entry) {
   return true;
 }
 
-/// Behind a line's last sign, where one of dots and bars may stand after a space.
+/// Behind a line's last sign, where one of dots and bars may stand after a space; unless it has
+/// looked so far already, before something that it met there and that was no sign.
 void Reader::LookThroughLineEnd() {
-  LookThroughGap(gap_to_, (far_ + 1) * knowledge_.space + kDotWithin, AfterGap::kLineEnd);
+  const double to = (far_ + 1) * knowledge_.space + kDotWithin;
+  if (gap_to_ < to) return LookThroughGap(gap_to_, to, AfterGap::kLineEnd);
+  after_gap_ = AfterGap::kLineEnd;
+  LeaveGap();
 }
 
 /// Whether the line may go on behind two spaces, or three. It looks where most words would have

@@ -170,6 +170,15 @@ TEST_F(RecogniseCommand, ReadsLinesHoweverTheyRun) {
   }
 }
 
+// By this seed it has looked beyond a line's end already, before it finds that the line ends: no
+// way is left to look along.
+TEST_F(RecogniseCommand, EndsALineBeyondWhichItHasLooked) {
+  const Outcome outcome = RunLine({"recognise", "(abc) 12. de, fg\n(abc) 12. de, fg", "--size-mm",
+                                   "6", "--seed", "37", "--json"});
+  EXPECT_TRUE(outcome.Json()["ended"]);
+  EXPECT_EQ(outcome.Json()["signs"], 28);  // with that of numbers
+}
+
 // Where guides are ridges, or links lie as in no line to the right, it gets lost, but not for ever.
 TEST_F(RecogniseCommand, SaysWhichLinesLeadItAstray) {
   const std::vector<std::vector<std::string>> astray = {
