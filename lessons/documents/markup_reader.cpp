@@ -268,9 +268,15 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
   }
   if (OpenSilent(frame, name, attributes)) {
     NoteAnchor(attributes);
-    frames_.push_back(frame);
-    return;
+  } else {
+    OpenShown(frame, name, attributes);
   }
+  frames_.push_back(frame);
+}
+
+/// An element whose text is read, or that stands among such text. `frame` is not yet open.
+void MarkupReader::OpenShown(Frame& frame, std::string_view name,
+                             const MarkupAttributes& attributes) {
   frame.line = IsLineOfVerse(frame, attributes);
   frame.stanza = IsStanza(name, attributes);
   frame.stand_in = frame.stand_in || name == "noscript";
@@ -298,7 +304,6 @@ void MarkupReader::Open(std::string_view name, const MarkupAttributes& attribute
     page_placed_ = name == "pagenum";
     NotePageAnchor(attributes);
   }
-  frames_.push_back(frame);
 }
 
 /// A line of verse is no paragraph: it stands below the one before. `frame` is not yet open.

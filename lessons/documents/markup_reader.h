@@ -90,6 +90,7 @@ class MarkupReader : public MarkupSink {
 
   bool PassedOver(std::string_view name, const MarkupAttributes& attributes);
   bool OpenSilent(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
+  void OpenShown(Frame& frame, std::string_view name, const MarkupAttributes& attributes);
   bool IsLineOfVerse(const Frame& frame, const MarkupAttributes& attributes) const;
   void OpenPrintPage(Frame& frame, const MarkupAttributes& attributes);
   void NotePageAnchor(const MarkupAttributes& attributes);
