@@ -179,19 +179,19 @@ class Reader final : public PageReader {
   int falls_ = 0;             ///< off its face, on this way
   glm::dvec2 carried_{0, 0};  ///< where that carried it last [m]
   int restarts_ = 0, skips_ = 0;
-  int rounds_ = 0;                  ///< lines in a row that began no lower than the one before
-  bool wider_ = false;              ///< looks for the first line in a wider way
-  bool straight_ = false;           ///< looks for the next line straight down
-  Box first_skipped_;               ///< round the first sign that was left for later
-  std::size_t unknowns_ = 0;        ///< signs in a row
-  std::vector<FeltPoint> unknown_;  ///< what was felt of the last sign
-  std::vector<SignRead> line_;      ///< as it runs
-  bool leftwards_ = false;          ///< the line runs so
-  int far_ = 0;                     ///< spaces beyond one, behind which it looks for its next sign
-  double farthest_ = -HUGE_VAL;     ///< to the right, where a line has ended [m]
-  bool guided_ = false;             ///< lines end in guides
-  int widest_gap_ = 0;              ///< most spaces beyond one between two signs so far
-  double guide_gap_ = 0;            ///< between guides and signs [em]
+  int rounds_ = 0;                    ///< lines in a row that began no lower than all before
+  bool wider_ = false;                ///< looks for the first line in a wider way
+  bool straight_ = false;             ///< looks for the next line straight down
+  std::optional<Box> first_skipped_;  ///< round the first sign that was left for later
+  std::size_t unknowns_ = 0;          ///< signs in a row
+  std::vector<FeltPoint> unknown_;    ///< what was felt of the last sign
+  std::vector<SignRead> line_;        ///< as it runs
+  bool leftwards_ = false;            ///< the line runs so
+  int far_ = 0;                  ///< spaces beyond one, behind which it looks for its next sign
+  double farthest_ = -HUGE_VAL;  ///< to the right, where a line has ended [m]
+  bool guided_ = false;          ///< lines end in guides
+  int widest_gap_ = 0;           ///< most spaces beyond one between two signs so far
+  double guide_gap_ = 0;         ///< between guides and signs [em]
   double size_ = 0;
   std::vector<double> sizes_;       ///< that are tried [m]
   std::vector<double> size_logs_;   ///< PlacePrior::size_logs, before the first sign is read

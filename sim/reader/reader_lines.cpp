@@ -348,6 +348,7 @@ bool Reader::StartAnew() {
   line_.clear();
   signs_ = unknowns_ = 0;
   skips_ = 0;
+  first_skipped_.reset();
   felt_sizes_.clear();
   size_logs_.clear();
   gaps_ = 0;
@@ -385,9 +386,9 @@ void Reader::Missed() {
         skipped_ = Skipped::kNone;
         return SearchNextLine();
       }
-      if (skips_ > 0 && skips_ < kNoMoreSkips) {  // there was nothing but that
+      if (first_skipped_ && skips_ < kNoMoreSkips) {  // there was nothing but that
         skips_ = kNoMoreSkips;
-        return SweepAcross(first_skipped_);
+        return SweepAcross(*first_skipped_);
       }
       if (skips_ == kNoMoreSkips) {  // nor there
         ++skips_;
@@ -443,10 +444,11 @@ void Reader::EndLine() {
   if (!line.empty()) {
     tokens_.insert(tokens_.end(), line.begin(), line.end());
     tokens_.push_back({ReadToken::Kind::kLineEnd, 0, 1, now_, line_.back().guess.place});
-    line_starts_.push_back(StartOfLine());
-    const std::size_t lines = line_starts_.size();
+    const SignPlace start = StartOfLine();
     const bool lower =
-        lines < 2 || Across(line_starts_[lines - 2], line_starts_.back().origin) < -kLower;
+        std::all_of(line_starts_.begin(), line_starts_.end(),
+                    [&](const SignPlace& one) { return Across(one, start.origin) < -kLower; });
+    line_starts_.push_back(start);
     rounds_ = lower ? 0 : rounds_ + 1;
   }
   farthest_ = std::max(farthest_, Along(Expected().origin));
@@ -454,6 +456,7 @@ void Reader::EndLine() {
   leftwards_ = straight_ = false;
   far_ = 0;
   skips_ = 0;
+  first_skipped_.reset();
   skipped_ = Skipped::kUnknown;
   evidence_.flats.clear();
 }

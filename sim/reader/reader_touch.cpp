@@ -256,7 +256,8 @@ bool Reader::SkipFirst() {
     if (!groove.crossed) Include(box, groove.p);
   }
   if (box.min.x > box.max.x) box = FeltBox();
-  if (skips_++ == 0) first_skipped_ = box;
+  ++skips_;
+  if (!first_skipped_) first_skipped_ = box;
   if (first) WeighSizes();
   const double a = first ? knowledge_.least_size : size_;
   const double y = 0.5 * (box.min.y + box.max.y);

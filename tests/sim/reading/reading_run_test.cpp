@@ -330,6 +330,49 @@ TEST(Reading, ReadsOnDevices) {
   }
 }
 
+/// A sheet within a stick's reach.
+struct Sheet {
+  const char* device;
+  double size;  // [m]
+  const char* text;
+  std::uint64_t seed;
+};
+struct SheetRead {
+  ReadingResult result;
+  ReadingScore score;
+};
+SheetRead ReadSheet(const Sheet& sheet) {
+  const Script script = FindScript("moon");
+  TypeStyle style = DefaultStyle(sheet.size, Relief::kEngraved, script);
+  style.grade = 0.5;
+  ReadingSetup setup;
+  setup.device = FindProfile(sheet.device, ProfilesFolder());
+  const Typeset set = SetText(sheet.text, script, style, SheetWithin(setup.device->limits));
+  EXPECT_EQ(set.pages.size(), 1U) << sheet.text;
+  const TextPage& page = set.pages.front();
+  const TextureField field = PageField(page, script, style, false);
+  setup.page = &page;
+  setup.field = &field;
+  setup.hand = ShippedHand();
+  CompleteSetup(setup, KnownShapes(script, set.pages), script, style, sheet.seed);
+  SheetRead read{RunReading(setup), {}};
+  read.score = Compare(MarksOf(page, script), MarksOf(read.result.tokens, script));
+  return read;
+}
+
+// Behind the last line it went back to the first one, over and over.
+TEST(SlowReading, EndsBelowTheLastLine) {
+  const SheetRead read = ReadSheet({"vpforce-rhino", 0.016, "ulxhv uzhyd kqzya zezov", 117});
+  EXPECT_EQ(read.score.signs_right, read.score.signs);
+  EXPECT_TRUE(read.result.ended);
+  std::size_t last_lines = 0;
+  for (const ReadToken& token : read.result.tokens) {
+    last_lines +=
+        token.kind == ReadToken::Kind::kSign && token.glyph == FindScript("moon").Find("o");
+  }
+  EXPECT_EQ(last_lines, 1U);
+}
+
 // A profile that pushes only along z: walls are felt by no one, and no force is told of them.
 TEST(Reading, IsToldTheForceOfPushedAxesOnly) {
   const Desk desk("so");
