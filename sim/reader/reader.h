@@ -50,6 +50,11 @@ class Reader final : public PageReader {
   /// Within what it was told, some 4 percent apart [m].
   static std::vector<double> AllSizes(const ReaderKnowledge& knowledge);
   bool StartAnew();
+  bool MayHaveWrongSize() const;
+  bool SizesAgree() const;
+  void BeginAtTop();
+  void ForgetPage();
+  void ForgetSize();
   ReaderAction Act(const Felt& felt);
   void FlyTo(glm::dvec2 to, Phase then);
   std::vector<glm::dvec2> WithinFace(std::vector<glm::dvec2> way) const;
@@ -174,10 +179,12 @@ class Reader final : public PageReader {
   glm::dvec2 first_direction_{1, 0};  ///< of the newest leg
   int crossings_ = 0, tries_ = 0, circles_ = 0;
   // the page
-  glm::dvec2 start_{0, 0};    ///< where the hand was put [m]
-  double put_ = 0;            ///< and how high [m]
-  int falls_ = 0;             ///< off its face, on this way
-  glm::dvec2 carried_{0, 0};  ///< where that carried it last [m]
+  glm::dvec2 start_{0, 0};         ///< where the hand was put [m]
+  double put_ = 0;                 ///< and how high [m]
+  int falls_ = 0;                  ///< off its face, on this way
+  glm::dvec2 carried_{0, 0};       ///< where that carried it last [m]
+  std::optional<glm::dvec2> top_;  ///< where to begin again once the second line has told the size
+  bool looked_below_ = false;      ///< it was looked for there
   int restarts_ = 0, skips_ = 0;
   int rounds_ = 0;                    ///< lines in a row that began no lower than all before
   bool wider_ = false;                ///< looks for the first line in a wider way

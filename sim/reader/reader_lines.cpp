@@ -14,7 +14,6 @@ namespace {
 constexpr double kWide = 0.6;       ///< beyond a space, where one more may be
 constexpr double kTellsSize = 0.6;  ///< a smaller sign says little of the size
 constexpr double kSameSign = 0.4;   ///< nearer signs are one
-constexpr int kMostRestarts = 3;
 constexpr int kNoMoreSkips = 1000;
 constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
 /// Below a base line the next line's signs begin there, however far apart the lines before were:
@@ -338,27 +337,6 @@ void Reader::SearchFirstLine() {
   SweepAlong(std::move(way), Errand::kFirstLine);
 }
 
-/// What it took for signs leads nowhere: it begins the page again, a little lower.
-bool Reader::StartAnew() {
-  if (unknowns_ < 2 || signs_ > 3 || !line_starts_.empty() || restarts_ >= kMostRestarts) {
-    return false;
-  }
-  ++restarts_;
-  start_.y -= (0.1 + 0.2 * random_.Uniform()) * knowledge_.least_size;
-  line_.clear();
-  signs_ = unknowns_ = 0;
-  skips_ = 0;
-  first_skipped_.reset();
-  felt_sizes_.clear();
-  size_logs_.clear();
-  gaps_ = 0;
-  gap_bias_ = turn_ = across_ = along_ = 0;
-  sizes_ = AllSizes(knowledge_);
-  size_ = std::sqrt(knowledge_.least_size * knowledge_.greatest_size);
-  SearchFirstLine();
-  return true;
-}
-
 void Reader::SearchNextLine() {
   const SignPlace above = line_starts_.back();
   // To and fro over its first sign or two, slanting, so that bars are met as well. A short one that
@@ -433,6 +411,7 @@ SignPlace Reader::StartOfLine() const {
 }
 
 void Reader::LeaveLine() {
+  if (top_) return BeginAtTop();
   EndLine();
   if (rounds_ < kMostRounds) return SearchNextLine();
   phase_ = Phase::kDone;

@@ -360,6 +360,17 @@ SheetRead ReadSheet(const Sheet& sheet) {
   return read;
 }
 
+// One or two letters told a wrong size, and nothing below was read with it.
+TEST(SlowReading, LearnsTheSizeBelowAShortFirstLine) {
+  for (const Sheet& sheet : {Sheet{"generic-pid", 0.018, "o gqhq e", Random(9).Bits()},
+                             Sheet{"generic-pid", 0.022, "wo uvj sj", Random(8).Bits()},
+                             Sheet{"generic-pid", 0.022, "i lnc kw", Random(2).Bits()}}) {
+    const SheetRead read = ReadSheet(sheet);
+    EXPECT_EQ(read.score.signs_right, read.score.signs) << sheet.text;
+    EXPECT_TRUE(read.result.ended) << sheet.text;
+  }
+}
+
 // Behind the last line it went back to the first one, over and over.
 TEST(SlowReading, EndsBelowTheLastLine) {
   const SheetRead read = ReadSheet({"vpforce-rhino", 0.016, "ulxhv uzhyd kqzya zezov", 117});
