@@ -1,9 +1,10 @@
 #include "textures/field/field.h"
 
 #include <cmath>
+#include <utility>
 
 #include "textures/base/digest.h"
-#include "textures/field/field_layer.h"
+#include "textures/field/field_place.h"
 
 namespace moontrace {
 
@@ -73,21 +74,30 @@ TextureField& TextureField::operator=(TextureField&&) noexcept = default;
 
 TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
   double slope_bound = 0;
+  std::vector<CompiledPart> parts;
   for (const Layer& layer : texture.layers) {
     if (layer.group == nullptr || layer.group->bounds.min.x > layer.group->bounds.max.x) continue;
-    layers_.push_back(CompileLayer(layer));
-    double slope = 0, curvature = 0, depth = 0;
-    for (const FlatProfile& profile : layers_.back().profiles) {
-      slope = std::fmax(slope, profile.slope);
-      curvature = std::fmax(curvature, profile.curvature);
-      depth = std::fmax(depth, profile.depth);
+    const std::size_t first = parts.size();
+    for (CompiledPart& part : CompileLayer(layer)) parts.push_back(std::move(part));
+    double slope = 0, steepest = 0, curvature = 0, depth = 0;
+    for (std::size_t i = first; i < parts.size(); ++i) {
+      const bool blends = parts[i].layer.blend_radii.size() > 1;
+      for (const FlatProfile& profile : parts[i].layer.profiles) {
+        slope = std::fmax(slope, profile.slope);
+        steepest = std::fmax(steepest, (blends ? kBlendSteepens : 1) * profile.slope);
+        curvature = std::fmax(curvature, profile.curvature);
+        depth = std::fmax(depth, profile.depth);
+      }
     }
     greatest_slope_ += slope;
     greatest_curvature_ += curvature;
     greatest_displacement_ += depth;
     (layer.relief == Relief::kEmbossed ? greatest_rise_ : greatest_fall_) += depth;
-    slope_bound += layers_.back().blend_radii.size() > 1 ? kBlendSteepens * slope : slope;
+    slope_bound += steepest;
   }
+  const LayerMap others(parts);
+  for (CompiledPart& part : parts) layers_.push_back(std::move(part.layer));
+  if (!layers_.empty()) layers_.front().others = others;
   is_page_ = layers_.size() == 1 && !layers_.front().rows.pairs.empty() &&
              layers_.front().profiles.size() == 1 && paper_.empty();
   greatest_slope_ += paper_.bounds().slope;
@@ -102,9 +112,9 @@ TextureField::TextureField(const Texture& texture) : paper_(texture.paper) {
 std::size_t TextureField::memory_bytes() const noexcept {
   std::size_t bytes = sizeof *this + Bytes(layers_) + paper_.memory_bytes();
   for (const CompiledLayer& layer : layers_) {
-    bytes += Bytes(layer.rows.slots) + Bytes(layer.rows.pairs) + Bytes(layer.rows.heights) +
-             Bytes(layer.rows.of_band) + Bytes(layer.bands) + Bytes(layer.buckets) +
-             Bytes(layer.leaves) + Bytes(layer.reaches) + Bytes(layer.heights) +
+    bytes += layer.others.memory_bytes() + Bytes(layer.rows.slots) + Bytes(layer.rows.pairs) +
+             Bytes(layer.rows.heights) + Bytes(layer.rows.of_band) + Bytes(layer.bands) +
+             Bytes(layer.buckets) + Bytes(layer.leaves) + Bytes(layer.reaches) +
              Bytes(layer.blocks) + Bytes(layer.blend_radii) + Bytes(layer.cells) +
              Bytes(layer.items) + Bytes(layer.lists) + Bytes(layer.block_blends) +
              Bytes(layer.elements) + Bytes(layer.fills) + Bytes(layer.fades) +

@@ -16,8 +16,8 @@ namespace {
 
 using CompiledLayer = TextureField::CompiledLayer;
 
-/// Whether the element can matter within `reach` of a point (a cell's middle): never false by
-/// mistake.
+}  // namespace
+
 bool CanMatter(const Element& element, glm::dvec2 middle, double reach) {
   const double from_spine = reach + 0.5 * element.profile.width;
   const auto fill_can = [reach, middle](const Fill& fill) {
@@ -34,6 +34,8 @@ bool CanMatter(const Element& element, glm::dvec2 middle, double reach) {
       },
       element.shape);
 }
+
+namespace {
 
 /// How much of a disc lies beside a spine, between its butt ends.
 enum class Beside { kNot, kPartly, kWholly };

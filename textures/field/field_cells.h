@@ -18,6 +18,10 @@ struct CappedLine {
 /// Those with a cap at least, from the group's first on; none where they could not be numbered.
 std::vector<CappedLine> CappedLines(const Group& group);
 
+/// Whether the element can matter within `reach` of a point (a cell's middle): never false by
+/// mistake.
+bool CanMatter(const Element& element, glm::dvec2 middle, double reach);
+
 /// Lays the blocks' grids and fills them: for each cell the elements that can matter there, in the
 /// group's order. `groups` are the blocks'. The layer's steps, and what the blocks' elements are,
 /// must be known.

@@ -213,53 +213,75 @@ void AddBlocks(std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
   }
 }
 
-/// A rectangle that no element reaches: the layer's box, cut back from the side that costs least
-/// area for each element in turn. Large where elements stand around, as a raised margin does; not
-/// looked for between many groups, as of text.
-Box HoleIn(const std::vector<PlacedGroup>& leaves) {
-  constexpr std::size_t kFew = 16;
-  if (leaves.size() > kFew) return {};
-  Box hole;
-  std::vector<Box> boxes;
-  for (const PlacedGroup& leaf : leaves) {
-    Include(hole, leaf.box);
-    const double reach = BlendReach(leaf.group->elements.size(), leaf.group->blend_radius);
-    for (const Element& element : leaf.group->elements) {
-      boxes.push_back(Grown(Moved(BoundsOf(element), leaf.origin), reach + 1e-9));
+/// Whether some elements of both could matter at one point.
+bool Meet(const PlacedGroup& a, const PlacedGroup& b) {
+  const auto boxes = [](const PlacedGroup& place, const Box& within) {
+    const double reach = BlendReach(place.group->elements.size(), place.group->blend_radius);
+    std::vector<Box> found;
+    for (const Element& element : place.group->elements) {
+      const Box box = Grown(Moved(BoundsOf(element), place.origin), reach + 1e-12);
+      if (Overlap(box, within)) found.push_back(box);
     }
-  }
-  const auto area = [](const Box& box) {
-    const glm::dvec2 size = glm::max(box.max - box.min, 0.0);
-    return size.x * size.y;
+    return found;
   };
-  for (const Box& box : boxes) {
-    if (!Overlap(hole, box)) continue;
-    std::array<Box, 4> cut{hole, hole, hole, hole};
-    cut[0].min.x = box.max.x;
-    cut[1].max.x = box.min.x;
-    cut[2].min.y = box.max.y;
-    cut[3].max.y = box.min.y;
-    hole = *std::max_element(cut.begin(), cut.end(),
-                             [&area](const Box& a, const Box& b) { return area(a) < area(b); });
-    if (area(hole) == 0) return {};
+  if (!Overlap(a.box, b.box)) return false;
+  const std::vector<Box> others = boxes(b, a.box);
+  for (const Box& box : boxes(a, b.box)) {
+    const auto overlaps = [&box](const Box& other) { return Overlap(box, other); };
+    if (std::any_of(others.begin(), others.end(), overlaps)) return true;
   }
-  return hole;
+  return false;
 }
 
-}  // namespace
-
-CompiledLayer CompileLayer(const Layer& layer) {
-  CompiledLayer compiled;
-  compiled.sign = layer.relief == Relief::kEngraved ? -1 : 1;
-  std::vector<PlacedGroup> leaves;
-  CollectLeaves(*layer.group, {0, 0}, 0, leaves);
-  for (const PlacedGroup& leaf : leaves) {
-    if (!std::isfinite(leaf.origin.x) || !std::isfinite(leaf.origin.y)) {
-      throw InputError("a group stands at a place that is not a number: check its origin");
+/// Numbers of the places that meet one that comes before them in the tree: it counts at a tie. None
+/// where these are more than half, or so many crowd together that looking for them would take long.
+std::vector<std::size_t> Overlapping(const std::vector<PlacedGroup>& places) {
+  const std::size_t most_pairs = 64 * places.size();
+  std::size_t pairs = 0;
+  Box all;
+  double height = 0;
+  for (const PlacedGroup& place : places) {
+    Include(all, place.box);
+    height += (place.box.max.y - place.box.min.y) / static_cast<double>(places.size());
+  }
+  const double bands = std::min((all.max.y - all.min.y) / height, 1e4);
+  const auto band_of = [&](double y) {
+    return static_cast<std::size_t>((y - all.min.y) / (all.max.y - all.min.y) * bands);
+  };
+  std::vector<std::vector<std::size_t>> in_band(static_cast<std::size_t>(bands) + 1);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t last = band_of(places[i].box.max.y);
+    for (std::size_t k = band_of(places[i].box.min.y); k <= last; ++k) in_band[k].push_back(i);
+  }
+  std::vector<bool> overlaps(places.size());
+  std::vector<std::size_t> found;
+  for (std::vector<std::size_t>& band : in_band) {
+    std::sort(band.begin(), band.end(), [&places](std::size_t a, std::size_t b) {
+      return places[a].box.min.x < places[b].box.min.x;
+    });
+    for (std::size_t i = 0; i < band.size(); ++i) {
+      const Box& box = places[band[i]].box;
+      for (std::size_t k = i + 1; k < band.size(); ++k) {
+        const PlacedGroup& other = places[band[k]];
+        if (other.box.min.x > box.max.x) break;
+        const std::size_t later = std::max(band[i], band[k]);
+        if (++pairs > most_pairs) return {};
+        if (overlaps[later] || !Meet(places[band[i]], other)) continue;
+        overlaps[later] = true;
+        found.push_back(later);
+        if (2 * found.size() > places.size()) return {};
+      }
     }
   }
-  AddBlocks(leaves, compiled);
-  compiled.hole = HoleIn(leaves);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+CompiledPart Compile(std::vector<PlacedGroup> places, Relief relief) {
+  CompiledPart part;
+  CompiledLayer& compiled = part.layer;
+  compiled.sign = relief == Relief::kEngraved ? -1 : 1;
+  AddBlocks(places, compiled);
   double finest = std::numeric_limits<double>::infinity();
   for (const FlatProfile& profile : compiled.profiles) finest = std::min(finest, 2 * profile.half);
   double longest = 0;
@@ -269,11 +291,44 @@ CompiledLayer CompileLayer(const Layer& layer) {
   }
   // coarser where a group is so large that its steps could not be counted
   compiled.steps_per_m = std::min(kStepsPerWidth / finest, kMostSteps / longest);
-  AddPlaces(leaves, compiled);
+  AddPlaces(places, compiled);
   std::vector<const Group*> groups(compiled.blocks.size());
-  for (const PlacedGroup& leaf : leaves) groups[leaf.block] = leaf.group;
+  for (const PlacedGroup& place : places) groups[place.block] = place.group;
   AddCells(groups, compiled);
-  return compiled;
+  part.places = std::move(places);
+  return part;
+}
+
+bool IsInRows(const CompiledPart& part) { return part.layer.rows.length > 0; }
+
+}  // namespace
+
+std::vector<CompiledPart> CompileLayer(const Layer& layer) {
+  std::vector<PlacedGroup> places;
+  CollectLeaves(*layer.group, {0, 0}, 0, places);
+  for (const PlacedGroup& place : places) {
+    if (!std::isfinite(place.origin.x) || !std::isfinite(place.origin.y)) {
+      throw InputError("a group stands at a place that is not a number: check its origin");
+    }
+  }
+  std::vector<CompiledPart> parts;
+  parts.push_back(Compile(std::move(places), layer.relief));
+  if (IsInRows(parts.front())) return parts;
+  const std::vector<std::size_t> overlapping = Overlapping(parts.front().places);
+  if (overlapping.empty()) return parts;
+  std::vector<PlacedGroup> letters, links;
+  for (const PlacedGroup& place : parts.front().places) {
+    const bool is_link = links.size() < overlapping.size() &&
+                         place.order == parts.front().places[overlapping[links.size()]].order;
+    (is_link ? links : letters).push_back(place);
+  }
+  CompiledPart rows = Compile(std::move(letters), layer.relief);
+  if (!IsInRows(rows)) return parts;
+  parts = {};
+  parts.push_back(std::move(rows));
+  parts.push_back(Compile(std::move(links), layer.relief));
+  parts.back().layer.joins = true;
+  return parts;
 }
 
 }  // namespace moontrace

@@ -4,16 +4,11 @@
 
 #include "textures/base/branchless.h"
 #include "textures/field/field_layer.h"
+#include "textures/field/in_box.h"
 
 namespace moontrace {
 
 /// How a query finds what can matter at a point. All inline: it runs in the tick.
-
-/// Whether a point relative to a placed block's origin lies in its box.
-inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
-  // one branch instead of four: they are all taken or the point lies between letters
-  return BothBetween(&box.min.x, p.x, p.y, &box.max.x);
-}
 
 /// Where a point lies beside a block's origin, in whole steps.
 struct Steps {
@@ -187,9 +182,11 @@ inline FoundLetter FindLetter(const TextureField::CompiledLayer& layer, std::uin
 /// What a cell of a layer in rows gives at a point of it, from the block's origin.
 Sample SampleCellAt(const TextureField::CompiledLayer& layer, const Block& block, Cell cell,
                     glm::dvec2 p) noexcept;
-/// What a whole layer gives, anywhere on the page.
+/// What the first layer gives, anywhere on the page.
 Sample SampleLayerAt(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept;
-/// Whether nothing of a layer other than the first can be there.
-bool IsBare(const TextureField::CompiledLayer& layer, glm::dvec2 p) noexcept;
+/// What all layers give, where the first gives `first` and `others` are those that can matter
+/// (LayerMap).
+Sample SampleWithOthers(const std::vector<TextureField::CompiledLayer>& layers, Sample first,
+                        unsigned others, glm::dvec2 p) noexcept;
 
 }  // namespace moontrace

@@ -8,6 +8,7 @@
 #include "textures/field/field.h"
 #include "textures/field/fill.h"
 #include "textures/field/large_array.h"
+#include "textures/field/layer_map.h"
 
 namespace moontrace {
 
@@ -217,22 +218,23 @@ struct Rows {
 /// width: a bucket knows the first leaf that reaches into it.
 struct TextureField::CompiledLayer {
   double sign = -1;
+  /// Of one layer with the one before, so that the greater magnitude counts; else they add.
+  bool joins = false;
+  LayerMap others;           ///< of a field's first layer: those beyond it
   glm::dvec2 origin{0, 0};   ///< of the first band's first bucket [m]
   double bands_per_m = 0;    ///< [1/m]
   double steps_per_m = 0;    ///< of the blocks' grids [1/m]
   double lead = 0;           ///< where steps in x are counted from, beside a block's origin [m]
   double buckets_per_m = 0;  ///< [1/m]
   double reach_per_m = 0;    ///< steps of Reach in x [1/m]
-  Box hole;                  ///< a rectangle within which there is nothing; empty: not known
   double band_count = 0,
          bucket_count = 0;  ///< buckets in a band, 0 with rows; whole numbers, compared as doubles
   std::uint32_t bucket_shift = 0;    ///< a bucket holds offset / 2^shift from the band's first leaf
   Rows rows;                         ///< else the following three
   std::vector<std::uint32_t> bands;  ///< first leaf of each
   std::vector<std::uint16_t> buckets;
-  std::vector<Leaf> leaves;         ///< of each band from left to right
-  LargeArray<Reach> reaches;        ///< of each leaf, and some beyond the last that cover nothing
-  std::vector<glm::dvec2> heights;  ///< from and to where groups fill a band [m]; where few blocks
+  std::vector<Leaf> leaves;   ///< of each band from left to right
+  LargeArray<Reach> reaches;  ///< of each leaf, and some beyond the last that cover nothing
   LargeArray<Block> blocks;
   std::vector<double> blend_radii{0.0};  ///< [m]
   LargeArray<Cell> cells;
@@ -244,9 +246,5 @@ struct TextureField::CompiledLayer {
   std::vector<FlatFade> fades;
   std::vector<FlatProfile> profiles;
 };
-
-/// Flattens one layer. Throws InputError for broken profiles and for more than 65535 different
-/// groups.
-TextureField::CompiledLayer CompileLayer(const Layer& layer);
 
 }  // namespace moontrace

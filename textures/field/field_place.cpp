@@ -42,10 +42,10 @@ void ChooseBands(const std::vector<PlacedGroup>& leaves, const Box& all, Compile
   layer.band_count = std::floor((all.max.y - layer.origin.y) * layer.bands_per_m) + 1;
 }
 
-/// Chooses buckets of about half a letter; few where leaves are scattered over many bands.
+/// Chooses buckets of about a quarter of a letter; few where leaves are scattered over many bands.
 void ChooseBuckets(std::size_t leaf_count, std::size_t longest_band, const Box& all,
                    CompiledLayer& layer) {
-  const double wanted = 2.0 * static_cast<double>(longest_band);
+  const double wanted = 4.0 * static_cast<double>(longest_band);
   const double most = std::floor((8.0 * static_cast<double>(leaf_count) + 64) / layer.band_count);
   layer.origin.x = all.min.x;
   layer.buckets_per_m = std::clamp(most, 1.0, wanted) / (all.max.x - all.min.x);
@@ -91,26 +91,6 @@ void AddBand(const std::vector<const PlacedGroup*>& leaves, CompiledLayer& layer
   layer.reaches.push_back(kReachNowhere);
 }
 
-/// What each band holds in height, where blocks are few, as of rules: text has more, and is asked
-/// for anyway.
-void AddHeights(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
-  constexpr std::size_t kFew = 16;
-  if (layer.blocks.size() > kFew) return;
-  layer.heights.assign(static_cast<std::size_t>(layer.band_count), glm::dvec2(1e300, -1e300));
-  // computed as a query computes it, so that rounding cannot part them
-  const auto band_of = [&layer](double y) {
-    const double band = std::floor((y - layer.origin.y) * layer.bands_per_m);
-    return static_cast<std::size_t>(std::clamp(band, 0.0, layer.band_count - 1));
-  };
-  for (const PlacedGroup& place : places) {
-    const std::size_t last = band_of(place.box.max.y);
-    for (std::size_t i = band_of(place.box.min.y); i <= last; ++i) {
-      layer.heights[i].x = std::min(layer.heights[i].x, place.box.min.y);
-      layer.heights[i].y = std::max(layer.heights[i].y, place.box.max.y);
-    }
-  }
-}
-
 }  // namespace
 
 void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
@@ -135,7 +115,6 @@ void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
       row.steps =
           static_cast<std::int64_t>(std::floor((row.y - layer.origin.y) * layer.steps_per_m));
     }
-    AddHeights(places, layer);
     return;
   }
   std::size_t longest = 1;
@@ -146,7 +125,6 @@ void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
   layer.buckets.shrink_to_fit();
   layer.reaches.shrink_to_fit();
   layer.leaves.shrink_to_fit();
-  AddHeights(places, layer);
 }
 
 }  // namespace moontrace

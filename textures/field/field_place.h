@@ -9,12 +9,22 @@ namespace moontrace {
 
 /// A group with elements of its own, where it stands on the page.
 struct PlacedGroup {
-  const Group* group = nullptr;
-  glm::dvec2 origin{0, 0};  ///< [m]
+  const Group* group = nullptr;  ///< of the tree, which must live on
+  glm::dvec2 origin{0, 0};       ///< [m]
   std::uint16_t block = 0;
   std::uint32_t order = 0;  ///< in the tree, decides ties
   Box box;                  ///< on the page [m]
 };
+
+/// A compiled layer and what it was made of.
+struct CompiledPart {
+  TextureField::CompiledLayer layer;
+  std::vector<PlacedGroup> places;
+};
+/// Flattens one layer. Of letters with links between them the letters are one part, in rows, and
+/// the links, which overlap them, another that joins it. Throws InputError for broken profiles and
+/// for more than 65535 different groups.
+std::vector<CompiledPart> CompileLayer(const Layer& layer);
 
 /// What reaches into each band, from left to right; a group in every band that its box touches.
 using Bands = std::vector<std::vector<const PlacedGroup*>>;

@@ -7,6 +7,7 @@
 #include "textures/base/branchless.h"
 #include "textures/field/blend.h"
 #include "textures/field/field_find.h"
+#include "textures/field/paper_noise.h"
 
 namespace moontrace {
 
@@ -351,6 +352,10 @@ inline Magnitude SampleCell(const CompiledLayer& layer, const Block& block, Cell
 inline Sample WithoutMinusZero(double displacement, double x, double y) noexcept {
   return {displacement + 0.0, {x + 0.0, y + 0.0}};
 }
+inline Sample Sum(const Sample& a, const Sample& b) noexcept {
+  return {a.displacement + b.displacement,
+          {a.gradient.x + b.gradient.x, a.gradient.y + b.gradient.y}};
+}
 Sample Signed(const CompiledLayer& layer, const Magnitude& magnitude) noexcept {
   return WithoutMinusZero(layer.sign * magnitude.height, layer.sign * magnitude.gradient.x,
                           layer.sign * magnitude.gradient.y);
@@ -365,15 +370,19 @@ Sample Signed(const CompiledLayer& layer, const Magnitude& magnitude) noexcept {
 }
 
 /// The displacement and gradient of a layer in rows: the way that nearly every query takes. Where
-/// all strokes have one profile a query need not wait to learn which.
-template <bool kInPairs, bool kOneProfile>
-[[gnu::always_inline]] inline Sample SampleRows(const CompiledLayer& layer,
-                                                glm::dvec2 p_P) noexcept {
+/// all strokes have one profile a query need not wait to learn which. `meanwhile` is called once,
+/// while the cell is on its way from memory and no branch depends on it yet.
+template <bool kInPairs, bool kOneProfile, class Meanwhile>
+[[gnu::always_inline]] inline Sample SampleRows(const CompiledLayer& layer, glm::dvec2 p_P,
+                                                Meanwhile meanwhile) noexcept {
   const Rows& rows = layer.rows;
   const double v = (p_P.y - layer.origin.y) * layer.bands_per_m;
   const double u = (p_P.x - rows.begin) * rows.slots_per_m;
   // comparisons are written so that a NaN ends here
-  if (!((v >= 0) & (v < layer.band_count) & (u >= 0) & (u < rows.slot_count))) return {};
+  if (!((v >= 0) & (v < layer.band_count) & (u >= 0) & (u < rows.slot_count))) {
+    meanwhile();
+    return {};
+  }
   auto row = static_cast<std::uint32_t>(v);
   if (!rows.of_band.empty()) row = rows.of_band[row];
   const FoundLetter letter = kInPairs ? FindInPairs(layer, row, p_P, u)  //
@@ -381,6 +390,7 @@ template <bool kInPairs, bool kOneProfile>
   const Cell cell = CellOf(layer, letter, p_P);
   const Block& block = layer.blocks[letter.block];
   const glm::dvec2 p = p_P - letter.origin;
+  meanwhile();
   if (cell.listed()) [[unlikely]]
     return SampleListed(layer, block, cell, p);
   const FlatElement* elements = &layer.elements[block.first_element];
@@ -391,9 +401,11 @@ template <bool kInPairs, bool kOneProfile>
                                     : NearestOfLine(element, p);
   return DisplacementAt(profile, layer.sign, InsideOf(profile, near), near.away);
 }
+constexpr auto kNothingMeanwhile = [] {};
+
 [[gnu::noinline]] Sample SampleBook(const CompiledLayer& layer, glm::dvec2 p_P) noexcept {
-  return layer.profiles.size() == 1 ? SampleRows<false, true>(layer, p_P)
-                                    : SampleRows<false, false>(layer, p_P);
+  return layer.profiles.size() == 1 ? SampleRows<false, true>(layer, p_P, kNothingMeanwhile)
+                                    : SampleRows<false, false>(layer, p_P, kNothingMeanwhile);
 }
 
 /// Which of the leaves from one on may cover the point, a bit each, and whether all begin before
@@ -435,7 +447,6 @@ Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, double u
       const Leaf& leaf = layer.leaves[i + static_cast<std::size_t>(std::countr_zero(met.leaves))];
       const Block& block = layer.blocks[leaf.block];
       const glm::dvec2 local = p - leaf.origin;
-      if (!IsIn(block.box, local)) continue;
       const Cell cell = CellAt(layer, block, PlaceOf(block.grid, StepsOf(layer, local)));
       const Magnitude member = SampleCell(layer, block, cell, local);
       if (member.height > greatest.height ||
@@ -448,17 +459,8 @@ Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, double u
   }
 }
 
-/// Whether the point lies above or below all that its band holds.
-inline bool IsBetween(const CompiledLayer& layer, glm::dvec2 p) noexcept {
-  if (layer.heights.empty()) return false;
-  const double v = (p.y - layer.origin.y) * layer.bands_per_m;
-  if (!(v >= 0 && v < layer.band_count)) return true;
-  const glm::dvec2& height = layer.heights[static_cast<std::uint32_t>(v)];
-  return (p.y < height.x) | (p.y > height.y);
-}
-
 inline Sample SampleLayer(const CompiledLayer& layer, glm::dvec2 p) noexcept {
-  if (!layer.rows.pairs.empty()) return SampleRows<true, false>(layer, p);
+  if (!layer.rows.pairs.empty()) return SampleRows<true, false>(layer, p, kNothingMeanwhile);
   if (layer.rows.length > 0) return SampleBook(layer, p);
   const double v = (p.y - layer.origin.y) * layer.bands_per_m;
   if (!(v >= 0 && v < layer.band_count)) return {};
@@ -479,31 +481,55 @@ Sample SampleCellAt(const CompiledLayer& layer, const Block& block, Cell cell,
 Sample SampleLayerAt(const CompiledLayer& layer, glm::dvec2 p) noexcept {
   return SampleLayer(layer, p);
 }
-bool IsBare(const CompiledLayer& layer, glm::dvec2 p) noexcept {
-  return IsIn(layer.hole, p) || IsBetween(layer, p);
+
+/// Layers add; a part of one with the part before is compared with it.
+Sample SampleWithOthers(const std::vector<CompiledLayer>& layers, Sample first, unsigned others,
+                        glm::dvec2 p) noexcept {
+  Sample sum, part = first;
+  std::size_t base = 0;  // the layer of which `part` is
+  const auto take = [&](std::size_t i) {
+    const Sample sample = SampleLayer(layers[i], p);
+    if (layers[i].joins && base == i - 1) {
+      if (std::abs(sample.displacement) > std::abs(part.displacement)) part = sample;
+      return;
+    }
+    sum = Sum(sum, part);
+    part = sample;
+    base = i;
+  };
+  for (; others != 0; others &= others - 1) {
+    const auto i = 1 + static_cast<std::size_t>(std::countr_zero(others));
+    take(i);
+    if (i == LayerMap::kBits) {
+      for (std::size_t k = i + 1; k < layers.size(); ++k) take(k);
+    }
+  }
+  return Sum(sum, part);
 }
 
 Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
   if (is_page_) [[likely]]
-    return SampleRows<true, true>(layers_.front(), p_P);
+    return SampleRows<true, true>(layers_.front(), p_P, kNothingMeanwhile);
   return SampleLayers(p_P);
 }
 
 Sample TextureField::SampleLayers(glm::dvec2 p_P) const noexcept {
-  if (layers_.size() == 1 && paper_.empty()) return SampleLayer(layers_.front(), p_P);
-  Sample sum;
-  for (std::size_t i = 0; i < layers_.size(); ++i) {
-    const CompiledLayer& layer = layers_[i];
-    // what is added to the text is mostly not where the text is
-    if (i > 0 && (IsIn(layer.hole, p_P) || IsBetween(layer, p_P))) continue;
-    const Sample sample = SampleLayer(layer, p_P);
-    sum.displacement += sample.displacement;
-    sum.gradient.x += sample.gradient.x;
-    sum.gradient.y += sample.gradient.y;
+  if (layers_.empty()) return paper_.SampleAt(p_P);
+  Sample paper;
+  unsigned others = 0;
+  const auto meanwhile = [&] {
+    if (!paper_.empty()) paper = SamplePaper(paper_, p_P);
+    others = layers_.front().others.At(p_P);
+  };
+  Sample sample;
+  if (!layers_.front().rows.pairs.empty()) {
+    sample = SampleRows<true, false>(layers_.front(), p_P, meanwhile);
+  } else {
+    meanwhile();
+    sample = SampleLayer(layers_.front(), p_P);
   }
-  if (paper_.empty()) return sum;
-  const Sample paper = paper_.SampleAt(p_P);
-  return {sum.displacement + paper.displacement, sum.gradient + paper.gradient};
+  if (others != 0) sample = SampleWithOthers(layers_, sample, others, p_P);
+  return paper_.empty() ? sample : Sum(sample, paper);
 }
 
 }  // namespace moontrace

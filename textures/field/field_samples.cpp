@@ -117,6 +117,7 @@ class SideBySide {
     std::fill_n(samples_.data() + first, count, Sample{});
   }
   void Set(std::size_t i, const Sample& sample) const noexcept { samples_[i] = sample; }
+  Sample At(std::size_t i) const noexcept { return samples_[i]; }
   void Add(std::size_t i, const Sample& sample) const noexcept {
     samples_[i].displacement += sample.displacement;
     samples_[i].gradient += sample.gradient;
@@ -150,6 +151,9 @@ class InColumns {
     samples_.displacement[i] = sample.displacement;
     samples_.gradient_x[i] = sample.gradient.x;
     samples_.gradient_y[i] = sample.gradient.y;
+  }
+  Sample At(std::size_t i) const noexcept {
+    return {samples_.displacement[i], {samples_.gradient_x[i], samples_.gradient_y[i]}};
   }
   void Add(std::size_t i, const Sample& sample) const noexcept {
     samples_.displacement[i] += sample.displacement;
@@ -345,19 +349,19 @@ class RowLayer {
 template <class Arrays>
 void SampleAll(const std::vector<CompiledLayer>& layers, const PaperField& paper,
                const Arrays& arrays) noexcept {
-  const bool in_rows = !layers.empty() && layers.front().rows.length > 0;
-  if (in_rows) {
+  if (layers.empty()) {
+    arrays.Clear(0, arrays.count());
+  } else if (layers.front().rows.length > 0) {
     RowLayer<Arrays>(layers.front(), arrays).Set();
   } else {
-    arrays.Clear(0, arrays.count());
-  }
-  for (std::size_t i = in_rows ? 1 : 0; i < layers.size(); ++i) {
-    const CompiledLayer& layer = layers[i];
     for (std::size_t k = 0; k < arrays.count(); ++k) {
-      const glm::dvec2 p_P = arrays.PointAt(k);
-      if (i > 0 && IsBare(layer, p_P)) continue;
-      arrays.Add(k, SampleLayerAt(layer, p_P));
+      arrays.Set(k, SampleLayerAt(layers.front(), arrays.PointAt(k)));
     }
+  }
+  for (std::size_t k = 0; layers.size() > 1 && k < arrays.count(); ++k) {
+    const glm::dvec2 p_P = arrays.PointAt(k);
+    const unsigned others = layers.front().others.At(p_P);
+    if (others != 0) arrays.Set(k, SampleWithOthers(layers, arrays.At(k), others, p_P));
   }
   if (paper.empty()) return;
   for (std::size_t k = 0; k < arrays.count(); ++k) {

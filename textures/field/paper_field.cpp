@@ -6,6 +6,7 @@
 
 #include "textures/base/error.h"
 #include "textures/base/units.h"
+#include "textures/field/paper_noise.h"
 #include "textures/field/paper_shape.h"
 
 namespace moontrace {
@@ -46,50 +47,12 @@ inline Sample OfWave(double amplitude, glm::dvec2 wave, glm::dvec2 p) noexcept {
   return {amplitude * at.sine, {slope * wave.x, slope * wave.y}};
 }
 
-/// Two numbers side by side, as x and y are: baseline processors reckon with both at once.
-using Two = double __attribute__((vector_size(16)));
-inline Two TwoOf(glm::dvec2 v) noexcept { return Two{v.x, v.y}; }
-
-inline Sample OfNoise(const FlatPatch& patch, glm::dvec2 p) noexcept {
-  const Two uv = TwoOf(p) * patch.wave.x;
-  // the patch begins at zero, so that cutting is rounding down
-  const auto column = static_cast<std::int32_t>(uv[0]), row = static_cast<std::int32_t>(uv[1]);
-  const Two in = uv - Two{static_cast<double>(column), static_cast<double>(row)};  // the cell
-  const Two beyond = in - 1.0;
-  const std::uint32_t mixed = static_cast<std::uint32_t>(column) * kHashColumn +
-                              static_cast<std::uint32_t>(row) * kHashRow + patch.seed;
-  const Two a = TwoOf(LatticeDirection(mixed));
-  const Two b = TwoOf(LatticeDirection(mixed + kHashColumn));
-  const Two c = TwoOf(LatticeDirection(mixed + kHashRow));
-  const Two d = TwoOf(LatticeDirection(mixed + kHashColumn + kHashRow));
-  const Two share = in * in * in * (in * (6.0 * in - 15.0) + 10.0);
-  const Two rate = 30.0 * in * in * (1.0 - in) * (1.0 - in);
-  // the four corners' planes, blended along x below and above, then along y
-  const Two at_a = a * in, at_b = b * Two{beyond[0], in[1]};
-  const Two at_c = c * Two{in[0], beyond[1]}, at_d = d * beyond;
-  const Two left = Two{at_a[0], at_c[0]} + Two{at_a[1], at_c[1]};
-  const Two right = Two{at_b[0], at_d[0]} + Two{at_b[1], at_d[1]};
-  const Two rise = right - left, height = left + share[0] * rise;  // each below and above
-  const Two by_share = rate[0] * rise;
-  const Two below = a + share[0] * (b - a) + Two{by_share[0], 0};
-  const Two above = c + share[0] * (d - c) + Two{by_share[1], 0};
-  const double up = height[1] - height[0];
-  const Two gradient = below + share[1] * (above - below) + Two{0, rate[1] * up};
-  const double slope = patch.amplitude * patch.wave.x;
-  return {patch.amplitude * (height[0] + share[1] * up),
-          {slope * gradient[0], slope * gradient[1]}};
-}
-
 inline Sample OfHeights(const FlatPatch& patch, glm::dvec2 p) noexcept {
   const double u = p.x * patch.wave.x, v = p.y * patch.wave.y;
   const HeightSample at = patch.tiled ? patch.heights->Tiled(u, v) : patch.heights->Stretched(u, v);
   return {patch.amplitude * at.height,
           {patch.amplitude * at.gradient.x * patch.wave.x,
            patch.amplitude * at.gradient.y * patch.wave.y}};
-}
-
-inline bool IsIn(const Box& box, glm::dvec2 p) noexcept {
-  return (p.x >= box.min.x) & (p.x <= box.max.x) & (p.y >= box.min.y) & (p.y <= box.max.y);
 }
 
 /// `p_P` lies in the patch's box.

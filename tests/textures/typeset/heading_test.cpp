@@ -8,7 +8,7 @@
 #include "tests/textures/small_script.h"
 #include "textures/base/error.h"
 #include "textures/field/field.h"
-#include "textures/field/field_layer.h"
+#include "textures/field/field_place.h"
 #include "textures/fonts/script_library.h"
 #include "textures/relief/glyph_group.h"
 #include "textures/typeset/layout.h"
@@ -187,7 +187,7 @@ TEST(TwoSizes, AreKeptAsRowsOfTheCompiledField) {
                               {"custom", 0.15, 0.12, 0.010});
   ASSERT_EQ(set.pages[0].lines, 6U);
   const TextureField::CompiledLayer layer =
-      CompileLayer(BuildTexture(set.pages[0], moon, style).layers.at(0));
+      CompileLayer(BuildTexture(set.pages[0], moon, style).layers.at(0)).front().layer;
   EXPECT_GT(layer.rows.length, 0U);
   EXPECT_EQ(layer.rows.heights.size(), 6U);
   EXPECT_GT(layer.rows.of_band.size(), 6U);
