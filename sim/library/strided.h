@@ -76,7 +76,9 @@ inline std::optional<Output> OutputOf(double* first, std::ptrdiff_t step, std::s
 class InColumn {
  public:
   explicit InColumn(const Input& input) noexcept : input_(input), in_place_(input.follow()) {}
-  /// At most kBlock numbers from `first` on, until the next call.
+  /// Whether the caller's own numbers are read, however many at a time.
+  bool in_place() const noexcept { return in_place_; }
+  /// At most kBlock numbers from `first` on if they are not, until the next call.
   const double* From(std::size_t first, std::size_t count) noexcept {
     if (in_place_) return reinterpret_cast<const double*>(input_.At(first));
     for (std::size_t i = 0; i < count; ++i) own_[i] = input_.Get(first + i);
@@ -94,7 +96,9 @@ class OutColumn {
  public:
   explicit OutColumn(const std::optional<Output>& output) noexcept
       : output_(output), in_place_(output && output->follow()) {}
-  /// Room for at most kBlock numbers from `first` on.
+  /// Whether the caller's own numbers are written, however many at a time.
+  bool in_place() const noexcept { return in_place_; }
+  /// Room from `first` on, for at most kBlock numbers if they are not.
   double* From(std::size_t first) noexcept {
     return in_place_ ? reinterpret_cast<double*>(output_->At(first)) : own_.data();
   }
