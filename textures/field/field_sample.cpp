@@ -515,6 +515,7 @@ Sample TextureField::SampleAt(glm::dvec2 p_P) const noexcept {
 
 Sample TextureField::SampleLayers(glm::dvec2 p_P) const noexcept {
   if (layers_.empty()) return paper_.SampleAt(p_P);
+  if (layers_.size() == 1 && paper_.empty()) return SampleLayer(layers_.front(), p_P);
   Sample paper;
   unsigned others = 0;
   const auto meanwhile = [&] {
