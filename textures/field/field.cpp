@@ -128,6 +128,7 @@ std::uint64_t TextureField::Hash() const noexcept {
   Digest digest;
   for (const CompiledLayer& layer : layers_) {
     digest.Add(layer.sign);
+    if (layer.joins) digest.Add(std::uint64_t{1});
     Add(digest, layer.rows);
     for (const std::uint32_t first : layer.bands) digest.Add(std::uint64_t{first});
     for (const Leaf& leaf : layer.leaves) {

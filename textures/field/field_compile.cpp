@@ -19,6 +19,7 @@ namespace {
 using CompiledLayer = TextureField::CompiledLayer;
 
 constexpr double kMostSteps = 0x1p28;   ///< from a group's origin
+constexpr double kFarthest = 1e6;       ///< from the page's, so that steps can be counted [m]
 constexpr double kStepsPerWidth = 128;  ///< the fewest in the finest groove
 
 void CollectLeaves(const Group& group, glm::dvec2 origin, int nesting,
@@ -75,7 +76,9 @@ FlatElement FlattenLine(const Line& line) {
   FlatElement flat;
   flat.anchor = line.from;
   flat.length = glm::length(line.to - line.from);
-  if (flat.length > 0) flat.direction = (line.to - line.from) / flat.length;
+  // one without length has no direction, and so no place beside it
+  flat.direction = flat.length > 0 ? (line.to - line.from) / flat.length : glm::dvec2(1, 0);
+  if (!(flat.length > 0)) flat.length = -1;
   return flat;
 }
 
@@ -213,8 +216,9 @@ void AddBlocks(std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
   }
 }
 
-/// Whether some elements of both could matter at one point.
-bool Meet(const PlacedGroup& a, const PlacedGroup& b) {
+/// Whether some elements of both could matter at one point. Takes from `work` what is looked at,
+/// and gives up when it is used up.
+bool Meet(const PlacedGroup& a, const PlacedGroup& b, double& work) {
   const auto boxes = [](const PlacedGroup& place, const Box& within) {
     const double reach = BlendReach(place.group->elements.size(), place.group->blend_radius);
     std::vector<Box> found;
@@ -225,8 +229,11 @@ bool Meet(const PlacedGroup& a, const PlacedGroup& b) {
     return found;
   };
   if (!Overlap(a.box, b.box)) return false;
+  work -= static_cast<double>(a.group->elements.size() + b.group->elements.size());
   const std::vector<Box> others = boxes(b, a.box);
   for (const Box& box : boxes(a, b.box)) {
+    work -= static_cast<double>(others.size());
+    if (work < 0) return false;
     const auto overlaps = [&box](const Box& other) { return Overlap(box, other); };
     if (std::any_of(others.begin(), others.end(), overlaps)) return true;
   }
@@ -234,10 +241,10 @@ bool Meet(const PlacedGroup& a, const PlacedGroup& b) {
 }
 
 /// Numbers of the places that meet one that comes before them in the tree: it counts at a tie. None
-/// where these are more than half, or so many crowd together that looking for them would take long.
+/// where these are more than half, or so much crowds together that looking for them would take
+/// long.
 std::vector<std::size_t> Overlapping(const std::vector<PlacedGroup>& places) {
-  const std::size_t most_pairs = 64 * places.size();
-  std::size_t pairs = 0;
+  double work = 1e6 + 200 * static_cast<double>(places.size());  // boxes of elements
   Box all;
   double height = 0;
   for (const PlacedGroup& place : places) {
@@ -265,8 +272,9 @@ std::vector<std::size_t> Overlapping(const std::vector<PlacedGroup>& places) {
         const PlacedGroup& other = places[band[k]];
         if (other.box.min.x > box.max.x) break;
         const std::size_t later = std::max(band[i], band[k]);
-        if (++pairs > most_pairs) return {};
-        if (overlaps[later] || !Meet(places[band[i]], other)) continue;
+        const bool meet = !overlaps[later] && Meet(places[band[i]], other, work);
+        if (--work < 0) return {};
+        if (!meet) continue;
         overlaps[later] = true;
         found.push_back(later);
         if (2 * found.size() > places.size()) return {};
@@ -277,7 +285,8 @@ std::vector<std::size_t> Overlapping(const std::vector<PlacedGroup>& places) {
   return found;
 }
 
-CompiledPart Compile(std::vector<PlacedGroup> places, Relief relief) {
+/// Without cells, which take the longest.
+CompiledPart Place(std::vector<PlacedGroup> places, Relief relief) {
   CompiledPart part;
   CompiledLayer& compiled = part.layer;
   compiled.sign = relief == Relief::kEngraved ? -1 : 1;
@@ -292,14 +301,35 @@ CompiledPart Compile(std::vector<PlacedGroup> places, Relief relief) {
   // coarser where a group is so large that its steps could not be counted
   compiled.steps_per_m = std::min(kStepsPerWidth / finest, kMostSteps / longest);
   AddPlaces(places, compiled);
-  std::vector<const Group*> groups(compiled.blocks.size());
-  for (const PlacedGroup& place : places) groups[place.block] = place.group;
-  AddCells(groups, compiled);
   part.places = std::move(places);
   return part;
 }
 
+void AddCells(CompiledPart& part) {
+  std::vector<const Group*> groups(part.layer.blocks.size());
+  for (const PlacedGroup& place : part.places) groups[place.block] = place.group;
+  AddCells(groups, part.layer);
+}
+
 bool IsInRows(const CompiledPart& part) { return part.layer.rows.length > 0; }
+
+/// Makes two parts of one where that puts the first of them in rows.
+void SplitOff(std::vector<CompiledPart>& parts, Relief relief) {
+  const std::vector<PlacedGroup>& places = parts.front().places;
+  const std::vector<std::size_t> overlapping = Overlapping(places);
+  if (overlapping.empty()) return;
+  std::vector<PlacedGroup> letters, links;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_link = links.size() < overlapping.size() && overlapping[links.size()] == i;
+    (is_link ? links : letters).push_back(places[i]);
+  }
+  CompiledPart rows = Place(std::move(letters), relief);
+  if (!IsInRows(rows)) return;
+  parts.clear();
+  parts.push_back(std::move(rows));
+  parts.push_back(Place(std::move(links), relief));
+  parts.back().layer.joins = true;
+}
 
 }  // namespace
 
@@ -307,27 +337,15 @@ std::vector<CompiledPart> CompileLayer(const Layer& layer) {
   std::vector<PlacedGroup> places;
   CollectLeaves(*layer.group, {0, 0}, 0, places);
   for (const PlacedGroup& place : places) {
-    if (!std::isfinite(place.origin.x) || !std::isfinite(place.origin.y)) {
-      throw InputError("a group stands at a place that is not a number: check its origin");
+    if (!(std::abs(place.origin.x) <= kFarthest && std::abs(place.origin.y) <= kFarthest)) {
+      throw InputError(
+          "a group stands at a place that is not a number, or beyond 1000 km: check its origin");
     }
   }
   std::vector<CompiledPart> parts;
-  parts.push_back(Compile(std::move(places), layer.relief));
-  if (IsInRows(parts.front())) return parts;
-  const std::vector<std::size_t> overlapping = Overlapping(parts.front().places);
-  if (overlapping.empty()) return parts;
-  std::vector<PlacedGroup> letters, links;
-  for (const PlacedGroup& place : parts.front().places) {
-    const bool is_link = links.size() < overlapping.size() &&
-                         place.order == parts.front().places[overlapping[links.size()]].order;
-    (is_link ? links : letters).push_back(place);
-  }
-  CompiledPart rows = Compile(std::move(letters), layer.relief);
-  if (!IsInRows(rows)) return parts;
-  parts = {};
-  parts.push_back(std::move(rows));
-  parts.push_back(Compile(std::move(links), layer.relief));
-  parts.back().layer.joins = true;
+  parts.push_back(Place(std::move(places), layer.relief));
+  if (!IsInRows(parts.front())) SplitOff(parts, layer.relief);
+  for (CompiledPart& part : parts) AddCells(part);
   return parts;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <variant>
 
@@ -15,6 +16,7 @@ namespace moontrace {
 namespace {
 
 constexpr double kMostSquares = 0x1p19;  // a quarter of a megabyte
+constexpr double kMostDrawn = 0x1p24;    // squares that are looked at, all elements together
 constexpr double kHair = 1e-9;           // more than all rounding of places on a page [m]
 
 /// Of the strokes beyond the first layer.
@@ -27,6 +29,15 @@ double FinestWidth(const std::vector<CompiledPart>& parts) {
   }
   return finest;
 }
+
+/// How far beyond an element of a group something can matter [m].
+double ReachIn(const PlacedGroup& place) {
+  return BlendReach(place.group->elements.size(), place.group->blend_radius) + kHair;
+}
+Box BoxOf(const Element& element, const PlacedGroup& place) {
+  return Grown(Moved(BoundsOf(element), place.origin), ReachIn(place));
+}
+glm::dvec2 SizeOf(const Box& box) { return box.max - box.min; }
 
 /// From one square on, up to another that is not among them.
 struct Squares {
@@ -43,7 +54,9 @@ struct Canvas {
   /// Those that a box of the page touches.
   Squares Touched(const Box& box_P) const {
     const auto number = [this](double from_edge, std::uint32_t count) {
-      return static_cast<std::uint32_t>(std::clamp(from_edge / side, 0.0, count - 1.0));
+      const double squares_on = from_edge / side;
+      // comparisons are written so that a NaN is the first
+      return squares_on > 0 ? static_cast<std::uint32_t>(std::min(squares_on, count - 1.0)) : 0;
     };
     const glm::dvec2 low = box_P.min - origin_P, high = box_P.max - origin_P;
     return {number(low.x, columns), number(low.y, rows), number(high.x, columns) + 1,
@@ -88,15 +101,22 @@ void Draw(const Drawn& drawn, const Squares& squares, Canvas& canvas) {
 
 LayerMap::LayerMap(const std::vector<CompiledPart>& parts) {
   Box all;
+  double drawn = 0;  // the area of all elements' boxes [m^2]
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    for (const PlacedGroup& place : parts[i].places) Include(all, place.box);
+    for (const PlacedGroup& place : parts[i].places) {
+      Include(all, place.box);
+      for (const Element& element : place.group->elements) {
+        const glm::dvec2 sides = glm::max(SizeOf(BoxOf(element, place)), 0.0);
+        drawn += sides.x * sides.y;
+      }
+    }
   }
   if (all.min.x > all.max.x) return;
-  const glm::dvec2 size = all.max - all.min;
+  const glm::dvec2 size = SizeOf(all);
   // half as wide as a stroke, unless that makes too many; nor too many along a side
   const double side =
       std::max({0.5 * FinestWidth(parts), std::sqrt(size.x) * std::sqrt(size.y / kMostSquares),
-                std::max(size.x, size.y) / (0.25 * kMostSquares)});
+                std::max(size.x, size.y) / (0.25 * kMostSquares), std::sqrt(drawn / kMostDrawn)});
   origin_P_ = all.min;
   per_m_ = 1 / side;
   columns_ = std::floor(size.x * per_m_) + 1;
@@ -107,10 +127,10 @@ LayerMap::LayerMap(const std::vector<CompiledPart>& parts) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const unsigned bit = 1u << std::min(i - 1, kBits - 1);
     for (const PlacedGroup& place : parts[i].places) {
-      const double blend = BlendReach(place.group->elements.size(), place.group->blend_radius);
       for (const Element& element : place.group->elements) {
-        const Box box = Grown(Moved(BoundsOf(element), place.origin), blend + kHair);
-        Draw({element, place.origin, blend + kHair, bit}, canvas.Touched(box), canvas);
+        const Box box = BoxOf(element, place);
+        if (!(box.min.x <= box.max.x)) continue;  // an outline without pieces
+        Draw({element, place.origin, ReachIn(place), bit}, canvas.Touched(box), canvas);
       }
     }
   }

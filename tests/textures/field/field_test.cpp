@@ -235,5 +235,34 @@ TEST(Field, RefusesBrokenTrees) {
   EXPECT_THROW(TextureField({{{Finish(nowhere), Relief::kEngraved}}, {}}), InputError);
 }
 
+// Stroke of a pen that was put down and lifted: it has no direction.
+TEST(Field, ALineWithoutLengthIsNowhere) {
+  Group letter;
+  letter.elements.push_back({Line{{0.0025, 0.002}, {0.0025, 0.002}}, Profile{1.2e-3, 4e-4, 2e-4}});
+  letter.elements.push_back({Line{{0, 0}, {0, 0.004}}, Profile{1.2e-3, 4e-4, 2e-4}});
+  const auto shared = Finish(std::move(letter));
+  Group page;
+  for (int i = 0; i < 10; ++i) page.placements.push_back({shared, {0.008 * i, 0}});
+  Texture texture;
+  texture.layers.push_back({Finish(std::move(page)), Relief::kEngraved});
+  const TextureField field(texture);
+  for (double x = 0; x < 0.08; x += 1e-4) {
+    for (double y = 0; y < 0.004; y += 1e-4) {
+      ASSERT_NEAR(field.SampleAt({x, y}).displacement, SampleTree(texture, {x, y}).displacement,
+                  1e-15);
+    }
+  }
+}
+
+TEST(Field, GroupsBeyondCountingAreRefused) {
+  Group dot;
+  dot.elements.push_back({Dot{{0, 0}}, Profile{1.2e-3, 4e-4, 2e-4}});
+  Group page;
+  page.placements.push_back({Finish(std::move(dot)), {1e20, 0}});
+  Texture texture;
+  texture.layers.push_back({Finish(std::move(page)), Relief::kEngraved});
+  EXPECT_THROW(TextureField{texture}, InputError);
+}
+
 }  // namespace
 }  // namespace moontrace

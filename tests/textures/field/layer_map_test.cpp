@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -113,7 +114,7 @@ TEST(LayerMap, SamplesAreThoseOfTheTreeOneByOneAndAtOnce) {
   }
 }
 
-// Layers from the ninth on share a bit.
+// Layers from the fourth on share a bit.
 TEST(LayerMap, HoldsMoreLayersThanBits) {
   Texture texture;
   for (int i = 0; i < 12; ++i) {
@@ -128,6 +129,55 @@ TEST(LayerMap, HoldsMoreLayersThanBits) {
     ASSERT_NEAR(one.displacement, tree.displacement, 1e-15) << x;
     ASSERT_NEAR(one.gradient.x, tree.gradient.x, 1e-9) << x;
   }
+}
+
+/// A group of dots, so many times side by side that their boxes overlap.
+Layer DotsSideBySide(int dots, int times) {
+  Group slant;
+  for (int i = 0; i < dots; ++i) {
+    slant.elements.push_back({Dot{1e-3 * glm::dvec2(i, i)}, Profile{4e-4, 2e-4, 1e-4}});
+  }
+  const auto shared = Finish(std::move(slant));
+  Group page;
+  for (int i = 0; i < times; ++i) page.placements.push_back({shared, {5e-4 * i, -3e-4 * i}});
+  return {Finish(std::move(page)), Relief::kEngraved};
+}
+
+// Whether they meet would take 36 million comparisons a pair.
+TEST(LayerMap, LooksForLinksInBoundedTime) {
+  EXPECT_EQ(CompileLayer(DotsSideBySide(6000, 12)).size(), 1U);
+}
+
+TEST(LayerMap, TakesAFillWithoutOutline) {
+  const Profile profile{0.004, 0.001, 0.0005};
+  Group first, second;
+  first.elements.push_back({Dot{{0, 0}}, profile});
+  second.elements.push_back({Fill{}, profile});
+  second.elements.push_back({Line{{0.01, 0}, {0.02, 0}}, profile});
+  Texture texture;
+  texture.layers.push_back({Finish(std::move(first)), Relief::kEngraved});
+  texture.layers.push_back({Finish(std::move(second)), Relief::kEmbossed});
+  const TextureField field(texture);
+  EXPECT_DOUBLE_EQ(field.SampleAt({0.015, 0.001}).displacement,
+                   SampleTree(texture, {0.015, 0.001}).displacement);
+  EXPECT_GT(field.SampleAt({0.015, 0.001}).displacement, 0);
+}
+
+// At a link the sum of two layers is twice as deep as one layer.
+TEST(LayerMap, TwoLayersAreAnotherFieldThanOneInTwoParts) {
+  const Texture linked = LinkedPage(Relief::kEngraved, Relief::kEngraved);
+  const std::vector<CompiledPart> parts = CompileLayer(linked.layers.at(0));
+  ASSERT_EQ(parts.size(), 2U);
+  Texture one, two;
+  one.layers.push_back(linked.layers.at(0));
+  for (const CompiledPart& part : parts) {
+    Group group;
+    for (const PlacedGroup& place : part.places) {
+      group.placements.push_back({std::make_shared<Group>(*place.group), place.origin});
+    }
+    two.layers.push_back({Finish(std::move(group)), Relief::kEngraved});
+  }
+  EXPECT_NE(TextureField(one).Hash(), TextureField(two).Hash());
 }
 
 }  // namespace
