@@ -71,6 +71,7 @@ ReaderAction Reader::Step(const ReaderInput& input) {
   const bool long_enough = knowledge_.face && now_ > LongestOn(*knowledge_.face);
   if ((now_ - news_ > kGivesUp || long_enough) && phase_ != Phase::kDone) {
     if (!line_.empty()) EndLine();
+    if (top_) tokens_ = read_above_;  // what lies below is no page's beginning
     phase_ = Phase::kDone;
   }
   if (phase_ != Phase::kDone && Falls(felt)) ComeBack();

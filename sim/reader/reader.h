@@ -184,7 +184,8 @@ class Reader final : public PageReader {
   int falls_ = 0;                  ///< off its face, on this way
   glm::dvec2 carried_{0, 0};       ///< where that carried it last [m]
   std::optional<glm::dvec2> top_;  ///< where to begin again once the second line has told the size
-  bool looked_below_ = false;      ///< it was looked for there
+  std::vector<ReadToken> read_above_;  ///< before it looked there, kept until it has
+  bool looked_below_ = false;          ///< it was looked for there
   int restarts_ = 0, skips_ = 0;
   int rounds_ = 0;                    ///< lines in a row that began no lower than all before
   bool wider_ = false;                ///< looks for the first line in a wider way

@@ -379,6 +379,7 @@ void Reader::Missed() {
           !std::exchange(straight_, true)) {
         return SearchNextLine();
       }
+      if (top_) return BeginAtTop();  // nothing is below
       phase_ = Phase::kDone;
       return;
     case Errand::kLineStart:

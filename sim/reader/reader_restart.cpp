@@ -15,7 +15,7 @@ constexpr std::size_t kFew = 3;   ///< signs, behind which a first line is no lo
 constexpr std::size_t kFewOnPage = 6;
 constexpr double kAgree = 0.12;       ///< logarithm of the ratio of two sizes
 constexpr double kBelowLine = 0.45;   ///< the next line's signs begin so far below one [em]
-constexpr double kAboveSearch = 0.8;  ///< SearchFirstLine begins so far above its start
+constexpr double kAboveSearch = 0.8;  ///< SearchFirstLine begins so far above, but on a face
 
 }  // namespace
 
@@ -24,10 +24,14 @@ void Reader::ForgetPage() {
   tokens_.clear();
   line_starts_.clear();
   signs_ = unknowns_ = 0;
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = tries_ = circles_ = 0;
   skips_ = rounds_ = far_ = widest_gap_ = gaps_ = 0;
   skipped_ = Skipped::kUnknown;
   first_skipped_.reset();
-  wider_ = straight_ = leftwards_ = line_size_new_ = false;
+  wider_ = straight_ = leftwards_ = guided_ = line_size_new_ = false;
+  guide_gap_ = 0;
   farthest_ = -HUGE_VAL;
   gap_bias_ = turn_ = across_ = along_ = 0;
   size_logs_.clear();
@@ -56,8 +60,9 @@ bool Reader::StartAnew() {
     if (!MayHaveWrongSize()) return false;
     looked_below_ = true;
     top_ = start_;
+    read_above_ = tokens_;
     start_ = FromEm(line_starts_.front(), {0, -kBelowLine});
-    start_.y -= kAboveSearch * knowledge_.least_size;
+    if (!knowledge_.face) start_.y -= kAboveSearch * knowledge_.least_size;
   }
   ForgetPage();
   ForgetSize();
