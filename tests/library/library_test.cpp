@@ -162,7 +162,7 @@ constexpr std::ptrdiff_t kWide = sizeof(double);
 
 TEST(LibrarySampleMany, AgreesWithSinglePointsSideBySide) {
   const OpenPage open(kWords);
-  const std::vector<glm::dvec2> points = Points(3000);
+  const std::vector<glm::dvec2> points = Points(10000);  // more than are done at a time
   std::vector<double> out(3 * points.size(), 9);
   moontrace_samples given{};
   given.count = points.size();
@@ -173,6 +173,26 @@ TEST(LibrarySampleMany, AgreesWithSinglePointsSideBySide) {
   given.gradient_x = out.data() + 1;
   given.gradient_y = out.data() + 2;
   given.displacement_step = given.gradient_x_step = given.gradient_y_step = 3 * kWide;
+  ExpectSamples(open.page, given);
+}
+
+TEST(LibrarySampleMany, AgreesInArraysOfTheirOwn) {
+  const OpenPage open(kWords);
+  constexpr std::size_t kCount = 10000;  // more than are done at a time
+  std::vector<double> x, y, height(kCount, 9), slope_x(kCount, 9), slope_y(kCount, 9);
+  for (const glm::dvec2 p : Points(kCount)) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+  }
+  moontrace_samples given{};
+  given.count = kCount;
+  given.x = x.data();
+  given.y = y.data();
+  given.displacement = height.data();
+  given.gradient_x = slope_x.data();
+  given.gradient_y = slope_y.data();
+  given.x_step = given.y_step = kWide;
+  given.displacement_step = given.gradient_x_step = given.gradient_y_step = kWide;
   ExpectSamples(open.page, given);
 }
 

@@ -128,6 +128,24 @@ TEST(LibraryMisuse, OneBadPointOfManyIsNamedAndTheOthersAreDone) {
   }
 }
 
+// Points are done some thousand at a time.
+TEST(LibraryMisuse, ABadPointFarOnIsNamedByItsNumber) {
+  const OpenPage open("moon");
+  std::vector<double> x(10000, 0.1), y = x, height(x.size(), 9), slope_x = height, slope_y = height;
+  y[9000] = kNan;
+  auto samples = Sized<moontrace_samples>();
+  samples.count = x.size();
+  samples.x = x.data();
+  samples.y = y.data();
+  samples.displacement = height.data();
+  samples.gradient_x = slope_x.data();
+  samples.gradient_y = slope_y.data();
+  samples.x_step = samples.y_step = sizeof(double);
+  samples.displacement_step = samples.gradient_x_step = samples.gradient_y_step = sizeof(double);
+  ExpectBadCall(moontrace_sample_many(open.page, &samples), "point 9000 is not finite");
+  for (const double value : height) EXPECT_EQ(value, 0);
+}
+
 TEST(LibraryMisuse, PointsAsFarAsNumbersGoAreNone) {
   const OpenPage open("moon");
   const std::vector<double> far(32, std::numeric_limits<double>::max());  // their sum is infinite
