@@ -39,6 +39,12 @@ class Reader final : public PageReader {
   /// Where the next sign is looked for, from where it is expected: it begins there and so much
   /// further at most [em]. Ours, chosen on seeds 1 to 20.
   static constexpr double kBefore = 0.25, kBeyond = 1.15;
+  /// Below a base line the next line's signs begin there, however far apart the lines before were:
+  /// behind a paragraph's space or a heading they are nearer again [em].
+  static constexpr double kTopOfNext = 0.45;
+  /// The first line is looked for from so far above where the hand was put, which may be too low;
+  /// not on an object, whose face ends there. In the least size [em].
+  static constexpr double kAboveHand = 0.8;
   /// Left of a line's first sign another may lie so far off [em].
   static constexpr double kLookBack = 3.2;
   struct SignRead {

@@ -16,10 +16,7 @@ constexpr double kTellsSize = 0.6;  ///< a smaller sign says little of the size
 constexpr double kSameSign = 0.4;   ///< nearer signs are one
 constexpr int kNoMoreSkips = 1000;
 constexpr double kTurnSpread = 0.03;  ///< of lines, before they are felt [rad]
-/// Below a base line the next line's signs begin there, however far apart the lines before were:
-/// behind a paragraph's space or a heading they are nearer again.
-constexpr double kTopOfNext = 0.45;
-constexpr double kSoonMet = 0.35;  ///< below where it could begin, of a line without more space
+constexpr double kSoonMet = 0.35;     ///< below where it could begin, of a line without more space
 constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them signs begin and are
 constexpr double kInBars = 0.25;     ///< right of where any bar begins, a hyphen's middle
 constexpr double kTopOfBars = 0.75;  ///< so low that a hand that lands there meets no sign above
@@ -324,8 +321,7 @@ void Reader::BeginLine() {
 /// so, a wider way, since the line may be set in.
 void Reader::SearchFirstLine() {
   constexpr double kFar = 4, kFarther = 12;
-  // from above where the hand was put, which may be too low; there an object's face ends
-  const double above = knowledge_.face ? 0 : 0.8;
+  const double above = knowledge_.face ? 0 : kAboveHand;
   const double a = knowledge_.least_size;
   std::vector<glm::dvec2> way;
   constexpr int kTurns = 64;

@@ -13,9 +13,7 @@ constexpr int kMostRestarts = 3;  ///< in the first line
 constexpr std::size_t kLost = 2;  ///< unknown signs in a row
 constexpr std::size_t kFew = 3;   ///< signs, behind which a first line is no longer begun again
 constexpr std::size_t kFewOnPage = 6;
-constexpr double kAgree = 0.12;       ///< logarithm of the ratio of two sizes
-constexpr double kBelowLine = 0.45;   ///< the next line's signs begin so far below one [em]
-constexpr double kAboveSearch = 0.8;  ///< SearchFirstLine begins so far above, but on a face
+constexpr double kAgree = 0.12;  ///< logarithm of the ratio of two sizes
 
 }  // namespace
 
@@ -61,8 +59,8 @@ bool Reader::StartAnew() {
     looked_below_ = true;
     top_ = start_;
     read_above_ = tokens_;
-    start_ = FromEm(line_starts_.front(), {0, -kBelowLine});
-    if (!knowledge_.face) start_.y -= kAboveSearch * knowledge_.least_size;
+    start_ = FromEm(line_starts_.front(), {0, -kTopOfNext});
+    if (!knowledge_.face) start_.y -= kAboveHand * knowledge_.least_size;
   }
   ForgetPage();
   ForgetSize();

@@ -220,10 +220,9 @@ void AddBlocks(std::vector<PlacedGroup>& leaves, CompiledLayer& layer) {
 /// and gives up when it is used up.
 bool Meet(const PlacedGroup& a, const PlacedGroup& b, double& work) {
   const auto boxes = [](const PlacedGroup& place, const Box& within) {
-    const double reach = BlendReach(place.group->elements.size(), place.group->blend_radius);
     std::vector<Box> found;
     for (const Element& element : place.group->elements) {
-      const Box box = Grown(Moved(BoundsOf(element), place.origin), reach + 1e-12);
+      const Box box = BoxOf(element, place);
       if (Overlap(box, within)) found.push_back(box);
     }
     return found;

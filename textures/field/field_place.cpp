@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "textures/field/blend.h"
+
 namespace moontrace {
 
 namespace {
@@ -92,6 +94,15 @@ void AddBand(const std::vector<const PlacedGroup*>& leaves, CompiledLayer& layer
 }
 
 }  // namespace
+
+double ReachIn(const PlacedGroup& place) {
+  constexpr double kHair = 1e-9;  // more than all rounding of places on a page [m]
+  return BlendReach(place.group->elements.size(), place.group->blend_radius) + kHair;
+}
+
+Box BoxOf(const Element& element, const PlacedGroup& place) {
+  return Grown(Moved(BoundsOf(element), place.origin), ReachIn(place));
+}
 
 void AddPlaces(const std::vector<PlacedGroup>& places, CompiledLayer& layer) {
   Box all;

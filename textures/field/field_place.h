@@ -16,14 +16,19 @@ struct PlacedGroup {
   Box box;                  ///< on the page [m]
 };
 
+/// How far beyond an element of a group something can matter: as far as blending swells it [m].
+double ReachIn(const PlacedGroup& place);
+/// Where on the page an element of a group can matter; empty for an outline without pieces.
+Box BoxOf(const Element& element, const PlacedGroup& place);
+
 /// A compiled layer and what it was made of.
 struct CompiledPart {
   TextureField::CompiledLayer layer;
   std::vector<PlacedGroup> places;
 };
 /// Flattens one layer. Of letters with links between them the letters are one part, in rows, and
-/// the links, which overlap them, another that joins it. Throws InputError for broken profiles and
-/// for more than 65535 different groups.
+/// the links, which overlap them, another that joins it. Throws InputError for broken profiles, for
+/// more than 65535 different groups, and for one that stands beyond 1000 km.
 std::vector<CompiledPart> CompileLayer(const Layer& layer);
 
 /// What reaches into each band, from left to right; a group in every band that its box touches.

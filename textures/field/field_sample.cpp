@@ -447,6 +447,7 @@ Magnitude SampleBuckets(const CompiledLayer& layer, std::uint32_t band, double u
       const Leaf& leaf = layer.leaves[i + static_cast<std::size_t>(std::countr_zero(met.leaves))];
       const Block& block = layer.blocks[leaf.block];
       const glm::dvec2 local = p - leaf.origin;
+      // beyond the block's box it is an empty one
       const Cell cell = CellAt(layer, block, PlaceOf(block.grid, StepsOf(layer, local)));
       const Magnitude member = SampleCell(layer, block, cell, local);
       if (member.height > greatest.height ||

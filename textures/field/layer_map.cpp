@@ -1,13 +1,10 @@
-// Runs outside the tick, may allocate.
-#include "textures/field/layer_map.h"
-
+// The map of the layers beyond the first: drawn outside the tick, may allocate.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <variant>
 
-#include "textures/field/blend.h"
 #include "textures/field/field_cells.h"
 #include "textures/field/field_place.h"
 
@@ -17,7 +14,6 @@ namespace {
 
 constexpr double kMostSquares = 0x1p19;  // a quarter of a megabyte
 constexpr double kMostDrawn = 0x1p24;    // squares that are looked at, all elements together
-constexpr double kHair = 1e-9;           // more than all rounding of places on a page [m]
 
 /// Of the strokes beyond the first layer.
 double FinestWidth(const std::vector<CompiledPart>& parts) {
@@ -30,13 +26,6 @@ double FinestWidth(const std::vector<CompiledPart>& parts) {
   return finest;
 }
 
-/// How far beyond an element of a group something can matter [m].
-double ReachIn(const PlacedGroup& place) {
-  return BlendReach(place.group->elements.size(), place.group->blend_radius) + kHair;
-}
-Box BoxOf(const Element& element, const PlacedGroup& place) {
-  return Grown(Moved(BoundsOf(element), place.origin), ReachIn(place));
-}
 glm::dvec2 SizeOf(const Box& box) { return box.max - box.min; }
 
 /// From one square on, up to another that is not among them.
