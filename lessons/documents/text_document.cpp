@@ -9,6 +9,7 @@
 
 #include "lessons/documents/block_writer.h"
 #include "textures/base/text_file.h"
+#include "textures/base/utf8.h"
 
 namespace moontrace {
 namespace {
@@ -181,12 +182,14 @@ class LineHyphens {
 
 /// A word by which chapters are counted, before their number.
 bool CountsChapters(std::string_view line) {
-  static constexpr std::array<std::string_view, 16> kWords = {
-      "chapter", "book",     "part",  "act",    "scene", "canto",    "volume",    "section",
-      "kapitel", "chapitre", "livre", "partie", "buch",  "capitolo", "hoofdstuk", "teil"};
+  static constexpr std::array<std::string_view, 26> kWords = {
+      "chapter",  "book",     "part",     "act",       "scene",    "canto",    "volume",
+      "section",  "kapitel",  "chapitre", "livre",     "partie",   "buch",     "teil",
+      "capitolo", "capítulo", "parte",    "hoofdstuk", "rozdział", "kapitola", "fejezet",
+      "luku",     "bölüm",    "глава",    "часть",     "κεφάλαιο"};
   const std::size_t end = line.find(' ');
   if (end == std::string_view::npos) return false;
-  const std::string word = LowerCase(line.substr(0, end));
+  const std::string word = CaseFolded(line.substr(0, end));
   if (std::find(kWords.begin(), kWords.end(), word) == kWords.end()) return false;
   std::string number = LowerCase(line.substr(end + 1));
   number.resize(std::min(number.find_first_of(" .:,-"), number.size()));
@@ -195,10 +198,15 @@ bool CountsChapters(std::string_view line) {
 }
 
 bool IsCapitals(std::string_view line) {
-  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
-  return line[0] != '*' && line[0] != '[' && line.back() != ',' &&
-         std::count_if(line.begin(), line.end(), is_capital) > 2 &&
-         std::none_of(line.begin(), line.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  if (line[0] == '*' || line[0] == '[' || line.back() == ',') return false;
+  int capitals = 0;
+  for (const char32_t c : ToCodePoints(line)) {
+    if (!IsLetter(c) || IsMark(c)) continue;
+    const std::string letter = ToUtf8(c);
+    if (CaseFolded(letter) == letter) return false;
+    ++capitals;
+  }
+  return capitals > 2;
 }
 
 /// Whether lines that stand apart by more than one blank line are the heading of a chapter, as

@@ -123,6 +123,19 @@ TEST(ReadPlainText, HeadingsOfChaptersStandApart) {
                                                 "Chapter 2: The Pool", "THE POOL OF TEARS"}));
 }
 
+TEST(ReadPlainText, HeadingsOfChaptersAreInAnyAlphabet) {
+  const Document book = ReadPlainText(
+      "\n\nГЛАВА ПЕРВАЯ\n\n\nБыло утро.\n\n\nГлава 2\n\n\nБыл день.\n\n\nÜBER DEN FLUẞ\n\n\nEs "
+      "war.\n\n\n"
+      "ÉTÉ à PARIS\n\n\nIl était.\n\n\nשלום עולם\n\n\nCapítulo II\n\n\nEra.\n",
+      "t", false);
+  std::vector<std::string> headings;
+  for (const ContentsEntry& entry : ContentsOf(book)) headings.push_back(entry.title);
+  EXPECT_EQ(headings,
+            (std::vector<std::string>{"ГЛАВА ПЕРВАЯ", "Глава 2", "ÜBER DEN FLUẞ", "Capítulo II"}))
+      << "neither what is not all in capitals nor letters that have none";
+}
+
 TEST(ReadPlainText, ReadsMarksWhereAskedTo) {
   const char* text = "# Title\nwords\n> quoted\n>\n#no heading\n";
   const Document plain = ReadPlainText(text, "t", false);
