@@ -4,6 +4,7 @@
 
 #include "sim/console/wording.h"
 #include "sim/picture/picture_messages.h"
+#include "sim/session/loop_messages.h"
 #include "sim/setup/setup_messages.h"
 #include "sim/setup/writing_messages.h"
 #include "sim/trial/metrics_json.h"
@@ -209,11 +210,7 @@ std::string FrictionHampers(double friction) {
 }
 
 std::string PageGone(double time) {
-  return fmt::format(
-      "After {} s the page went away under the hand, faster than a hand follows: hold it by a "
-      "spring "
-      "or damping, or press less.",
-      Short(time, 1));
+  return fmt::format("After {} s the {}", Short(time, 1), kPageWentAway);
 }
 
 std::string Faults(const TrialResult& all) {

@@ -191,9 +191,7 @@ std::string Event(const LoopEvent& event, bool felt) {
     case LoopEventKind::kModelMoved:
       return "The model was moved, so that you reach that label.";
     case LoopEventKind::kPageGone:
-      return "The page went away under the hand, faster than a hand follows: hold it by a spring "
-             "or "
-             "damping, or press less.";
+      return fmt::format("The {}", kPageWentAway);
     case LoopEventKind::kSay:
     case LoopEventKind::kPageChanged:
       break;  // said with what they concern

@@ -34,6 +34,11 @@ inline constexpr const char* kLoopPress =
 inline constexpr const char* kHoldToFeel = "force only while the first button is held.";
 }  // namespace help
 
+/// Also of `trace`, which says when.
+inline constexpr const char* kPageWentAway =
+    "page went away under the hand, faster than a hand follows: hold it by a spring or damping, or "
+    "press less.";
+
 /// What is felt; `chosen`: somebody gave it.
 std::string OnThePage(std::string_view text, bool chosen);
 std::string LoopBegins(std::string_view device);
