@@ -112,13 +112,14 @@ class Reader final : public PageReader {
   bool LeftAGap(glm::dvec2 entry);
   void SearchLineStart();
   bool IsInLastLine(const SignPlace& place);
+  bool IsTooNear(const SignPlace& place);
   SignPlace StartOfLine() const;
   double LeastPitch() const;
   std::optional<double> SkippedLine(const SignPlace& place) const;
   bool LookForSkipped(double pitch);
   bool IsAtMargin(const SignPlace& place) const;
   void BeginLine();
-  void SearchNextLine();
+  void SearchNextLine(double from = kTopOfNext);
   void EndLine();
   void LeaveLine();
   PlacePrior PriorNow() const;

@@ -21,7 +21,9 @@ constexpr double kLeftOfLine = -0.2, kRightOfFirst = 1.6;  ///< between them sig
 constexpr double kInBars = 0.25;     ///< right of where any bar begins, a hyphen's middle
 constexpr double kTopOfBars = 0.75;  ///< so low that a hand that lands there meets no sign above
 constexpr double kDown = 0.2;        ///< each sweep between them; less than a dot's height
-constexpr int kMostSkips = 5;        ///< of what is the line above again
+constexpr double kSameLine = 0.5;    ///< nearer to a line it is the same
+constexpr double kTooNear = 0.95;    ///< lines run into each other
+constexpr int kMostSkips = 5;        ///< of what is the line above again, or no line
 constexpr double kLowered = 0.1;     ///< it is looked for so much lower then
 constexpr double kLower = 0.3;       ///< below a line another begins at least so much lower
 constexpr int kMostRounds = 3;       ///< of lines that do not: it goes round in what it has read
@@ -204,6 +206,9 @@ void Reader::Accept() {
   }
   read.time = news_ = now_;
   if (errand_ == Errand::kNextLine && IsInLastLine(read.guess.place)) return SearchNextLine();
+  if (errand_ == Errand::kNextLine && IsTooNear(read.guess.place)) {
+    return SearchNextLine(kLowered - Across(line_starts_.back(), entry_));
+  }
   if (errand_ == Errand::kNextLine) {
     const std::optional<double> skipped = SkippedLine(read.guess.place);
     if (skipped && LookForSkipped(*skipped)) return;
@@ -244,12 +249,25 @@ void Reader::Accept() {
 /// Whether what was taken for the next line's is the last line's, whose height it tells then: that
 /// of its first sign may have been wrong.
 bool Reader::IsInLastLine(const SignPlace& place) {
-  constexpr double kSameLine = 0.5;  // [em]
   SignPlace& last = line_starts_.back();
   const double off = Across(last, place.origin);
   if (std::abs(off) > kSameLine || skips_ >= kMostSkips) return false;
   ++skips_;
   last.origin = FromEm(last, {0, off - kLowered});
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = tries_ = circles_ = 0;
+  return true;
+}
+
+/// Whether what was taken for the next line's runs into the last one, as no two lines do where the
+/// size is known: then it is part of a sign further down.
+bool Reader::IsTooNear(const SignPlace& place) {
+  constexpr std::size_t kKnown = 4;  // signs
+  const double off = Across(line_starts_.back(), place.origin);
+  if (off > -kSameLine || off < -kTooNear || skips_ >= kMostSkips) return false;
+  if (felt_sizes_.size() < kKnown) return false;
+  ++skips_;
   evidence_.grooves.clear();
   evidence_.flats.clear();
   crossings_ = tries_ = circles_ = 0;
@@ -333,7 +351,7 @@ void Reader::SearchFirstLine() {
   SweepAlong(std::move(way), Errand::kFirstLine);
 }
 
-void Reader::SearchNextLine() {
+void Reader::SearchNextLine(double from) {
   const SignPlace above = line_starts_.back();
   // To and fro over its first sign or two, slanting, so that bars are met as well. A short one that
   // all these pass above and below lies across a way straight down; where the pitch is known
@@ -344,7 +362,7 @@ void Reader::SearchNextLine() {
     return SweepAlong(std::move(way), Errand::kNextLine);
   }
   double x = kLeftOfLine;
-  for (double y = -kTopOfNext; y > -kTopOfNext - kDeepest; y -= kDown) {
+  for (double y = -from; y > -kTopOfNext - kDeepest; y -= kDown) {
     way.push_back(FromEm(above, {x, y}));
     x = x == kLeftOfLine ? kRightOfFirst : kLeftOfLine;
   }

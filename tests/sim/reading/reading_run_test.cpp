@@ -383,6 +383,16 @@ TEST(SlowReading, EndsBelowTheLastLine) {
   EXPECT_EQ(last_lines, 1U);
 }
 
+// The top of the K below was taken for a line of its own, of signs that nobody set.
+TEST(SlowReading, NoLineRunsIntoTheLast) {
+  for (const Sheet& sheet : {Sheet{"vpforce-rhino", 0.016, "ulxhv uzhyd kqzya zezov", 117},
+                             Sheet{"generic-pid", 0.022, "i lnc kw", Random(2).Bits()}}) {
+    const SheetRead read = ReadSheet(sheet);
+    EXPECT_EQ(read.score.signs_right, read.score.signs) << sheet.text;
+    EXPECT_EQ(read.score.extra, 0U) << sheet.text;
+  }
+}
+
 // A profile that pushes only along z: walls are felt by no one, and no force is told of them.
 TEST(Reading, IsToldTheForceOfPushedAxesOnly) {
   const Desk desk("so");
