@@ -69,6 +69,13 @@ struct CellElements {
   const std::uint16_t* items = &kFirst;  ///< counted from `first`
 };
 
+/// One over a distance, worked out beside the root rather than behind it, so that a query does not
+/// wait for both; finite at no distance.
+inline double OneOver(double distance, double square) noexcept {
+  constexpr double kTiny = 1e-300;
+  return distance * (1.0 / (square + kTiny));
+}
+
 /// The band at a height, or one beyond all, also for NaN.
 inline std::uint32_t BandOf(const TextureField::CompiledLayer& layer, double y) noexcept {
   // comparisons are written so that a NaN ends here

@@ -43,10 +43,10 @@ inline Near NearestOfLine(const FlatElement& element, glm::dvec2 p) noexcept {
 inline Near NearestOfRound(const FlatElement& element, glm::dvec2 p) noexcept {
   const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
   const double along = vx * element.direction.x + vy * element.direction.y;
-  const double distance = std::sqrt(vx * vx + vy * vy);
+  const double square = vx * vx + vy * vy, distance = std::sqrt(square);
   // at the centre no direction is nearest: none is chosen
   const double off = distance - element.radius;
-  const double scale = std::copysign(1.0, off) / (distance + kTiny);
+  const double scale = std::copysign(OneOver(distance, square), off);
   return {std::abs(off), along - distance * element.cos_half, {scale * vx, scale * vy}};
 }
 
@@ -56,8 +56,8 @@ inline Near NearestOfCapped(const FlatElement& element, glm::dvec2 p) noexcept {
   const double ux = element.direction.x, uy = element.direction.y;
   const double along = Smaller(Larger(vx * ux + vy * uy, 0.0), element.length);
   const double wx = vx - along * ux, wy = vy - along * uy;
-  const double distance = std::sqrt(wx * wx + wy * wy);
-  const double scale = 1.0 / (distance + kTiny);
+  const double square = wx * wx + wy * wy, distance = std::sqrt(square);
+  const double scale = OneOver(distance, square);
   return {distance, 0.0, {scale * wx, scale * wy}};
 }
 inline Near NearestOf(const FlatElement& element, glm::dvec2 p) noexcept {
@@ -153,13 +153,13 @@ inline Within WithinOf(const FlatProfile& profile, const FlatElement& element,
   const double vx = p.x - element.anchor.x, vy = p.y - element.anchor.y;
   const double ux = element.direction.x, uy = element.direction.y;
   const double along = vx * ux + vy * uy, across = vy * ux - vx * uy;
-  const double distance = std::sqrt(vx * vx + vy * vy);
+  const double square = vx * vx + vy * vy, distance = std::sqrt(square);
   // lines alone have a length, and neither a radius nor an angle
   const auto for_line = [&element](double line, double round) {
     return IfLess(element.length, kFar, line, round);
   };
   const double off = for_line(across, distance - element.radius);
-  const double scale = std::copysign(1.0, off) / for_line(1.0, distance + kTiny);
+  const double scale = std::copysign(for_line(1.0, OneOver(distance, square)), off);
   const double within = Smaller(along, element.length - along) - distance * element.cos_half;
   return {InsideOf(profile, {std::abs(off), within, {}}),
           {scale * for_line(-uy, vx), scale * for_line(ux, vy)}};

@@ -19,7 +19,6 @@ using CompiledLayer = TextureField::CompiledLayer;
 constexpr std::size_t kMost = 64;  ///< points of a run
 constexpr std::size_t kSide = 8;   ///< that the widest vectors work out side by side
 constexpr double kFar = 1e300;
-constexpr double kTiny = 1e-300;
 constexpr double kHair = 1e-9;  ///< more than all rounding of places on a page [m]
 
 /// Points of a run from their block's origin [m], and what is found there.
@@ -65,8 +64,8 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
         const double past_start = on_line > 0 ? on_line : 0;
         const double along = past_start < length ? past_start : length;
         const double wx = vx - along * ux, wy = vy - along * uy;
-        const double distance = std::sqrt(wx * wx + wy * wy);
-        const double scale = 1.0 / (distance + kTiny);
+        const double square = wx * wx + wy * wy, distance = std::sqrt(square);
+        const double scale = OneOver(distance, square);
         best[i] = distance;
         away_x[i] = scale * wx;
         away_y[i] = scale * wy;
@@ -76,9 +75,9 @@ MOONTRACE_WIDE void RunPlain(const CellElements& elements, const FlatProfile& pr
       for (std::size_t i = 0; i < count; ++i) {
         const double vx = x[i] - ax, vy = y[i] - ay;
         const double along = vx * ux + vy * uy;
-        const double distance = std::sqrt(vx * vx + vy * vy);
+        const double square = vx * vx + vy * vy, distance = std::sqrt(square);
         const double off = distance - radius;
-        const double scale = std::copysign(1.0, off) / (distance + kTiny);
+        const double scale = std::copysign(OneOver(distance, square), off);
         const double d = along - distance * cos_half >= 0 ? std::abs(off) : kFar;
         const bool nearer = d < best[i];
         best[i] = nearer ? d : best[i];
