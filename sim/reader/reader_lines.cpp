@@ -207,7 +207,7 @@ void Reader::Accept() {
   read.time = news_ = now_;
   if (errand_ == Errand::kNextLine && IsInLastLine(read.guess.place)) return SearchNextLine();
   if (errand_ == Errand::kNextLine && IsTooNear(read.guess.place)) {
-    return SearchNextLine(kLowered - Across(line_starts_.back(), entry_));
+    return SearchNextLine(std::min(kDeepest, kLowered - Across(line_starts_.back(), entry_)));
   }
   if (errand_ == Errand::kNextLine) {
     const std::optional<double> skipped = SkippedLine(read.guess.place);
