@@ -61,6 +61,7 @@ class Reader final : public PageReader {
   void BeginAtTop();
   void ForgetPage();
   void ForgetSize();
+  void ForgetSign();
   ReaderAction Act(const Felt& felt);
   void FlyTo(glm::dvec2 to, Phase then);
   std::vector<glm::dvec2> WithinFace(std::vector<glm::dvec2> way) const;

@@ -230,9 +230,7 @@ void Reader::Accept() {
     LearnFrame();
   }
   unknown_ = evidence_.grooves;
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = tries_ = circles_ = 0;
+  ForgetSign();
   random_phase_ = random_.Uniform() < 0.5;
   unknowns_ = read.guess.sign == SignGuess::kUnknown ? unknowns_ + 1 : 0;
   if (StartAnew()) return;
@@ -254,9 +252,7 @@ bool Reader::IsInLastLine(const SignPlace& place) {
   if (std::abs(off) > kSameLine || skips_ >= kMostSkips) return false;
   ++skips_;
   last.origin = FromEm(last, {0, off - kLowered});
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = tries_ = circles_ = 0;
+  ForgetSign();
   return true;
 }
 
@@ -264,13 +260,13 @@ bool Reader::IsInLastLine(const SignPlace& place) {
 /// size is known: then it is part of a sign further down.
 bool Reader::IsTooNear(const SignPlace& place) {
   constexpr std::size_t kKnown = 4;  // signs
+  // of a heading's letters an em is larger than of the line below it
+  const double too_near = kTooNear / std::max(1.0, knowledge_.heading_scale);
   const double off = Across(line_starts_.back(), place.origin);
-  if (off > -kSameLine || off < -kTooNear || skips_ >= kMostSkips) return false;
+  if (off > -kSameLine || off < -too_near || skips_ >= kMostSkips) return false;
   if (felt_sizes_.size() < kKnown) return false;
   ++skips_;
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = tries_ = circles_ = 0;
+  ForgetSign();
   return true;
 }
 
@@ -302,9 +298,7 @@ bool Reader::LookForSkipped(double pitch) {
   constexpr double kFar = 6;
   if (skipped_ != Skipped::kUnknown || !std::isfinite(pitch)) return false;
   skipped_ = Skipped::kLooking;
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = tries_ = circles_ = 0;
+  ForgetSign();
   SignPlace expected = line_starts_.back();
   double margin = 0;
   for (const SignPlace& start : line_starts_) {

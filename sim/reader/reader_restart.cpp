@@ -22,9 +22,7 @@ void Reader::ForgetPage() {
   tokens_.clear();
   line_starts_.clear();
   signs_ = unknowns_ = 0;
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = tries_ = circles_ = 0;
+  ForgetSign();
   skips_ = rounds_ = far_ = widest_gap_ = gaps_ = 0;
   skipped_ = Skipped::kUnknown;
   first_skipped_.reset();
@@ -33,6 +31,13 @@ void Reader::ForgetPage() {
   farthest_ = -HUGE_VAL;
   gap_bias_ = turn_ = across_ = along_ = 0;
   size_logs_.clear();
+}
+
+/// What was felt of a sign.
+void Reader::ForgetSign() {
+  evidence_.grooves.clear();
+  evidence_.flats.clear();
+  crossings_ = tries_ = circles_ = 0;
 }
 
 void Reader::ForgetSize() {

@@ -254,9 +254,7 @@ bool Reader::TakeGuide() {
   led.guess.place.origin = FromEm(led.guess.place, {0, -kMiddle});
   line_.push_back(led);
   line_size_new_ = false;
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = tries_ = circles_ = 0;
+  ForgetSign();
   unknowns_ = 0;
   SearchNext();
   return true;

@@ -267,9 +267,7 @@ bool Reader::SkipFirst() {
   for (int i = 0; i < kTurns; ++i) {
     way.emplace_back(box.max.x + a * (0.2 + 0.15 * i), y + (i % 2 == 0 ? -0.35 : 0.35) * a);
   }
-  evidence_.grooves.clear();
-  evidence_.flats.clear();
-  crossings_ = circles_ = tries_ = 0;
+  ForgetSign();
   SweepAlong(std::move(way), errand_);
   return true;
 }
