@@ -191,17 +191,20 @@ bool CountsChapters(std::string_view line) {
   if (end == std::string_view::npos) return false;
   const std::string word = CaseFolded(line.substr(0, end));
   if (std::find(kWords.begin(), kWords.end(), word) == kWords.end()) return false;
-  std::string number = LowerCase(line.substr(end + 1));
-  number.resize(std::min(number.find_first_of(" .:,-"), number.size()));
-  return !number.empty() && (number.find_first_not_of("ivxlcdm") == std::string::npos ||
-                             number.find_first_not_of("0123456789") == std::string::npos);
+  const std::string_view rest = line.substr(end + 1);
+  const std::string_view number = rest.substr(0, rest.find_first_of(" .:,-"));
+  if (number.empty()) return false;
+  if (number.find_first_not_of("0123456789") == std::string_view::npos) return true;
+  // small letters before a space are a word: "parte di"
+  const bool is_word = number[0] >= 'a' && rest.substr(number.size(), 1) == " ";
+  return !is_word && LowerCase(number).find_first_not_of("ivxlcdm") == std::string::npos;
 }
 
 bool IsCapitals(std::string_view line) {
   if (line[0] == '*' || line[0] == '[' || line.back() == ',') return false;
   int capitals = 0;
   for (const char32_t c : ToCodePoints(line)) {
-    if (!IsLetter(c) || IsMark(c)) continue;
+    if (!IsLetter(c) || IsMark(c) || c == U'ª' || c == U'º') continue;
     const std::string letter = ToUtf8(c);
     if (CaseFolded(letter) == letter) return false;
     ++capitals;

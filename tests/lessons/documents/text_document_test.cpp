@@ -110,30 +110,37 @@ TEST(ReadPlainText, HyphensThatOnlyALinesEndHasAreNoSigns) {
   EXPECT_EQ(TextsOf(long_text).front().substr(wide.size(), 11), " well-known");
 }
 
+std::vector<std::string> HeadingsOf(const std::string& text) {
+  std::vector<std::string> headings;
+  for (const ContentsEntry& entry : ContentsOf(ReadPlainText(text, "t", false))) {
+    headings.push_back(entry.title);
+  }
+  return headings;
+}
+using Headings = std::vector<std::string>;
+
 // Project Gutenberg's texts: four blank lines before a chapter, two behind its heading.
 TEST(ReadPlainText, HeadingsOfChaptersStandApart) {
-  const Document book = ReadPlainText(
-      "Title\n\n\n\n\nCHAPTER I.\nDown the Rabbit-Hole\n\n\nAlice was beginning.\n\nSTOP!\n\n"
-      "she said.\n\n\n\n  Chapter 2: The Pool\n\nText.\n\n\nTHE POOL OF TEARS\n\nText.\n\n\n"
-      "Part of it was\n\n\n*** END OF THE BOOK ***\n",
-      "t", false);
-  std::vector<std::string> headings;
-  for (const ContentsEntry& entry : ContentsOf(book)) headings.push_back(entry.title);
-  EXPECT_EQ(headings, (std::vector<std::string>{"CHAPTER I. Down the Rabbit-Hole",
-                                                "Chapter 2: The Pool", "THE POOL OF TEARS"}));
+  EXPECT_EQ(
+      HeadingsOf(
+          "Title\n\n\n\n\nCHAPTER I.\nDown the Rabbit-Hole\n\n\nAlice was beginning.\n\nSTOP!\n\n"
+          "she said.\n\n\n\n  Chapter 2: The Pool\n\nText.\n\n\nTHE POOL OF TEARS\n\nText.\n\n\n"
+          "Part of it was\n\n\n*** END OF THE BOOK ***\n"),
+      (Headings{"CHAPTER I. Down the Rabbit-Hole", "Chapter 2: The Pool", "THE POOL OF TEARS"}));
 }
 
 TEST(ReadPlainText, HeadingsOfChaptersAreInAnyAlphabet) {
-  const Document book = ReadPlainText(
-      "\n\nГЛАВА ПЕРВАЯ\n\n\nБыло утро.\n\n\nГлава 2\n\n\nБыл день.\n\n\nÜBER DEN FLUẞ\n\n\nEs "
-      "war.\n\n\n"
-      "ÉTÉ à PARIS\n\n\nIl était.\n\n\nשלום עולם\n\n\nCapítulo II\n\n\nEra.\n",
-      "t", false);
-  std::vector<std::string> headings;
-  for (const ContentsEntry& entry : ContentsOf(book)) headings.push_back(entry.title);
-  EXPECT_EQ(headings,
-            (std::vector<std::string>{"ГЛАВА ПЕРВАЯ", "Глава 2", "ÜBER DEN FLUẞ", "Capítulo II"}))
-      << "neither what is not all in capitals nor letters that have none";
+  EXPECT_EQ(
+      HeadingsOf(
+          "\n\nГЛАВА ПЕРВАЯ\n\n\nБыло утро.\n\n\nГлава 2\n\n\nБыл день.\n\n\nÜBER DEN FLUẞ\n\n\n"
+          "Es war.\n\n\nCapítulo II\n\n\nEra.\n\n\nSECCIÓN 2ª\n\n\nEra.\n"),
+      (Headings{"ГЛАВА ПЕРВАЯ", "Глава 2", "ÜBER DEN FLUẞ", "Capítulo II", "SECCIÓN 2ª"}));
+}
+
+TEST(ReadPlainText, SmallLettersAndWordsForNumbersMakeNoHeading) {
+  EXPECT_EQ(HeadingsOf(
+                "\n\nÉTÉ à PARIS\n\n\nIl était.\n\n\nשלום עולם\n\n\nParte di un tutto\n\n\nEra.\n"),
+            Headings());
 }
 
 TEST(ReadPlainText, ReadsMarksWhereAskedTo) {
